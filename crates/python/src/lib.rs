@@ -1,0 +1,16 @@
+//! The door to Python: converts types and errors, decides nothing.
+
+use pyo3::prelude::*;
+
+mod colour;
+mod file;
+mod image;
+mod nacre;
+mod optics;
+mod texture;
+
+pyo3::import_exception!(nacreous.problem, InputError);
+
+/// The compiled rooms of nacreous.
+#[pymodule]
+mod _core {}

@@ -1,0 +1,1 @@
+"""From the layers of a pearl to the way people judge its look."""
