@@ -1,0 +1,44 @@
+use crate::MAX_LAYERS;
+
+/// A structure that cannot be: which quantity, its value, what is allowed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NacreError {
+    /// A quantity lies outside its range.
+    #[error("{quantity} is {value}; allowed: {allowed}")]
+    OutOfRange {
+        /// The quantity, by its public name.
+        quantity: String,
+        /// What was given.
+        value: f64,
+        /// The allowed range in words.
+        allowed: &'static str,
+    },
+    /// Too few or too many layers.
+    #[error("the stack has {0} layers; allowed: 1 to {MAX_LAYERS}")]
+    LayerCount(usize),
+    /// The noise could make a layer vanish.
+    #[error(
+        "thickness_noise_nm is {noise_nm}; allowed: less than the thinnest layer of the season, \
+         {thinnest_nm} nm"
+    )]
+    NoiseTooLarge {
+        /// Half width of the uniform noise.
+        noise_nm: f64,
+        /// The smaller of the winter's and the summer's thickness.
+        thinnest_nm: f64,
+    },
+}
+
+/// The one check of a number at this door: inside `range`, or an error that says what is `allowed`.
+pub(crate) fn within(
+    quantity: &str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+    allowed: &'static str,
+) -> Result<f64, NacreError> {
+    if range.contains(&value) {
+        Ok(value)
+    } else {
+        Err(NacreError::OutOfRange { quantity: quantity.to_owned(), value, allowed })
+    }
+}

@@ -1,0 +1,51 @@
+use num_complex::Complex64;
+
+use crate::{NacreError, error::within};
+
+/// The refractive index n + ik of an isotropic medium, n > 0 and k >= 0.
+///
+/// Convention: waves run as exp(i(kx - wt)), so a positive k absorbs.
+///
+/// ```
+/// use nacreous_nacre::Index;
+/// let aragonite = Index::new("aragonite", 1.53, 0.0)?;
+/// assert!(aragonite.is_lossless());
+/// assert!(Index::new("aragonite", -1.53, 0.0).is_err());
+/// # Ok::<(), nacreous_nacre::NacreError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Index {
+    n: f64,
+    k: f64,
+}
+
+impl Index {
+    /// # Errors
+    /// [`NacreError::OutOfRange`], naming `medium`, unless 0 < n <= 100 and 0 <= k <= 100. Metals stay
+    /// below 30; the bound keeps overflow out of the formulas.
+    pub fn new(medium: &str, n: f64, k: f64) -> Result<Self, NacreError> {
+        within(&format!("{medium}: n"), n, f64::MIN_POSITIVE..=100.0, "above 0, up to 100")?;
+        within(&format!("{medium}: k"), k, 0.0..=100.0, "0 to 100")?;
+        Ok(Self { n, k })
+    }
+
+    /// The real part.
+    pub fn n(self) -> f64 {
+        self.n
+    }
+
+    /// The imaginary part, the extinction coefficient.
+    pub fn k(self) -> f64 {
+        self.k
+    }
+
+    /// n + ik.
+    pub fn complex(self) -> Complex64 {
+        Complex64::new(self.n, self.k)
+    }
+
+    /// Whether light passes the medium without absorption.
+    pub fn is_lossless(self) -> bool {
+        self.k == 0.0
+    }
+}

@@ -1,0 +1,52 @@
+/// A question that optics cannot answer: which quantity, its value, what is allowed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OpticsError {
+    /// A quantity lies outside its range.
+    #[error("{quantity} is {value}; allowed: {allowed}")]
+    OutOfRange {
+        /// The quantity, by its public name.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+        /// The allowed range in words.
+        allowed: &'static str,
+    },
+    /// The illuminant model was asked about absorbing media.
+    #[error(
+        "{medium} has k = {k}; allowed: 0, for the model of 1996 knows no absorption inside a layer \
+         (its loss is diffuse_loss)"
+    )]
+    Absorbing {
+        /// Which medium.
+        medium: &'static str,
+        /// Its extinction coefficient.
+        k: f64,
+    },
+    /// The illuminant model was asked about a stack whose light cannot leave at every angle.
+    #[error(
+        "{medium} has n = {n}; allowed: at least the ambient's {ambient}, so that light seen from \
+         outside exists inside at every angle"
+    )]
+    TotalReflection {
+        /// Which medium.
+        medium: &'static str,
+        /// Its index.
+        n: f64,
+        /// The index outside.
+        ambient: f64,
+    },
+}
+
+/// The one check of a number at this door.
+pub(crate) fn within(
+    quantity: &'static str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+    allowed: &'static str,
+) -> Result<f64, OpticsError> {
+    if range.contains(&value) {
+        Ok(value)
+    } else {
+        Err(OpticsError::OutOfRange { quantity, value, allowed })
+    }
+}

@@ -1,0 +1,159 @@
+//! Laws of the illuminant model.
+
+use nacreous_nacre::{Index, LayerStack};
+use nacreous_optics::{IlluminantModel, OpticsError};
+use proptest::prelude::*;
+
+const PAPER: IlluminantModel =
+    IlluminantModel { coherence_nm: 5000.0, threshold: 0.05, diffuse_loss: 0.02 };
+
+fn stack(thickness_nm: Vec<f64>) -> LayerStack {
+    let index = |n| Index::new("medium", n, 0.0).unwrap();
+    LayerStack::new(thickness_nm, 20.0, index(1.53), index(1.43), index(1.0), index(1.53)).unwrap()
+}
+
+fn wavelengths_nm() -> Vec<f64> {
+    (380..=780).map(f64::from).collect()
+}
+
+/// (cos theta_1, T1, |a|^2 of s, |a|^2 of p), written again from the paper's formulas.
+fn by_hand(theta_0: f64, wavelength_nm: f64) -> (f64, f64, f64, f64) {
+    let (c0, n1, n2) = (theta_0.cos(), 1.53, 1.43);
+    let c1 = (1.0 - (theta_0.sin() / n1).powi(2)).sqrt();
+    let c2 = (1.0 - (theta_0.sin() / n2).powi(2)).sqrt();
+    let r1_p = (n1 * c0 - c1) / (n1 * c0 + c1);
+    let r1_s = (n1 * c1 - c0) / (n1 * c1 + c0);
+    let r2_p = (n1 * c2 - n2 * c1) / (n1 * c2 + n2 * c1);
+    let r2_s = (n1 * c1 - n2 * c2) / (n1 * c1 + n2 * c2);
+    let delta = 4.0 * std::f64::consts::PI * n2 * 20.0 * c2 / wavelength_nm;
+    let face_pair = (1.0 - delta.cos()).powi(2) + delta.sin().powi(2);
+    let t1 = 1.0 - 0.5 * (r1_p * r1_p + r1_s * r1_s);
+    (c1, t1, r2_s * r2_s * face_pair, r2_p * r2_p * face_pair)
+}
+
+/// Section 3.2.4 as its flow chart says it: loops in loops, no telescoping.
+fn as_the_flow_chart_says(
+    model: IlluminantModel,
+    thickness_nm: &[f64],
+    theta_0: f64,
+    wavelength_nm: f64,
+) -> f64 {
+    let (c1, t1, a2_s, a2_p) = by_hand(theta_0, wavelength_nm);
+    let mut both = 0.0;
+    for a2 in [a2_s, a2_p] {
+        let mut light = 1.0;
+        for l in 0..thickness_nm.len() {
+            let (mut re, mut im, mut depth_nm) = (0.0, 0.0, 0.0);
+            for k in l..thickness_nm.len() {
+                if k > l {
+                    depth_nm += thickness_nm[k];
+                    if 2.0 * 1.53 * c1 * depth_nm >= model.coherence_nm {
+                        break;
+                    }
+                }
+                let xi = 4.0 * std::f64::consts::PI * depth_nm * 1.53 * c1 / wavelength_nm;
+                re += xi.cos();
+                im += xi.sin();
+            }
+            both += light * a2 * (re * re + im * im);
+            light *= (1.0 - a2 - model.diffuse_loss).powi(2);
+            if light < model.threshold {
+                break;
+            }
+        }
+    }
+    0.5 * t1 * both
+}
+
+#[test]
+fn one_window_of_equal_layers_is_a_finite_grating() {
+    let layers = 9;
+    let coherent = IlluminantModel { coherence_nm: 1e9, threshold: 1.0, diffuse_loss: 0.0 };
+    let thickness_nm = vec![431.0; layers];
+    for theta_0 in [0.0, 0.4, 1.1] {
+        let spectrum =
+            coherent.spectra(&stack(thickness_nm.clone()), &[theta_0], &wavelengths_nm()).unwrap();
+        for (wavelength_nm, got) in wavelengths_nm().into_iter().zip(spectrum) {
+            let (c1, t1, a2_s, a2_p) = by_hand(theta_0, wavelength_nm);
+            let half = 2.0 * std::f64::consts::PI * 1.53 * c1 * 431.0 / wavelength_nm;
+            let grating = ((layers as f64 * half).sin() / half.sin()).powi(2);
+            let closed = 0.5 * t1 * (a2_s + a2_p) * grating;
+            assert!((got - closed).abs() < 1e-12 * (1.0 + closed / a2_s), "{wavelength_nm}");
+        }
+    }
+}
+
+#[test]
+fn without_coherence_there_are_no_fringes() {
+    let incoherent = IlluminantModel { coherence_nm: 0.0, threshold: 0.0, ..PAPER };
+    let spectrum = incoherent.spectra(&stack(vec![431.0; 60]), &[0.3], &wavelengths_nm()).unwrap();
+    // What is left is the slow rise of one protein layer towards blue: monotone, so without a fringe.
+    assert!(spectrum.windows(2).all(|pair| pair[1] < pair[0]));
+    let coherent = IlluminantModel { threshold: 0.0, ..PAPER };
+    let fringes = coherent.spectra(&stack(vec![431.0; 60]), &[0.3], &wavelengths_nm()).unwrap();
+    assert!(fringes.windows(2).filter(|pair| pair[1] > pair[0]).count() > 50);
+}
+
+#[test]
+fn no_light_leaves_along_the_surface() {
+    let grazing = PAPER
+        .spectra(&stack(vec![431.0; 60]), &[std::f64::consts::FRAC_PI_2], &wavelengths_nm())
+        .unwrap();
+    assert!(grazing.iter().all(|&intensity| (0.0..1e-9).contains(&intensity)));
+}
+
+#[test]
+fn media_the_model_does_not_know_are_refused_by_name() {
+    let index = |n, k| Index::new("medium", n, k).unwrap();
+    let with = |aragonite, protein, ambient| {
+        let s = LayerStack::new(vec![400.0], 20.0, aragonite, protein, ambient, index(1.5, 0.0));
+        PAPER.spectra(&s.unwrap(), &[0.0], &[500.0]).unwrap_err()
+    };
+    let (clear, dark) = (index(1.5, 0.0), index(1.5, 0.1));
+    assert_eq!(with(dark, clear, clear), OpticsError::Absorbing { medium: "aragonite", k: 0.1 });
+    assert_eq!(
+        with(clear, index(1.2, 0.0), index(1.33, 0.0)),
+        OpticsError::TotalReflection { medium: "protein", n: 1.2, ambient: 1.33 }
+    );
+}
+
+#[test]
+fn bad_numbers_are_refused_by_name() {
+    let one = stack(vec![400.0]);
+    let ask = |model: IlluminantModel, angle, wavelength| {
+        model.spectra(&one, &[angle], &[wavelength]).unwrap_err().to_string()
+    };
+    let nan = f64::NAN;
+    assert!(
+        ask(IlluminantModel { coherence_nm: nan, ..PAPER }, 0.0, 500.0).contains("coherence_nm")
+    );
+    assert!(ask(IlluminantModel { threshold: -0.1, ..PAPER }, 0.0, 500.0).contains("threshold"));
+    assert!(
+        ask(IlluminantModel { diffuse_loss: 2.0, ..PAPER }, 0.0, 500.0).contains("diffuse_loss")
+    );
+    assert!(ask(PAPER, 1.6, 500.0).contains("angle_rad is 1.6"));
+    assert!(ask(PAPER, 0.0, 0.0).contains("wavelength_nm is 0"));
+}
+
+proptest! {
+    #[test]
+    fn running_sums_equal_the_papers_flow_chart(
+        thickness_nm in prop::collection::vec(200.0..900.0, 1..120),
+        theta_0 in 0.0..1.55, wavelength_nm in 380.0..780.0,
+        coherence_nm in 0.0..20_000.0, diffuse_loss in 0.0..0.2,
+    ) {
+        let model = IlluminantModel { coherence_nm, diffuse_loss, ..PAPER };
+        let got = model.spectra(&stack(thickness_nm.clone()), &[theta_0], &[wavelength_nm]).unwrap()[0];
+        let expected = as_the_flow_chart_says(model, &thickness_nm, theta_0, wavelength_nm);
+        prop_assert!((got - expected).abs() < 1e-10 * (1.0 + expected), "{got} {expected}");
+    }
+
+    #[test]
+    fn a_spectrum_does_not_depend_on_its_neighbours(theta_0 in 0.0..1.5, wavelength_nm in 400.0..700.0) {
+        let layers = stack((0..80).map(|i| 400.0 + f64::from(i)).collect());
+        let alone = PAPER.spectra(&layers, &[theta_0], &[wavelength_nm]).unwrap()[0];
+        let many: Vec<f64> = (0..37).map(|i| wavelength_nm + f64::from(i - 20)).collect();
+        let table = PAPER.spectra(&layers, &[0.1, theta_0], &many).unwrap();
+        prop_assert_eq!(alone.to_bits(), table[37 + 20].to_bits());
+    }
+}
