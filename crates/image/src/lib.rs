@@ -1,6 +1,45 @@
-//! The picture of a pearl.
+//! The picture of a pearl: camera, ball, lamps, surroundings, facets, grain, and the rings of
+//! interference colour, put together into linear light in named parts.
+//!
+//! In scope: everything between a stack of layers and the pixels, and picture files. Out of scope:
+//! spectra and colour themselves (`nacreous-optics`, `nacreous-colour`), pearl files and presets.
+//!
+//! Conventions: lengths in mm, angles in rad, y up, the pearl's centre the origin, z towards the viewer
+//! at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's white. The radiance
+//! of a lamp, sky or surface is stated as that of a white matt surface, so no factor pi appears.
 
+mod camera;
+mod dome;
 pub mod exr;
+mod facet;
+mod irradiance;
+mod knob;
+mod lamp;
+mod light;
+mod pearl;
 pub mod photograph;
+mod picture;
 pub mod png;
+mod rgb;
+mod rings;
+mod sky;
+mod sphere;
+mod surroundings;
+mod table;
 pub mod texture;
+
+pub use camera::{Camera, Projection, Ray, direction};
+pub use dome::Dome;
+pub use facet::Facets;
+pub use irradiance::Irradiance;
+pub use knob::Parameters;
+pub use lamp::{Lamp, Place};
+pub use light::{Light, Source};
+pub use pearl::{Grain, Pearl, Shade};
+pub use picture::{CHANNELS, MAX_SIZE_PX, PARTS, Progress, render};
+pub use rgb::Rgb;
+pub use rings::Rings;
+pub use sky::Sky;
+pub use sphere::{Hit, Sphere};
+pub use surroundings::{Seen, Surroundings, Walls};
+pub use table::Table;

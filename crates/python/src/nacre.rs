@@ -1,1 +1,85 @@
 //! The door to nacre.
+
+use nacreous_nacre::{Growth, Index, LayerStack, Season};
+use num_complex::Complex64;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::refused;
+
+/// Aragonite layers from the surface inward, each followed by a protein layer, then the substrate.
+#[pyclass(frozen, name = "Stack", module = "nacreous._core")]
+pub struct Stack(pub LayerStack);
+
+fn index(medium: &str, value: Complex64) -> PyResult<Index> {
+    Index::new(medium, value.re, value.im).map_err(refused)
+}
+
+#[pymethods]
+impl Stack {
+    #[new]
+    fn new(
+        thickness_nm: PyReadonlyArray1<'_, f64>,
+        protein_nm: f64,
+        aragonite: Complex64,
+        protein: Complex64,
+        ambient: Complex64,
+        substrate: Complex64,
+    ) -> PyResult<Self> {
+        LayerStack::new(
+            thickness_nm.as_array().to_vec(),
+            protein_nm,
+            index("aragonite", aragonite)?,
+            index("protein", protein)?,
+            index("ambient", ambient)?,
+            index("substrate", substrate)?,
+        )
+        .map(Self)
+        .map_err(refused)
+    }
+
+    /// Thickness of the whole nacre, protein included.
+    fn total_um(&self) -> f64 {
+        self.0.total_um()
+    }
+
+    /// (layers, mean_nm, spread_nm) of the aragonite layers that begin within depth_um.
+    fn outer(&self, depth_um: f64) -> (usize, f64, f64) {
+        let counted = self.0.outer(depth_um);
+        (counted.layers, counted.mean_nm, counted.spread_nm)
+    }
+}
+
+/// (day, thickness_nm) of each layer in the order of growth.
+#[pyfunction]
+#[pyo3(signature = (*, days, peak_day, season_days, thickness_winter_nm, thickness_summer_nm,
+    layers_winter, layers_summer, thickness_noise_nm, layers_noise, seed))]
+#[allow(clippy::too_many_arguments, clippy::type_complexity)]
+pub fn grow<'py>(
+    py: Python<'py>,
+    days: u32,
+    peak_day: f64,
+    season_days: f64,
+    thickness_winter_nm: f64,
+    thickness_summer_nm: f64,
+    layers_winter: f64,
+    layers_summer: f64,
+    thickness_noise_nm: f64,
+    layers_noise: f64,
+    seed: u64,
+) -> PyResult<(Bound<'py, PyArray1<u32>>, Bound<'py, PyArray1<f64>>)> {
+    let growth = Growth {
+        days,
+        season: Season { peak_day, width_days: season_days },
+        thickness_winter_nm,
+        thickness_summer_nm,
+        layers_winter,
+        layers_summer,
+        thickness_noise_nm,
+        layers_noise,
+    };
+    let diary = growth.grow(seed).map_err(refused)?;
+    let (days, thickness_nm): (Vec<_>, Vec<_>) =
+        diary.deposits().iter().map(|deposit| (deposit.day, deposit.thickness_nm)).unzip();
+    Ok((days.into_pyarray(py), thickness_nm.into_pyarray(py)))
+}

@@ -1,1 +1,54 @@
 //! The door to optics.
+
+use nacreous_nacre::Index;
+use nacreous_optics::{Fresnel, IlluminantModel};
+use num_complex::Complex64;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::{nacre::Stack, refused};
+
+type Amplitudes<'py> = Bound<'py, PyArray1<Complex64>>;
+type Energies<'py> = Bound<'py, PyArray1<f64>>;
+
+/// (r_s, r_p, t_s, t_p, R_s, R_p, T_s, T_p) for each angle of incidence.
+#[pyfunction]
+#[allow(clippy::type_complexity)]
+pub fn fresnel<'py>(
+    py: Python<'py>,
+    n_i: Complex64,
+    n_t: Complex64,
+    angle_rad: PyReadonlyArray1<'_, f64>,
+) -> PyResult<([Amplitudes<'py>; 4], [Energies<'py>; 4])> {
+    let n_i = Index::new("n_i", n_i.re, n_i.im).map_err(refused)?;
+    let n_t = Index::new("n_t", n_t.re, n_t.im).map_err(refused)?;
+    let boundaries = angle_rad
+        .as_array()
+        .iter()
+        .map(|&angle| nacreous_optics::fresnel(n_i, n_t, angle))
+        .collect::<Result<Vec<Fresnel>, _>>()
+        .map_err(refused)?;
+    let amplitudes: [fn(&Fresnel) -> Complex64; 4] = [|f| f.r_s, |f| f.r_p, |f| f.t_s, |f| f.t_p];
+    let energies: [fn(&Fresnel) -> f64; 4] = [|f| f.R_s, |f| f.R_p, |f| f.T_s, |f| f.T_p];
+    Ok((
+        amplitudes.map(|part| boundaries.iter().map(part).collect::<Vec<_>>().into_pyarray(py)),
+        energies.map(|part| boundaries.iter().map(part).collect::<Vec<_>>().into_pyarray(py)),
+    ))
+}
+
+/// Relative spectral intensity [angle, wavelength] of the model of 1996.
+#[pyfunction]
+pub fn illuminant<'py>(
+    py: Python<'py>,
+    stack: &Stack,
+    angle_rad: PyReadonlyArray1<'_, f64>,
+    wavelength_nm: PyReadonlyArray1<'_, f64>,
+    coherence_nm: f64,
+    threshold: f64,
+    diffuse_loss: f64,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let model = IlluminantModel { coherence_nm, threshold, diffuse_loss };
+    let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
+    let table = py.detach(|| model.spectra(&stack.0, &angle, &wavelength)).map_err(refused)?;
+    table.into_pyarray(py).reshape([angle.len(), wavelength.len()])
+}

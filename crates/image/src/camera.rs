@@ -1,0 +1,88 @@
+use glam::DVec3;
+
+/// How the lines of sight run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Projection {
+    /// All parallel, as if seen from afar: then view angles are the same around every ring.
+    Orthographic,
+    /// From one point, `distance_mm` from the pearl's centre.
+    Perspective {
+        /// Distance from the eye to the pearl's centre.
+        distance_mm: f64,
+    },
+}
+
+/// A line of sight or of reflection; `along` has length one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ray {
+    /// Where it starts, in mm.
+    pub from: DVec3,
+    /// Where it goes.
+    pub along: DVec3,
+}
+
+/// The eye. The pearl's centre is the origin, y points up, z towards the viewer at azimuth 0.
+///
+/// ```
+/// use nacreous_image::{Camera, Projection};
+/// let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, 12.0);
+/// let centre = camera.ray(0.0, 0.0);
+/// assert!((centre.along.z + 1.0).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    projection: Projection,
+    back: DVec3,
+    right: DVec3,
+    up: DVec3,
+    half_field_mm: f64,
+}
+
+impl Camera {
+    /// `field_mm` is the width of the square view in the plane of the pearl's centre.
+    pub fn new(
+        projection: Projection,
+        elevation_rad: f64,
+        azimuth_rad: f64,
+        field_mm: f64,
+    ) -> Self {
+        let back = direction(azimuth_rad, elevation_rad);
+        let right = DVec3::new(libm::cos(azimuth_rad), 0.0, -libm::sin(azimuth_rad));
+        Self { projection, back, right, up: back.cross(right), half_field_mm: 0.5 * field_mm }
+    }
+
+    /// The line of sight through (x, y) of the view, both from -1 (left, bottom) to 1 (right, top).
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        let target = (self.right * x + self.up * y) * self.half_field_mm;
+        match self.projection {
+            Projection::Orthographic => {
+                Ray { from: target + self.back * FAR_MM, along: -self.back }
+            }
+            Projection::Perspective { distance_mm } => {
+                let eye = self.back * distance_mm;
+                Ray { from: eye, along: (target - eye).normalize() }
+            }
+        }
+    }
+
+    /// Distance at which a cell of the view has its width; parallel lines never widen, so their angle is
+    /// that seen from where they start.
+    pub fn reach_mm(&self, ray: &Ray) -> f64 {
+        ray.from.length()
+    }
+
+    /// Width of a cell of the view, `cells` of which make its whole width, at the pearl's centre.
+    pub fn cell_mm(&self, cells: usize) -> f64 {
+        2.0 * self.half_field_mm / cells as f64
+    }
+}
+
+/// Where parallel lines of sight start: in front of everything near the pearl.
+const FAR_MM: f64 = 1000.0;
+
+/// The unit vector towards an azimuth (0 is the viewer's side, positive to the right) and elevation.
+pub fn direction(azimuth_rad: f64, elevation_rad: f64) -> DVec3 {
+    let (sin_a, cos_a) = libm::sincos(azimuth_rad);
+    let (sin_e, cos_e) = libm::sincos(elevation_rad);
+    DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e)
+}

@@ -1,0 +1,115 @@
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use crate::rgb::{self, Rgb};
+
+/// A panorama around the scene in latitude and longitude (width twice the height), linear RGB, with coarser copies of
+/// itself so that a wide lobe costs as much as a narrow one.
+#[derive(Debug, Clone)]
+pub struct Dome {
+    levels: Vec<Level>,
+}
+
+#[derive(Debug, Clone)]
+struct Level {
+    width: usize,
+    height: usize,
+    pixels: Vec<[f32; 3]>,
+}
+
+impl Dome {
+    /// `pixels` row by row from the zenith down, each row from the back (azimuth -180 degrees) round by
+    /// the left to the right. At least one row and one column, `width * height` pixels, all finite:
+    /// the readers of picture files see to that.
+    pub fn new(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Self {
+        let mut levels = vec![Level { width, height, pixels }];
+        while let Some(finest) = levels.last()
+            && (finest.width > 1 || finest.height > 1)
+        {
+            levels.push(finest.halved());
+        }
+        Self { levels }
+    }
+
+    /// Radiance from `along`, the picture turned by `rotation_rad`, over about `spread_rad`.
+    pub(crate) fn radiance(&self, along: DVec3, rotation_rad: f64, spread_rad: f64) -> Rgb {
+        let azimuth = libm::atan2(along.x, along.z) + rotation_rad;
+        let u = (azimuth / (2.0 * PI) + 0.5).rem_euclid(1.0);
+        let v = libm::acos(along.y.clamp(-1.0, 1.0)) / PI;
+        let pixel_rad = PI / self.levels[0].height as f64;
+        let level = libm::log2((spread_rad / pixel_rad).max(1.0));
+        let last = self.levels.len() - 1;
+        let fine = (level as usize).min(last);
+        let coarse = (fine + 1).min(last);
+        let share = (level - fine as f64).min(1.0);
+        rgb::mix(self.levels[fine].at(u, v), self.levels[coarse].at(u, v), share)
+    }
+}
+
+impl Level {
+    /// Two by two pixels become one; an odd last column or row counts twice.
+    fn halved(&self) -> Self {
+        let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
+        let quarter = |row: usize, column: usize| {
+            let (row, column) = (row.min(self.height - 1), column.min(self.width - 1));
+            self.pixels[row * self.width + column].map(|channel| 0.25 * channel)
+        };
+        let pixels = (0..height * width)
+            .map(|i| {
+                let (row, column) = (2 * (i / width), 2 * (i % width));
+                let four =
+                    [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(r, c)| quarter(row + r, column + c));
+                std::array::from_fn(|i| four.iter().map(|pixel| pixel[i]).sum())
+            })
+            .collect();
+        Self { width, height, pixels }
+    }
+
+    /// Bilinear, round in longitude, ending at the poles. `u`, `v` from 0 to 1.
+    fn at(&self, u: f64, v: f64) -> Rgb {
+        let x = u * self.width as f64 - 0.5;
+        let y = (v * self.height as f64 - 0.5).clamp(0.0, (self.height - 1) as f64);
+        let (left, top) = (x.floor(), y.floor());
+        let pixel = |row: f64, column: f64| {
+            let row = (row as usize).min(self.height - 1);
+            let column = column.rem_euclid(self.width as f64) as usize;
+            self.pixels[row * self.width + column.min(self.width - 1)].map(f64::from)
+        };
+        let upper = rgb::mix(pixel(top, left), pixel(top, left + 1.0), x - left);
+        let lower = rgb::mix(pixel(top + 1.0, left), pixel(top + 1.0, left + 1.0), x - left);
+        rgb::mix(upper, lower, y - top)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Brighter to the right, darker downward.
+    fn slope() -> Dome {
+        let (width, height) = (64, 32);
+        let pixel = |i: usize| [(i % width) as f32, (i / width) as f32, 1.0];
+        Dome::new(width, height, (0..width * height).map(pixel).collect())
+    }
+
+    #[test]
+    fn a_wide_lobe_sees_the_mean() {
+        let mean = slope().radiance(DVec3::Z, 0.0, 4.0 * PI);
+        assert!((mean[0] - 31.5).abs() < 1e-6 && (mean[1] - 15.5).abs() < 1e-6);
+    }
+
+    #[test]
+    fn azimuth_zero_is_the_middle_and_the_right_hand_is_to_the_right() {
+        let narrow = |along| slope().radiance(along, 0.0, 0.0);
+        assert!((narrow(DVec3::Z)[0] - 31.5).abs() < 1e-9);
+        assert!((narrow(DVec3::X)[0] - 47.5).abs() < 1e-9);
+        assert!(narrow(DVec3::Y)[1] < 1e-9);
+    }
+
+    #[test]
+    fn turning_the_picture_is_turning_the_view() {
+        let turned = slope().radiance(DVec3::Z, PI / 2.0, 0.0);
+        assert!((turned[0] - 47.5).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,49 @@
+/// The physical parameters behind depth, shininess and grain, the three qualities by which inspectors
+/// judge a pearl (paper, section 4). The mapping is **(ours)**: the paper set its parameters by eye and
+/// prints none.
+///
+/// ```
+/// use nacreous_image::Parameters;
+/// let (dull, bright) = (Parameters::new(0.5, 0.1, 0.0), Parameters::new(0.5, 0.9, 0.0));
+/// assert!(dull.facet_spread_rad > bright.facet_spread_rad);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// D of equation (4): share of light scattered at each layer. Less of it, and more layers take
+    /// part, so the interference colours gain saturation.
+    pub diffuse_loss: f64,
+    /// Share of interference against body colour in the mixture.
+    pub mixing: f64,
+    /// Standard deviation of the facets' lean.
+    pub facet_spread_rad: f64,
+    /// Share of the mirrored surroundings that the surface leaves clear.
+    pub mirror_weight: f64,
+    /// Radians of hue per unit of the grain's hue texture.
+    pub hue_weight: f64,
+    /// Relative chroma per unit of the grain's chroma texture.
+    pub chroma_weight: f64,
+    /// Relative brightness of the mirrored light per unit of the grain's value texture.
+    pub value_weight: f64,
+}
+
+impl Parameters {
+    /// Each knob goes from 0 (none) to 1 (the most).
+    pub fn new(depth: f64, shininess: f64, grain: f64) -> Self {
+        Self {
+            // From 0.2, where a few layers are seen, down to 0.005, where a hundred are.
+            diffuse_loss: geometric(0.2, 0.005, depth),
+            mixing: 0.75 * depth,
+            // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).
+            facet_spread_rad: geometric(0.25, 0.012, shininess),
+            mirror_weight: shininess,
+            hue_weight: 1.5 * grain,
+            chroma_weight: 1.5 * grain,
+            value_weight: 1.5 * grain,
+        }
+    }
+}
+
+/// From `start` to `end` in equal ratios.
+fn geometric(start: f64, end: f64, share: f64) -> f64 {
+    start * libm::pow(end / start, share)
+}
