@@ -65,7 +65,8 @@ pub enum Illuminant {
     D65,
     /// Equal energy at every wavelength.
     E,
-    /// A colour temperature: daylight from 4000 K up, Planck's law below.
+    /// A colour temperature: daylight from 4000 K up, Planck's law below. The two loci differ a
+    /// little where they meet: at 4000 K daylight is greener.
     Cct(Kelvin),
 }
 
@@ -89,14 +90,17 @@ impl Illuminant {
 fn tabulated(text: &str) -> Spectrum {
     // The tables are part of the program; the tests of this file read both.
     let percent = Spectrum::from_csv(text, "illuminant").expect("the table in data/ is complete");
-    Spectrum::from_fn(|nm| percent.values()[(nm - crate::FIRST_NM) as usize] / 100.0)
+    Spectrum(percent.values().map(|value| value / 100.0))
 }
 
 /// Planck's law relative to its value at 560 nm; `scale_nm` is c2 / temperature.
 fn planck(scale_nm: f64) -> Spectrum {
-    let radiance = |nm: f64| 1.0 / (nm.powi(5) * (exp(scale_nm / nm) - 1.0));
-    let reference = radiance(REFERENCE_NM);
-    Spectrum::from_fn(|nm| radiance(nm) / reference)
+    let photon = |nm: f64| exp(scale_nm / nm) - 1.0;
+    let reference = photon(REFERENCE_NM);
+    Spectrum::from_fn(|nm| {
+        let ratio = REFERENCE_NM / nm;
+        ratio * ratio * ratio * ratio * ratio * reference / photon(nm)
+    })
 }
 
 /// S0, S1 and S2 of CIE 015.
@@ -123,10 +127,9 @@ fn daylight(kelvin: f64) -> Spectrum {
     let factor_1 = (-1.351_5 - 1.770_3 * x + 5.911_4 * y) / divisor;
     let factor_2 = (0.030_0 - 31.442_4 * x + 30.071_7 * y) / divisor;
     let [s0, s1, s2] = &*DAYLIGHT_COMPONENTS;
-    Spectrum::from_fn(|nm| {
-        let index = (nm - crate::FIRST_NM) as usize;
+    Spectrum(std::array::from_fn(|index| {
         (s0[index] + factor_1 * s1[index] + factor_2 * s2[index]) / 100.0
-    })
+    }))
 }
 
 impl FromStr for Illuminant {
@@ -164,11 +167,12 @@ impl fmt::Display for Illuminant {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exact where nothing is computed")]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{WAVELENGTH_NM, Observer, xyz};
+    use crate::{Observer, WAVELENGTH_NM, xyz};
 
     #[test]
     fn tables_stand_on_the_working_grid() {
@@ -200,17 +204,21 @@ mod tests {
 
     proptest! {
         #[test]
-        fn hotter_light_is_bluer(kelvin in 1000.0..24000.0) {
+        fn hotter_light_is_bluer_on_either_locus(
+            body in 1000.0..3900.0_f64,
+            sky in 4000.0..24000.0_f64,
+        ) {
             let blueness = |kelvin| {
                 let [x, _, z] = xyz(&Illuminant::Cct(Kelvin(kelvin)).spectrum(), Observer::Cie1931);
                 z / x
             };
-            // A step over 4000 K goes from Planck's law to daylight, which is a little bluer.
-            prop_assert!(blueness(kelvin * 1.02) > blueness(kelvin));
+            for kelvin in [body, sky] {
+                prop_assert!(blueness(kelvin * 1.02) > blueness(kelvin));
+            }
         }
 
         #[test]
-        fn wien_gives_the_peak_of_planck(kelvin in 3750.0..7500.0) {
+        fn wien_gives_the_peak_of_planck(kelvin in 3750.0..7500.0_f64) {
             let spectrum = planck(RADIATION_NM_KELVIN / kelvin);
             let peak = (0..SAMPLES)
                 .max_by(|&a, &b| spectrum.values()[a].total_cmp(&spectrum.values()[b]))

@@ -45,7 +45,7 @@ const fn wavelengths() -> [f64; SAMPLES] {
 /// assert_eq!(light.values()[560 - 380], 2.0);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spectrum([f64; SAMPLES]);
+pub struct Spectrum(pub(crate) [f64; SAMPLES]);
 
 impl Spectrum {
     /// The spectrum with value `value_at(wavelength_nm)` at every sample.
@@ -175,19 +175,23 @@ mod tests {
         Spectrum::from_csv(text, "lamp.csv").unwrap_err().to_string()
     }
 
+    fn csv(wavelength_nm: &[f64], value_at: impl Fn(f64) -> f64) -> String {
+        let line = |&nm: &f64| format!("{nm},{}", value_at(nm));
+        wavelength_nm.iter().map(line).collect::<Vec<_>>().join("\n")
+    }
+
     proptest! {
         #[test]
         fn linear_interpolation_returns_a_straight_line(
-            offset in 0.0..5.0,
-            slope in 0.0..0.1,
-            mut inner_nm in proptest::collection::vec(381.0..779.0, 0..30),
+            offset in 0.0..5.0_f64,
+            slope in 0.0..0.1_f64,
+            mut inner_nm in proptest::collection::vec(381.0..779.0_f64, 0..30),
         ) {
             inner_nm.extend([350.0, 800.0]);
             inner_nm.sort_by(f64::total_cmp);
             inner_nm.dedup();
             let line = |nm: f64| offset + slope * (nm - 350.0);
-            let text: String = inner_nm.iter().map(|&nm| format!("{nm},{}\n", line(nm))).collect();
-            let spectrum = Spectrum::from_csv(&text, "line.csv").unwrap();
+            let spectrum = Spectrum::from_csv(&csv(&inner_nm, line), "line.csv").unwrap();
             for (&nm, &value) in WAVELENGTH_NM.iter().zip(spectrum.values()) {
                 prop_assert!((value - line(nm)).abs() < 1e-9);
             }
@@ -196,9 +200,9 @@ mod tests {
 
     #[test]
     fn a_grid_of_one_nm_is_returned_exactly() {
-        let spectrum = Spectrum::from_fn(|nm| 1.0 / nm);
-        let text: String = WAVELENGTH_NM.iter().map(|nm| format!("{nm},{}\n", 1.0 / nm)).collect();
-        assert_eq!(Spectrum::from_csv(&text, "same.csv").unwrap(), spectrum);
+        let value_at = |nm: f64| 1.0 / nm;
+        let text = csv(&WAVELENGTH_NM, value_at);
+        assert_eq!(Spectrum::from_csv(&text, "same.csv"), Ok(Spectrum::from_fn(value_at)));
     }
 
     #[test]

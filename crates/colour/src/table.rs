@@ -59,6 +59,7 @@ fn shortened(cell: &str) -> String {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "exact where nothing is computed")]
 mod tests {
     use super::*;
 
