@@ -30,6 +30,6 @@ def run(args: argparse.Namespace) -> int:
 
     from nacreous.spec import Pearl, Scene, json_schema
 
-    model = {"pearl": Pearl, "scene": Scene}[args.kind]
-    print(json.dumps(json_schema(model), indent=2, ensure_ascii=False))
+    models: dict[str, type[Pearl] | type[Scene]] = {"pearl": Pearl, "scene": Scene}
+    print(json.dumps(json_schema(models[args.kind]), indent=2, ensure_ascii=False))
     return 0

@@ -64,10 +64,10 @@ def nearest(word: str, choices: list[str]) -> str | None:
 
 
 def shown(value: Any, longest: int = 60) -> str:
-    """A value as it would stand in the file, on one line and never long.
+    r"""A value as it would stand in the file, on one line and never long.
 
-    >>> shown(True), shown("a\\nb"), shown([1.5, 2]), shown({"a": 1}), shown(float("nan"))
-    ('true', '"a\\\\nb"', '[1.5, 2]', 'a table', 'nan')
+    >>> shown(True), shown("a\nb"), shown([1.5, 2]), shown({"a": 1}), shown(float("nan"))
+    ('true', '"a\\nb"', '[1.5, 2]', 'a table', 'nan')
     """
     if value is None:
         return "nothing"

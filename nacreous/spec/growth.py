@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import datetime
-import re
+import datetime as dt
 from collections.abc import Iterator
 from typing import Annotated, Any
 
@@ -21,7 +20,7 @@ _MOST_DAYS = 20 * 365 + 5
 
 def _as_text(value: Any) -> Any:
     """TOML also knows dates without quotes; they mean the same."""
-    return value.isoformat() if type(value) is datetime.date else value
+    return value.isoformat() if type(value) is dt.date else value
 
 
 def _on_calendar(text: str) -> str:
@@ -29,8 +28,8 @@ def _on_calendar(text: str) -> str:
     return text
 
 
-def _date(text: str, year: int = _EVERY_YEAR) -> datetime.date:
-    return datetime.date.fromisoformat(text if len(text) > 5 else f"{year:04}-{text}")
+def _date(text: str, year: int = _EVERY_YEAR) -> dt.date:
+    return dt.date.fromisoformat(text if len(text) > 5 else f"{year:04}-{text}")
 
 
 def _known(name: str) -> str:
@@ -81,7 +80,7 @@ class Growth(Nacre):
         "04-15",
         "Day on which the nucleus is put in.",
         allowed=_DAY,
-        source="**(ours)**, spring as is usual for Akoya",
+        source="**(ours)**",
     )
     harvest: Day = key(
         "12-15",
@@ -162,12 +161,12 @@ class Growth(Nacre):
         return values
 
     @property
-    def seeding_date(self) -> datetime.date:
+    def seeding_date(self) -> dt.date:
         """The day of seeding; an MM-DD day is placed in a year without a leap day."""
         return _date(self.seeding)
 
     @property
-    def harvest_date(self) -> datetime.date:
+    def harvest_date(self) -> dt.date:
         """The day of the harvest, after the day of seeding."""
         harvest = _date(self.harvest)
         if len(self.harvest) == 5 and harvest <= self.seeding_date:
@@ -175,7 +174,7 @@ class Growth(Nacre):
         return harvest
 
     @property
-    def peak_date(self) -> datetime.date:
+    def peak_date(self) -> dt.date:
         """The peak of the year of seeding; it comes back every year."""
         return _date(self.peak, self.seeding_date.year)
 

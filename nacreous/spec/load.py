@@ -25,7 +25,8 @@ def load(path_or_preset: str | Path, overrides: Iterable[Override] = ()) -> Pear
     """
     kind, path, where = find(path_or_preset, ("pearl", "scene"))
     values = document.read(path)
-    model = {"pearl": Pearl, "scene": Scene}[kind] if kind else _kind_of(values, where)
+    presets: dict[str, type[Pearl] | type[Scene]] = {"pearl": Pearl, "scene": Scene}
+    model = presets[kind] if kind else _kind_of(values, where)
     return model.check(values, where, path.parent, overrides)
 
 

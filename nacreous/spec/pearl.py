@@ -79,7 +79,7 @@ class Surface(Section):
         most=1_000_000,
         unit="mm",
         source="paper 4.2, attenuation by distance; the length is **(ours)**",
-        left_out="from the knob shininess",
+        left_out="the default of the picture",
     )
 
 
@@ -105,7 +105,7 @@ class Texture(Section):
         most=100,
         unit="mm",
         source="measured on the photograph",
-        left_out="guessed from the picture's width as the pearl's diameter **(ours)**",
+        left_out="unknown, and limits are in cycles a patch",
     )
     side_px: int = quantity(
         64,
@@ -122,7 +122,7 @@ class Texture(Section):
         most=1000,
         unit="cycles per mm",
         source="paper 4.3, band-pass filter",
-        left_out="as the texture room chooses for the patch",
+        left_out="the default band of the grain",
     )
     high_per_mm: float | None = quantity(
         None,
@@ -131,7 +131,7 @@ class Texture(Section):
         most=1000,
         unit="cycles per mm",
         source="paper 4.3, band-pass filter",
-        left_out="as the texture room chooses for the patch",
+        left_out="the default band of the grain",
     )
     seed: int | None = quantity(
         None,
@@ -205,7 +205,7 @@ class Pearl(SpecFile):
         least=1,
         most=30,
         unit="mm",
-        source="trade: Akoya 6 to 9 mm",
+        source="**(ours)**; paper 3.1, a nucleus of 3 to 6 mm",
     )
     body_colour: Colour = key(
         "#f3ede4",

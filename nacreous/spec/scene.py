@@ -249,9 +249,7 @@ class Sky(Section):
     horizon: Colour = key(
         "#ffffff", "Colour at the horizon as sRGB.", allowed=COLOUR, source="**(ours)**"
     )
-    zenith: Colour = key(
-        "#ffffff", "Colour overhead as sRGB.", allowed=COLOUR, source="**(ours)**"
-    )
+    zenith: Colour = key("#ffffff", "Colour overhead as sRGB.", allowed=COLOUR, source="**(ours)**")
     intensity: float = quantity(
         0.2,
         "Irradiance of a whole white sky on a surface facing up, in the lamps' unit.",
@@ -259,14 +257,14 @@ class Sky(Section):
         most=1_000_000,
         source="**(ours)**",
     )
-    path: Annotated[
-        str | None, Field(pattern=f"^{ending(*_PANORAMAS)}$"), FilePath(_PANORAMAS)
-    ] = key(
-        None,
-        "High-range panorama in latitude and longitude; its path is relative to this file.",
-        allowed=f"a path ending in {' or '.join(_PANORAMAS)}",
-        left_out="no panorama",
-        source="**(ours)**",
+    path: Annotated[str | None, Field(pattern=f"^{ending(*_PANORAMAS)}$"), FilePath(_PANORAMAS)] = (
+        key(
+            None,
+            "High-range panorama in latitude and longitude; its path is relative to this file.",
+            allowed=f"a path ending in {' or '.join(_PANORAMAS)}",
+            left_out="no panorama",
+            source="**(ours)**",
+        )
     )
     rotation_deg: float = quantity(
         0.0,
@@ -282,7 +280,7 @@ class Sky(Section):
         if (self.kind == "panorama") != (self.path is not None):
             yield Contradiction(
                 "path",
-                f'is {"missing" if self.path is None else shown(self.path)} while {{other}} is '
+                f"is {'missing' if self.path is None else shown(self.path)} while {{other}} is "
                 f'"{self.kind}"; allowed: a path with "panorama", and only with it',
                 "kind",
             )

@@ -38,7 +38,7 @@ def json_schema(model: type[SpecFile]) -> dict[str, Any]:
 
     >>> from nacreous.spec import Pearl
     >>> json_schema(Pearl)["properties"]["depth"]["maximum"]
-    1.0
+    1
     """
     schema = model.model_json_schema(schema_generator=_Manual)
     return {"$schema": _Manual.schema_dialect, **schema}

@@ -37,7 +37,7 @@ class Section(BaseModel):
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
     def contradictions(self) -> Iterator[Contradiction]:
-        """What is wrong between keys that are each right; a section with such rules overrides it."""
+        """What is wrong between keys that are each right; sections with such rules override it."""
         yield from ()
 
     @model_validator(mode="after")

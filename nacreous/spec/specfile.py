@@ -23,9 +23,7 @@ class SpecFile(Section):
     preset_kind: ClassVar[str]
 
     @classmethod
-    def load(
-        cls, path_or_preset: str | Path, overrides: Iterable[override.Override] = ()
-    ) -> Self:
+    def load(cls, path_or_preset: str | Path, overrides: Iterable[override.Override] = ()) -> Self:
         """Read a TOML file, or the preset of that name, with single keys overridden.
 
         `overrides` are pairs of a dotted key and the TOML text of its value, as in

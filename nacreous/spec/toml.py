@@ -25,8 +25,7 @@ def to_toml(values: Mapping[str, Any]) -> str:
             blocks.append(f"[{key}]\n" + "".join(_line(*item) for item in value.items()))
         elif _heads(value):
             blocks.extend(
-                f"[[{key}]]\n" + "".join(_line(*item) for item in entry.items())
-                for entry in value
+                f"[[{key}]]\n" + "".join(_line(*item) for item in entry.items()) for entry in value
             )
     return "\n".join(block for block in blocks if block)
 
