@@ -1,0 +1,133 @@
+"""The command line: `nacreous COMMAND ...`.
+
+This frame turns what goes wrong into one plain line and an exit code; the commands do the work.
+
+| code | meaning |
+|---|---|
+| 0 | done |
+| 1 | the machine refused: a full disk, a folder without permission |
+| 2 | something given cannot be used; nothing was written |
+| 130 | interrupted; nothing was written |
+| 141 | the reader of a pipe went away, as `head` does |
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+from nacreous.commands import presets, schema
+from nacreous.problem import InputError
+
+#: In the order of the help page.
+COMMANDS = (presets, schema)
+
+_EXAMPLES = """\
+examples:
+  nacreous presets               see the pearls and scenes that come along
+  nacreous presets pearl paper   look at the file of one of them
+  nacreous schema pearl          every key of a pearl file, for editors
+
+Each command explains itself: nacreous COMMAND --help
+"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """argparse, with problems said as the rest of the command line says them."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError(f"{message}\ntry: {self.prog} --help")
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """The parser with all commands."""
+    parser = _Parser(
+        prog="nacreous",
+        description="From the layers of a pearl to the way people judge its look.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="store_true", help="print the version and stop")
+    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command")
+    for command in COMMANDS:
+        command.add_parser(subparsers)
+    return parser
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command and give its exit code; argv is without the program's name."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    try:
+        code = _run(arguments)
+        if sys.stdout is not None:
+            sys.stdout.flush()  # so that a closed pipe or a full disk shows here
+    except InputError as problem:
+        return _complain(str(problem), 2)
+    except KeyboardInterrupt:
+        return _complain("interrupted; nothing was written", 130)
+    except BrokenPipeError:
+        _leave_pipe()
+        return 141
+    except OSError as problem:
+        where = f"{problem.filename}: " if problem.filename else ""
+        _leave_pipe()
+        return _complain(f"{where}{problem.strerror or problem}", 1)
+    return code
+
+
+def _run(arguments: list[str]) -> int:
+    parser = build_parser()
+    if arguments and not arguments[0].startswith("-"):
+        _check_command(arguments[0])
+    try:
+        args = parser.parse_args(arguments)
+    except SystemExit as done:  # --help has been printed
+        return int(done.code or 0)
+    if args.version:
+        print(f"nacreous {_version()}")
+        return 0
+    if args.command is None:
+        raise InputError("wanted: a command\n" + parser.format_usage().strip())
+    return int(args.run(args))
+
+
+def _check_command(name: str) -> None:
+    """Say which command was probably meant."""
+    names = [command.__name__.rpartition(".")[2] for command in COMMANDS]
+    if name in names:
+        return
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, names, n=1)
+    hint = f"did you mean {near[0]}?" if near else f"commands: {', '.join(names)}"
+    raise InputError(f"{ascii(name)[1:-1]} is not a command; {hint}")
+
+
+def _version() -> str:
+    from importlib.metadata import version
+
+    return version("nacreous")
+
+
+def _complain(lines: str, code: int) -> int:
+    """Each line on stderr under the program's name."""
+    if sys.stderr is not None:
+        for line in lines.splitlines():
+            print(f"nacreous: {line}", file=sys.stderr)
+    return code
+
+
+def _leave_pipe() -> None:
+    """Send what is still buffered nowhere, or Python would complain about it on leaving."""
+    if sys.stdout is None:
+        return
+    try:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
+    except (OSError, ValueError):  # a stdout that is no file, as under test
+        return

@@ -1,0 +1,41 @@
+"""Loading a file without saying beforehand whether it is a pearl or a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from nacreous.problem import InputError
+from nacreous.spec import document
+from nacreous.spec.override import Override
+from nacreous.spec.pearl import Pearl
+from nacreous.spec.scene import Scene
+from nacreous.spec.specfile import find
+
+
+def load(path_or_preset: str | Path, overrides: Iterable[Override] = ()) -> Pearl | Scene:
+    """Read a pearl or scene file, or a preset; the keys show which of the two a file is.
+
+    Where a pearl and a scene preset share a name, as "paper" does, this is the pearl; use
+    `Scene.load` for the scene. Arguments and errors are those of `Pearl.load`.
+
+    >>> type(load("akoya-rg")).__name__, type(load("white-cloth")).__name__
+    ('Pearl', 'Scene')
+    """
+    kind, path, where = find(path_or_preset, ("pearl", "scene"))
+    values = document.read(path)
+    presets: dict[str, type[Pearl] | type[Scene]] = {"pearl": Pearl, "scene": Scene}
+    model = presets[kind] if kind else _kind_of(values, where)
+    return model.check(values, where, path.parent, overrides)
+
+
+def _kind_of(values: dict[str, Any], where: str) -> type[Pearl] | type[Scene]:
+    """Whichever model knows more of the file's outermost keys."""
+    as_pearl, as_scene = Pearl.known_keys(values), Scene.known_keys(values)
+    if as_pearl == as_scene:
+        raise InputError(
+            f"{where}: the keys show neither a pearl nor a scene; wanted: a key such as nacre, "
+            "diameter_mm or depth for a pearl, camera, lamps or table for a scene"
+        )
+    return Pearl if as_pearl > as_scene else Scene

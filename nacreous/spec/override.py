@@ -1,0 +1,88 @@
+"""Overrides: single keys set from outside the file, as in `--set nacre.seed=9`."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable
+from typing import Any
+
+from nacreous.problem import InputError
+from nacreous.spec.complaint import shown
+
+#: A key with dots and the text of its value; from Python also the value itself.
+Override = tuple[str, Any]
+
+
+def parse(setting: str) -> tuple[str, str]:
+    """Split `key=value`.
+
+    >>> parse("nacre.seed=9")
+    ('nacre.seed', '9')
+    """
+    key, equals, value = setting.partition("=")
+    if not (key.strip() and equals):
+        raise InputError(f"--set {shown(setting)}: wanted: key=value, such as nacre.seed=9")
+    return key.strip(), value.strip()
+
+
+def value_of(text: str) -> Any:
+    """The TOML value that the text spells; text that is no TOML stands for itself.
+
+    >>> value_of("9"), value_of("[1.5, 2]"), value_of("akoya-r"), value_of("#f3ede4")
+    (9, [1.5, 2], 'akoya-r', '#f3ede4')
+    """
+    if "\n" in text:
+        return text
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (ValueError, RecursionError):
+        return text
+
+
+def apply(values: dict[str, Any], overrides: Iterable[Override]) -> set[str]:
+    """Set each key in `values` and give back the keys that were set.
+
+    >>> scene = {"lamps": [{"intensity": 1.0}]}
+    >>> sorted(apply(scene, [("lamps.0.intensity", "2.5"), ("table.kind", "cloth")]))
+    ['lamps.0.intensity', 'table.kind']
+    >>> scene
+    {'lamps': [{'intensity': 2.5}], 'table': {'kind': 'cloth'}}
+    """
+    done: set[str] = set()
+    problems: list[str] = []
+    for key, value in overrides:
+        try:
+            _set(values, key, value_of(value) if isinstance(value, str) else value)
+            done.add(key)
+        except InputError as problem:
+            problems.append(str(problem))
+    if problems:
+        raise InputError("\n".join(problems))
+    return done
+
+
+def _set(values: dict[str, Any], key: str, value: Any) -> None:
+    *steps, last = key.split(".")
+    target: Any = values
+    for depth, step in enumerate(steps):
+        if isinstance(target, dict):
+            target = target.setdefault(step, {})
+        else:
+            target = target[_index(target, step, key, ".".join(steps[:depth]))]
+    if isinstance(target, dict) and last:
+        target[last] = value
+    else:
+        target[_index(target, last, key, ".".join(steps))] = value
+
+
+def _index(target: Any, step: str, key: str, path: str) -> int:
+    """The place in a list, counted from 0."""
+    if not isinstance(target, list):
+        problem = "a key is empty" if isinstance(target, dict) else f"{path} is not a table"
+    elif not target:
+        problem = f"{path} is an empty list; there is no entry to change"
+    elif not (step.isdecimal() and int(step[:9]) < len(target)):
+        problem = f"{path} is a list; allowed: {path}.0 to {path}.{len(target) - 1}"
+    else:
+        return int(step)
+    raise InputError(f"--set {shown(key)}: {problem}")

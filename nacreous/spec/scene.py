@@ -1,0 +1,315 @@
+"""The scene: camera, lamps and what stands around the pearl.
+
+Directions and positions share one frame with the pearl's centre at the origin: y is up, z points
+to where the camera stands at azimuth 0, x to that viewer's right.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from nacreous.spec.complaint import Contradiction, shown
+from nacreous.spec.key import FilePath, key, quantity, section
+from nacreous.spec.section import Section
+from nacreous.spec.specfile import SpecFile
+from nacreous.spec.words import (
+    COLOUR,
+    NAME,
+    SPECTRUM,
+    SPECTRUM_EXAMPLES,
+    WHITE,
+    WHITE_EXAMPLES,
+    Colour,
+    Name,
+    Spectrum,
+    White,
+    ending,
+)
+
+#: Lamps stay clear of the largest pearl (radius 15 mm).
+_NEAREST_LAMP_MM = 20.0
+
+
+class Camera(Section):
+    """Where the picture is taken from, how wide it is and how bright."""
+
+    projection: Literal["orthographic", "perspective"] = key(
+        "orthographic",
+        "Parallel rays, or rays that meet in the eye.",
+        allowed='"orthographic" or "perspective"',
+        source="**(ours)**; parallel rays make the view angle a function of the radius alone",
+    )
+    elevation_deg: float = quantity(
+        12.0,
+        "Height of the camera above the horizon, seen from the pearl.",
+        least=-80,
+        most=89,
+        unit="degrees",
+        source="**(ours)**",
+    )
+    azimuth_deg: float = quantity(
+        0.0,
+        "Direction of the camera around the pearl, to the right positive.",
+        least=-360,
+        most=360,
+        unit="degrees",
+        source="**(ours)**",
+    )
+    field_mm: float | None = quantity(
+        None,
+        "Width of the view at the pearl's centre.",
+        least=0.1,
+        most=10_000,
+        unit="mm",
+        source="**(ours)**",
+        left_out="1.5 x the pearl's diameter",
+    )
+    distance_mm: float = quantity(
+        150.0,
+        "Distance of the eye from the pearl's centre; only perspective uses it.",
+        least=20,
+        most=100_000,
+        unit="mm",
+        source="**(ours)**",
+    )
+    exposure: float = quantity(
+        1.0,
+        "Factor on the linear picture.",
+        least=0.001,
+        most=1000,
+        source="**(ours)**",
+    )
+    white: White = key(
+        "auto",
+        "The light shown as white; auto is the lamps' own.",
+        allowed=WHITE,
+        source="CIE illuminants",
+        examples=WHITE_EXAMPLES,
+    )
+
+
+_Coordinate = Annotated[float, Field(ge=-100_000, le=100_000)]
+
+
+class Lamp(Section):
+    """A round lamp, given by its direction from the pearl or by its position.
+
+    >>> Lamp(azimuth_deg=-30, elevation_deg=45).spectrum
+    'D65'
+    """
+
+    azimuth_deg: float | None = quantity(
+        None,
+        "Direction seen from the pearl, from the z axis to the right; with elevation_deg.",
+        least=-360,
+        most=360,
+        unit="degrees",
+        source="**(ours)**; the paper's lamp stands at 45 degrees to the line of sight",
+        left_out="position_mm is given instead",
+    )
+    elevation_deg: float | None = quantity(
+        None,
+        "Height above the horizon, seen from the pearl; with azimuth_deg.",
+        least=-90,
+        most=90,
+        unit="degrees",
+        source="**(ours)**",
+        left_out="position_mm is given instead",
+    )
+    position_mm: tuple[_Coordinate, _Coordinate, _Coordinate] | None = key(
+        None,
+        "Position [x, y, z] from the pearl's centre: x right, y up, z towards the viewer.",
+        allowed="three numbers from -100000 to 100000 mm",
+        left_out="azimuth_deg and elevation_deg are given instead",
+        unit="mm",
+        source="**(ours)**",
+        strict=False,
+    )
+    angular_radius_deg: float = quantity(
+        3.0,
+        "Radius of the lamp as seen from the pearl.",
+        least=0.05,
+        most=30,
+        unit="degrees",
+        source="**(ours)**",
+    )
+    spectrum: Spectrum = key(
+        "D65",
+        "The lamp's light; a spectrum's path is relative to this file.",
+        allowed=SPECTRUM,
+        source="CIE illuminants",
+        examples=SPECTRUM_EXAMPLES,
+    )
+    intensity: float = quantity(
+        1.0,
+        "Irradiance at the pearl on a surface facing the lamp, relative.",
+        least=0,
+        most=1_000_000,
+        source="**(ours)**",
+    )
+
+    def contradictions(self) -> Iterator[Contradiction]:
+        """A lamp in no place or in two, with half a direction, or inside the pearl."""
+        angles = {"azimuth_deg": self.azimuth_deg, "elevation_deg": self.elevation_deg}
+        given = [name for name, angle in angles.items() if angle is not None]
+        if self.position_mm is None:
+            if len(given) < 2:
+                missing, other = sorted(angles, key=lambda name: name in given)
+                verdict = "is missing: give it together with {other}, or give position_mm"
+                yield Contradiction(missing, verdict, other)
+            return
+        for name in given:
+            yield Contradiction(
+                name, "cannot stand beside {other}: a lamp has one place", "position_mm"
+            )
+        if math.hypot(*self.position_mm) <= _NEAREST_LAMP_MM:
+            yield Contradiction(
+                "position_mm",
+                f"is {shown(self.position_mm)}, {math.hypot(*self.position_mm):.3g} mm from the "
+                f"centre; allowed: more than {_NEAREST_LAMP_MM:g} mm, clear of any pearl",
+            )
+
+
+class Table(Section):
+    """The table that the pearl lies on."""
+
+    kind: Literal["none", "plain", "checker", "cloth"] = key(
+        "checker",
+        "No table, one colour, squares of two colours, or woven cloth.",
+        allowed='"none", "plain", "checker" or "cloth"',
+        source="paper 4.2, figure 12, a table mirrored in the pearl; its pattern is **(ours)**",
+    )
+    colour: Colour = key(
+        "#d8d4cc", "Colour of the table as sRGB.", allowed=COLOUR, source="**(ours)**"
+    )
+    second_colour: Colour = key(
+        "#5a554d",
+        "Colour of every other square, or of the gaps between the cloth's threads.",
+        allowed=COLOUR,
+        source="**(ours)**",
+    )
+    check_mm: float = quantity(
+        4.0,
+        "Side of a square of the checker.",
+        least=0.1,
+        most=1000,
+        unit="mm",
+        source="**(ours)**",
+    )
+    weave_mm: float = quantity(
+        0.5,
+        "Distance between the cloth's threads.",
+        least=0.05,
+        most=100,
+        unit="mm",
+        source="**(ours)**",
+    )
+
+
+class Walls(Section):
+    """Four walls around the table; without this section there are none."""
+
+    half_width_mm: float = quantity(
+        150.0,
+        "Distance of each wall from the pearl's centre.",
+        least=20,
+        most=100_000,
+        unit="mm",
+        source="**(ours)**",
+    )
+    height_mm: float = quantity(
+        200.0,
+        "Height of the walls above the table.",
+        least=1,
+        most=100_000,
+        unit="mm",
+        source="**(ours)**",
+    )
+    colour: Colour = key(
+        "#b9b4ab", "Colour of the walls as sRGB.", allowed=COLOUR, source="**(ours)**"
+    )
+
+
+_PANORAMAS = (".hdr", ".exr")
+
+
+class Sky(Section):
+    """What lies beyond table and walls."""
+
+    kind: Literal["constant", "gradient", "panorama"] = key(
+        "constant",
+        "The horizon's colour everywhere, a gradient up to the zenith, or a panorama.",
+        allowed='"constant", "gradient" or "panorama"',
+        source="**(ours)**",
+    )
+    horizon: Colour = key(
+        "#ffffff", "Colour at the horizon as sRGB.", allowed=COLOUR, source="**(ours)**"
+    )
+    zenith: Colour = key("#ffffff", "Colour overhead as sRGB.", allowed=COLOUR, source="**(ours)**")
+    intensity: float = quantity(
+        0.2,
+        "Irradiance of a whole white sky on a surface facing up, in the lamps' unit.",
+        least=0,
+        most=1_000_000,
+        source="**(ours)**",
+    )
+    path: Annotated[str | None, Field(pattern=f"^{ending(*_PANORAMAS)}$"), FilePath(_PANORAMAS)] = (
+        key(
+            None,
+            "High-range panorama in latitude and longitude; its path is relative to this file.",
+            allowed=f"a path ending in {' or '.join(_PANORAMAS)}",
+            left_out="no panorama",
+            source="**(ours)**",
+        )
+    )
+    rotation_deg: float = quantity(
+        0.0,
+        "Turn of the panorama about the y axis.",
+        least=-360,
+        most=360,
+        unit="degrees",
+        source="**(ours)**",
+    )
+
+    def contradictions(self) -> Iterator[Contradiction]:
+        """A panorama without its file, or a file that would not be used."""
+        if (self.kind == "panorama") != (self.path is not None):
+            yield Contradiction(
+                "path",
+                f"is {'missing' if self.path is None else shown(self.path)} while {{other}} is "
+                f'"{self.kind}"; allowed: a path with "panorama", and only with it',
+                "kind",
+            )
+
+
+class Scene(SpecFile):
+    """A scene file: everything around the pearl.
+
+    >>> Scene.load("paper").lamps[0].spectrum
+    'E'
+    """
+
+    preset_kind: ClassVar[str] = "scene"
+
+    name: Name = key("scene", "What the scene is called.", allowed=NAME, source="free")
+    observer: Literal["1931-2", "1964-10"] = key(
+        "1931-2",
+        "CIE standard observer: of 1931 for 2 degrees, or of 1964 for 10.",
+        allowed='"1931-2" or "1964-10"',
+        source="CIE 015:2018",
+    )
+    camera: Camera = section(Camera, "The camera.")
+    lamps: Annotated[tuple[Lamp, ...], Field(max_length=16)] = key(
+        (),
+        "The lamps, each headed [[lamps]].",
+        allowed="0 to 16 tables, each headed [[lamps]]",
+        source="**(ours)**",
+        strict=False,
+    )
+    table: Table = section(Table, "The table below the pearl.")
+    walls: Walls | None = section(None, "The walls around; none when left out.")
+    sky: Sky = section(Sky, "What lies beyond.")

@@ -1,0 +1,125 @@
+"""A section that is a whole file: it can be loaded, changed on the way in, and written out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any, ClassVar, Self
+
+from pydantic import BaseModel, ValidationError
+
+from nacreous.problem import InputError
+from nacreous.spec import document, override, preset
+from nacreous.spec.complaint import complaints, nearest, shown
+from nacreous.spec.key import FilePath, sections_in
+from nacreous.spec.section import Section
+from nacreous.spec.toml import to_toml
+
+
+class SpecFile(Section):
+    """What a pearl file and a scene file have in common."""
+
+    #: What there are presets of: "pearl" or "scene".
+    preset_kind: ClassVar[str]
+
+    @classmethod
+    def load(cls, path_or_preset: str | Path, overrides: Iterable[override.Override] = ()) -> Self:
+        """Read a TOML file, or the preset of that name, with single keys overridden.
+
+        `overrides` are pairs of a dotted key and the TOML text of its value, as in
+        `[("nacre.seed", "9")]`. Paths in the file are relative to the file; paths in overrides
+        are relative to where the program runs. An InputError has one line for each problem.
+        """
+        path, where = find(path_or_preset, (cls.preset_kind,))[1:]
+        return cls.check(document.read(path), where, path.parent, overrides)
+
+    @classmethod
+    def from_toml(cls, text: str, where: str = "text") -> Self:
+        """Read the text of a file, such as the one kept in a picture; `where` is for messages."""
+        return cls.check(document.parse(text, where), where, Path())
+
+    @classmethod
+    def check(
+        cls,
+        values: dict[str, Any],
+        where: str,
+        folder: Path,
+        overrides: Iterable[override.Override] = (),
+    ) -> Self:
+        """The model of a file's keys; `where` names the file and `folder` is where it lies."""
+        for other in SpecFile.__subclasses__():
+            if not cls.known_keys(values) and other.known_keys(values):
+                raise InputError(
+                    f"{where}: is a {other.preset_kind} file; wanted: a {cls.preset_kind} file"
+                )
+        _anchor(cls, values, folder)
+        overridden = override.apply(values, overrides)
+        try:
+            return cls.model_validate(values)
+        except ValidationError as error:
+            lines = complaints(error, cls, values, _placed(where, overridden))
+            raise InputError("\n".join(lines)) from None
+
+    @classmethod
+    def known_keys(cls, values: dict[str, Any]) -> int:
+        """How many of a file's outermost keys are this model's, the name that all have aside."""
+        return sum(key in cls.model_fields and key != "name" for key in values)
+
+    def to_toml(self) -> str:
+        """The complete file, every default written out, so that it can be made again.
+
+        >>> from nacreous.spec import Pearl
+        >>> Pearl.from_toml(Pearl(depth=0.7).to_toml()) == Pearl(depth=0.7)
+        True
+        """
+        return to_toml(self.model_dump(exclude_none=True))
+
+
+def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path, str]:
+    """The preset's kind ("" for a file), the path to read, and its name for messages.
+
+    A path wins when it ends in .toml, has a folder in front, or is a file; then come the presets
+    of the kinds in order. So a *folder* called paper does not hide the preset paper.
+    """
+    path, name = Path(path_or_preset), str(path_or_preset)
+    if path.suffix.lower() == ".toml" or len(path.parts) != 1 or path.is_file():
+        return "", path, document.label(path)
+    for kind in kinds:
+        if name in preset.names(kind):
+            return kind, preset.path(kind, name), f"preset {name}"
+    if path.exists():
+        return "", path, document.label(path)
+    for kind in preset.FOLDERS:
+        if name in preset.names(kind):
+            raise InputError(
+                f"{shown(name)} is a {kind} preset; wanted: a {' or '.join(kinds)} file or preset"
+            )
+    choices = [choice for kind in kinds for choice in preset.names(kind)]
+    near = nearest(name, choices)
+    hint = f"did you mean {near}?" if near else f"presets: {', '.join(dict.fromkeys(choices))}"
+    raise InputError(f"{shown(name)} is neither a file nor a {' or '.join(kinds)} preset; {hint}")
+
+
+def _placed(where: str, overridden: set[str]) -> Callable[[str], str]:
+    """Where a key's value came from: the file, or an override."""
+
+    def place(path: str) -> str:
+        steps = f"{path}."
+        outside = any(steps.startswith(f"{key}.") or key.startswith(steps) for key in overridden)
+        return "--set" if outside else where
+
+    return place
+
+
+def _anchor(model: type[BaseModel], values: Any, folder: Path) -> None:
+    """Make the paths in a file's keys relative to where the program runs."""
+    if not isinstance(values, dict):
+        return
+    for name, field in model.model_fields.items():
+        value = values.get(name)
+        marks = [mark for mark in field.metadata if isinstance(mark, FilePath)]
+        if isinstance(value, str) and any(mark.names_file(value) for mark in marks):
+            values[name] = str(folder / value)
+        for inner in sections_in(field.annotation):
+            for entry in value if isinstance(value, list) else [value]:
+                _anchor(inner, entry, folder)

@@ -1,0 +1,63 @@
+"""The texts that keys may hold: names, colours, lights and file endings."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import AfterValidator, Field
+
+from nacreous.spec.key import FilePath
+
+
+def ending(*suffixes: str) -> str:
+    """A pattern for paths with one of these endings, in small or capital letters.
+
+    >>> ending(".hdr")
+    '.+[.]([hH][dD][rR])'
+    """
+    either = [
+        "".join(f"[{letter}{letter.upper()}]" for letter in suffix[1:]) for suffix in suffixes
+    ]
+    return f".+[.]({'|'.join(either)})"
+
+
+def _one_line(text: str) -> str:
+    if not text.isprintable():
+        raise ValueError("not printable")
+    return text
+
+
+Name = Annotated[str, Field(min_length=1, max_length=120), AfterValidator(_one_line)]
+NAME = "one line of 1 to 120 characters"
+
+Colour = Annotated[str, Field(pattern="^#[0-9a-fA-F]{6}$")]
+COLOUR = '"#rrggbb", six hexadecimal digits of sRGB'
+
+_ILLUMINANTS = "A|D50|D65|E"
+_KELVIN = "[0-9]{4,5}K"
+_TEMPERATURE = "a colour temperature from 1000K to 25000K"
+
+
+def _temperature(text: str) -> str:
+    kelvin = text.removesuffix("K")
+    if text.endswith("K") and kelvin.isdecimal() and not 1000 <= int(kelvin) <= 25000:
+        raise ValueError("outside the daylight and black-body formulas")
+    return text
+
+
+#: The light of a lamp: a standard illuminant, a colour temperature, or a measured spectrum.
+Spectrum = Annotated[
+    str,
+    Field(pattern=f"^({_ILLUMINANTS}|{_KELVIN}|{ending('.csv')})$"),
+    AfterValidator(_temperature),
+    FilePath((".csv",)),
+]
+SPECTRUM = f'"A", "D50", "D65", "E", {_TEMPERATURE}, or a path ending in .csv'
+SPECTRUM_EXAMPLES = ["A", "D50", "D65", "E"]
+
+#: What is shown as white: the light's own white, an illuminant or a colour temperature.
+White = Annotated[
+    str, Field(pattern=f"^(auto|{_ILLUMINANTS}|{_KELVIN})$"), AfterValidator(_temperature)
+]
+WHITE = f'"auto", "A", "D50", "D65", "E", or {_TEMPERATURE}'
+WHITE_EXAMPLES = ["auto", *SPECTRUM_EXAMPLES]
