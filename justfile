@@ -56,7 +56,7 @@ check: _rust-tools setup
     cargo clippy --workspace --all-targets -- -D warnings
     mypy
     stubtest nacreous._core --mypy-config-file pyproject.toml
-    lint-imports
+    lint-imports --no-logo
 
 # Measure the speed of the main jobs
 [group("trust")]
