@@ -1,0 +1,112 @@
+# The tasks of Nacreous. Start them with ./just, which brings this runner and uv along.
+
+set script-interpreter := ["sh", "-eu"]
+
+# The clone's own environment comes first, whatever is active in the shell that calls.
+export VIRTUAL_ENV := justfile_directory() / ".venv"
+export PATH := VIRTUAL_ENV / "bin:" + justfile_directory() / ".tools/bin:" + env("PATH")
+export UV_PYTHON_DOWNLOADS := "never"
+unexport CONDA_PREFIX
+unexport PYTHONHOME
+unexport PYTHONPATH
+unexport UV_PYTHON
+unexport UV_SYSTEM_PYTHON
+
+# What maturin tells PyO3, told to clippy and cargo test too: build for this interpreter, and as an
+# extension, which needs no libpython.
+export PYO3_PYTHON := VIRTUAL_ENV / "bin/python"
+export PYO3_BUILD_EXTENSION_MODULE := "1"
+
+# Show this help
+[group("look")]
+help:
+    @echo "Call ./just TASK, where TASK is one of:"
+    @just --list --unsorted --list-heading ""
+
+# Make pearl.png, the paper's pearl
+[group("look")]
+pearl: setup
+    nacreous render paper -o pearl.png
+
+# Make every figure of the paper, in paper/
+[group("look")]
+figures: setup
+    nacreous paper paper
+
+# Run every test and every check
+[group("trust")]
+test: _rust-tools check test-rust test-python
+
+# Run the Rust tests, the examples in its documentation included
+[group("trust")]
+test-rust *options: setup
+    cargo test --workspace {{ options }}
+
+# Run the Python tests, the examples in docstrings, README, docs and examples/ included
+[group("trust")]
+test-python *options: setup
+    pytest {{ options }}
+
+# Check format, lint, types, the compiled module's stub, and who imports whom
+[group("trust")]
+check: _rust-tools setup
+    cargo fmt --all --check
+    ruff format --check
+    ruff check
+    cargo clippy --workspace --all-targets -- -D warnings
+    mypy
+    stubtest nacreous._core --mypy-config-file pyproject.toml
+    lint-imports --no-logo
+
+# Measure the speed of the main jobs
+[group("trust")]
+[script]
+bench: setup
+    for benchmark in benchmarks/*.py; do python "$benchmark"; done
+
+# Prepare .venv and build the compiled rooms into it; at once when nothing changed
+[group("build")]
+[script]
+setup:
+    if ! "$PYO3_PYTHON" --version >/dev/null 2>&1; then
+        uv venv --clear --relocatable --python .tools/bin/python .venv
+    fi
+    sources=$({
+        echo "$VIRTUAL_ENV"
+        find Cargo.* pyproject.toml requirements.lock crates data -type f -exec cksum {} +
+    } | sort | cksum)
+    if [ "$sources" != "$(cat .venv/built-from 2>/dev/null)" ]; then
+        uv pip sync --require-hashes requirements.lock
+        maturin develop --release --uv
+        echo "$sources" >.venv/built-from
+    fi
+
+# Put all code into the house format, and mend what ruff can mend
+[group("build")]
+format: setup
+    cargo fmt --all
+    ruff check --fix
+    ruff format
+
+# Make requirements.lock again from pyproject.toml (with --upgrade: the newest of everything)
+[group("build")]
+lock *options:
+    uv pip compile pyproject.toml --group dev --universal --python-version 3.11 \
+        --fork-strategy fewest --generate-hashes --no-header {{ options }} -o requirements.lock
+
+# Remove everything that was built
+[group("build")]
+clean:
+    rm -rf target .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+    rm -f nacreous/_core.*.so
+
+# Debian's own cargo and rustup's minimal profile come without them.
+[script]
+_rust-tools:
+    for tool in fmt clippy; do
+        if ! cargo "$tool" --version >/dev/null 2>&1; then
+            echo "cargo $tool is missing, which the checks need:"
+            echo "      rustup component add rustfmt clippy   or   sudo apt install rustfmt rust-clippy"
+            exit 1
+        fi
+    done >&2
