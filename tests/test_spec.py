@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
+import doctest
 import json
 import math
 import subprocess
@@ -521,6 +522,23 @@ def test_the_toml_of_the_reference_page_is_a_pearl() -> None:
         name="my first pearl", depth=0.8, nacre={"preset": "akoya-rg", "seed": 7}
     )
     assert tomllib.loads(sample)["depth"] == 0.8
+
+
+def test_the_python_of_the_reference_page_runs() -> None:
+    done = doctest.testfile(str(ROOT / "docs" / "files.md"), module_relative=False)
+    assert (done.failed, done.attempted) == (0, 4)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [10**400, -(10**5000), 1e308, "\udc80", "\u202e", "a" * 10_000],
+    ids=["400 digits", "5000 digits", "1e308", "surrogate", "right to left", "long"],
+)
+def test_monstrous_values_are_refused_in_one_short_line(value: Any) -> None:
+    for values in ({"depth": value}, {"nacre": {"seed": value}}, {"body_colour": value}):
+        (line,) = problems(lambda values=values: Pearl.check(dict(values), "my.toml", Path()))
+        assert len(line) < 250
+        assert line.isprintable()
 
 
 def test_reading_files_needs_neither_numpy_nor_the_compiled_rooms() -> None:
