@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
+import doctest
 import json
 import math
 import subprocess
@@ -61,7 +62,8 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
 
 def refusal(model: type, key: Key, value: Any) -> str:
     (line,) = problems(lambda: model.check(file_with(model, key, value), "my.toml", Path()))
-    assert line.startswith(f"my.toml: {key.path} is ")
+    assert line.startswith(f"my.toml: {key.path}")
+    assert " is " in line
     return line
 
 
@@ -109,8 +111,8 @@ def test_every_number_refuses_what_lies_outside_its_range(case: Any) -> None:
 def test_the_message_states_the_very_bounds_that_are_enforced(case: Any) -> None:
     low, high, _ = bounds(case[1])
     words = case[1].field.json_schema_extra["allowed"].split()
-    stated = [float(word) for word in words if word.lstrip("-").replace(".", "").isdigit()]
-    assert stated == [low, high]
+    stated = [word for word in words if word.lstrip("-").replace(".", "").isdigit()]
+    assert [type(low)(stated[0]), type(high)(stated[1])] == [low, high]
 
 
 @pytest.mark.parametrize("case", NUMBERS, ids=name_of)
@@ -118,10 +120,10 @@ def test_every_number_accepts_its_bounds(case: Any) -> None:
     model, key = case
     low, high, outside = bounds(key)
     for value in {low, high} - set(outside):
-        try:
-            model.check(file_with(model, key, value), "my.toml", Path())
-        except InputError as problem:  # another key may object, this one may not
-            assert f"{key.path} is {value}; allowed: {low}" not in str(problem)
+        values = file_with(model, key, value)
+        if key.path.startswith("nacre.thickness_"):  # far from the noise, which another test checks
+            values["nacre"]["thickness_noise_nm"] = min(value, 10)
+        assert model.check(values, "my.toml", Path())
 
 
 TEXTS = [case for case in LEAVES if case not in NUMBERS]
@@ -417,15 +419,15 @@ def test_paths_of_a_file_are_relative_to_it_and_paths_of_overrides_are_not(tmp_p
         ("depth", "nan", "--set: depth is nan; allowed: 0 to 1"),
         ("depth", "1\ngrain = 0", "--set: depth is "),
         ("depth.x", "1", '--set "depth.x": depth is not a table'),
-        ("nacre..seed", "1", "--set: nacre."),
-        ("nacre.", "1", '--set "nacre.": a key is empty'),
+        ("nacre..seed", "1", '--set "nacre..seed": a part of the key is empty'),
+        ("nacre.", "1", '--set "nacre.": a part of the key is empty'),
     ],
 )
 def test_a_bad_override_is_named_as_such(key: str, value: str, line: str) -> None:
     assert problems(lambda: Pearl.load("paper", [(key, value)]))[0].startswith(line)
 
 
-@pytest.mark.parametrize("place", ["1", "-1", "x", "", "99999999999999999999"])
+@pytest.mark.parametrize("place", ["1", "-1", "x", "99999999999999999999"])
 def test_an_override_reaches_only_lamps_that_are_there(place: str) -> None:
     (line,) = problems(lambda: Scene.load("paper", [(f"lamps.{place}.intensity", "2")]))
     assert line.endswith("lamps is a list; allowed: lamps.0 to lamps.0")
@@ -503,9 +505,10 @@ def test_the_reference_page_names_every_key_with_its_default_and_range() -> None
     page = (ROOT / "docs" / "files.md").read_text(encoding="utf-8")
     for _, key in LEAVES:
         name, default = key.path.rpartition(".")[2], key.field.default
-        written = "–" if default is None else f"`{json.dumps(default)}`"
         if key.field.is_required():
             written = "required"
+        else:
+            written = "–" if default is None else f"`{json.dumps(default)}`"
         allowed = key.field.json_schema_extra["allowed"]
         assert f"| `{name}` | {written} | {allowed} | " in page
     for _, key in KEYS:
@@ -519,6 +522,23 @@ def test_the_toml_of_the_reference_page_is_a_pearl() -> None:
         name="my first pearl", depth=0.8, nacre={"preset": "akoya-rg", "seed": 7}
     )
     assert tomllib.loads(sample)["depth"] == 0.8
+
+
+def test_the_python_of_the_reference_page_runs() -> None:
+    done = doctest.testfile(str(ROOT / "docs" / "files.md"), module_relative=False)
+    assert (done.failed, done.attempted) == (0, 4)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [10**400, -(10**5000), 1e308, "\udc80", "\u202e", "a" * 10_000],
+    ids=["400 digits", "5000 digits", "1e308", "surrogate", "right to left", "long"],
+)
+def test_monstrous_values_are_refused_in_one_short_line(value: Any) -> None:
+    for values in ({"depth": value}, {"nacre": {"seed": value}}, {"body_colour": value}):
+        (line,) = problems(lambda values=values: Pearl.check(dict(values), "my.toml", Path()))
+        assert len(line) < 250
+        assert line.isprintable()
 
 
 def test_reading_files_needs_neither_numpy_nor_the_compiled_rooms() -> None:

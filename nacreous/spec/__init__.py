@@ -1,14 +1,17 @@
 """Pearl and scene files: what they may say, and every way in which they can be wrong.
 
-A pearl and a scene are TOML files. Each key is declared once, in pearl.py, nacre.py, growth.py or
-scene.py, with its unit, range and source; loading, messages and schema follow from that.
+A pearl and a scene are TOML files. Each key is declared once, in pearl.py, nacre.py, growth.py,
+scene.py, camera.py or lamp.py, with its unit, range and source; loading, messages and schema
+follow from that.
 """
 
+from nacreous.spec.camera import Camera
 from nacreous.spec.growth import Growth
+from nacreous.spec.lamp import Lamp
 from nacreous.spec.load import load
 from nacreous.spec.nacre import Layers, Nacre
 from nacreous.spec.pearl import Interference, Pearl, Surface, Texture
-from nacreous.spec.scene import Camera, Lamp, Scene, Sky, Table, Walls
+from nacreous.spec.scene import Scene, Sky, Table, Walls
 from nacreous.spec.schema import json_schema
 
 __all__ = [

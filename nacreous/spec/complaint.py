@@ -42,11 +42,17 @@ def complaints(
 
     `place` gives, for a dotted key, the words in front: the file's name, or `--set`.
     """
-    lines: dict[str, str] = {}
+    verdicts: dict[str, str] = {}
     for detail in error.errors(include_url=False):
         for path, verdict in _verdicts(detail, model, values):
-            lines.setdefault(path, f"{place(path)}: {path} {verdict}".replace(":  ", ": "))
-    found = list(lines.values())
+            verdicts.setdefault(path, verdict)
+    # A list without one good entry also counts as empty: its entries say enough.
+    lists = {path.rpartition(".")[0] for path in verdicts}
+    found = [
+        f"{place(path)}: {path} {verdict}"
+        for path, verdict in verdicts.items()
+        if path not in lists
+    ]
     if len(found) > MOST_LINES:
         found[MOST_LINES:] = [f"... and {len(found) - MOST_LINES} more problems"]
     return found
@@ -101,7 +107,7 @@ class _Place(NamedTuple):
     """Where a problem lies: the key's path, its declaration, and the sections it stands in."""
 
     path: list[str | int]
-    field: FieldInfo | None
+    field: FieldInfo
     owners: tuple[type[BaseModel], ...]
 
     @property
@@ -112,13 +118,13 @@ class _Place(NamedTuple):
 def _locate(model: type[BaseModel], loc: tuple[int | str, ...]) -> _Place:
     """Follow pydantic's location through the sections, without its marks for kinds of value."""
     path: list[str | int] = []
-    field: FieldInfo | None = None
+    field = FieldInfo(annotation=model)  # the file as a whole
     owners: tuple[type[BaseModel], ...] = (model,)
     for part in loc:
         chosen = tuple(owner for owner in owners if owner.__name__.lower() == part)
         if len(owners) > 1 and chosen:
             owners = chosen
-        elif isinstance(part, int) and field is not None and is_list(field.annotation):
+        elif isinstance(part, int) and is_list(field.annotation):
             path.append(part)  # the numbers of a pair or a triple are shown together
         elif owners and part in owners[0].model_fields:
             field = owners[0].model_fields[part]
@@ -145,8 +151,6 @@ def _verdicts(
         prefix = f"{at.dotted}." if at.path else ""
         for key, verdict, other in detail["ctx"]["found"]:
             yield prefix + key, verdict.replace("{other}", prefix + other)
-    elif at.field is None:  # the whole file, given from Python as something else than keys
-        yield "", f"is {shown(detail['input'])}; wanted: a table of keys"
     elif detail["type"] == "missing":
         yield at.dotted, f"is missing; allowed: {_allowed(at.field)}"
     else:
@@ -174,10 +178,7 @@ def _unknown_key(unknown: str, owner: type[BaseModel], model: type[BaseModel]) -
 
 
 def _bad_value(value: Any, at: _Place) -> str:
-    field = at.field
-    if field is None:
-        raise TypeError("a bad value has a key")
-    annotation = field.annotation
+    annotation = at.field.annotation
     inside_list = is_list(annotation) and isinstance(at.path[-1], int)
     kinds = alternatives(annotation)
     if inside_list:
@@ -186,8 +187,8 @@ def _bad_value(value: Any, at: _Place) -> str:
     if not any(_fits(value, kind) for kind in kinds):
         words.append(f"wanted: {' or '.join(dict.fromkeys(_in_words(kind) for kind in kinds))}")
     if not (sections_in(annotation) and (inside_list or not is_list(annotation))):
-        words.append(f"allowed: {_allowed(field)}")
-    choices = [*(field.examples or []), *(arg for kind in kinds for arg in get_args(kind))]
+        words.append(f"allowed: {_allowed(at.field)}")
+    choices = [*(at.field.examples or []), *(arg for kind in kinds for arg in get_args(kind))]
     texts = [choice for choice in choices if isinstance(choice, str)]
     near = nearest(value, texts) if isinstance(value, str) else None
     if near:

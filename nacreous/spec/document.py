@@ -29,18 +29,19 @@ def read(path: Path) -> dict[str, Any]:
 
 
 def _text(path: Path, where: str) -> str:
+    if path.is_dir():
+        raise InputError(f"{where}: is a folder; wanted: a TOML file")
+    if path.exists() and not path.is_file():
+        raise InputError(f"{where}: is not a regular file; wanted: a TOML file")
+    if "\0" in str(path):
+        raise InputError(f"{where}: is not the name of a file")
     try:
-        if path.is_dir():
-            raise InputError(f"{where}: is a folder; wanted: a TOML file")
-        if path.exists() and not path.is_file():
-            raise InputError(f"{where}: is not a regular file; wanted: a TOML file")
         with path.open("rb") as file:
             content = file.read(MOST_BYTES + 1)
     except FileNotFoundError:
         raise InputError(f"{where}: there is no such file") from None
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{where}: cannot be read: {reason}") from None
+    except OSError as error:
+        raise InputError(f"{where}: cannot be read: {error.strerror}") from None
     if len(content) > MOST_BYTES:
         raise InputError(f"{where}: is longer than {MOST_BYTES} bytes, the most that is read")
     if b"\0" in content:

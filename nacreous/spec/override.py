@@ -63,13 +63,15 @@ def apply(values: dict[str, Any], overrides: Iterable[Override]) -> set[str]:
 
 def _set(values: dict[str, Any], key: str, value: Any) -> None:
     *steps, last = key.split(".")
+    if not all((*steps, last)):
+        raise InputError(f"--set {shown(key)}: a part of the key is empty")
     target: Any = values
     for depth, step in enumerate(steps):
         if isinstance(target, dict):
             target = target.setdefault(step, {})
         else:
             target = target[_index(target, step, key, ".".join(steps[:depth]))]
-    if isinstance(target, dict) and last:
+    if isinstance(target, dict):
         target[last] = value
     else:
         target[_index(target, last, key, ".".join(steps))] = value
@@ -78,7 +80,7 @@ def _set(values: dict[str, Any], key: str, value: Any) -> None:
 def _index(target: Any, step: str, key: str, path: str) -> int:
     """The place in a list, counted from 0."""
     if not isinstance(target, list):
-        problem = "a key is empty" if isinstance(target, dict) else f"{path} is not a table"
+        problem = f"{path} is not a table"
     elif not target:
         problem = f"{path} is an empty list; there is no entry to change"
     elif not (step.isdecimal() and int(step[:9]) < len(target)):
