@@ -9,6 +9,7 @@
 //! of a lamp, sky or surface is stated as that of a white matt surface, so no factor pi appears.
 
 mod camera;
+mod develop;
 mod dome;
 pub mod exr;
 mod facet;
@@ -32,6 +33,7 @@ mod table;
 pub mod texture;
 
 pub use camera::{Camera, Projection, Ray, direction};
+pub use develop::{Developed, develop, eight_bit};
 pub use dome::Dome;
 pub use facet::Facets;
 pub use irradiance::Irradiance;

@@ -3,7 +3,7 @@
 use std::{sync::Arc, time::Duration};
 
 use glam::DVec3;
-use nacreous_colour::{Observer, Spectrum};
+use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
     CHANNELS, Camera, Dome, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
     Pearl, Place, Progress, Projection, Rgb, Rings, Sky, Source, Sphere, Surroundings, Table,
@@ -330,4 +330,33 @@ pub fn parameters<'py>(
     named.set_item("chroma_weight", p.chroma_weight)?;
     named.set_item("value_weight", p.value_weight)?;
     Ok(named)
+}
+
+/// (codes [row, column, rgb] as uint8 or uint16, share of pixels out of gamut) of linear light.
+#[pyfunction]
+pub fn develop<'py>(
+    py: Python<'py>,
+    linear: PyReadonlyArray3<'py, f32>,
+    space: &str,
+    gamut: &str,
+    bits: u8,
+) -> PyResult<(Bound<'py, PyAny>, f64)> {
+    let shape = linear.as_array().dim();
+    if shape.2 != 3 {
+        return Err(InputError::new_err(format!("linear has {} channels; allowed: 3", shape.2)));
+    }
+    let light = linear.as_array().iter().copied().collect::<Vec<_>>();
+    if light.iter().any(|channel| !channel.is_finite()) {
+        return Err(InputError::new_err("linear has a value that is not finite"));
+    }
+    let space: RgbSpace = space.parse().map_err(refused)?;
+    let gamut: Gamut = gamut.parse().map_err(refused)?;
+    let developed = py.detach(|| nacreous_image::develop(&light, space, gamut));
+    let shape = [shape.0, shape.1, 3];
+    let codes = match bits {
+        8 => eight_bit(&developed.codes).into_pyarray(py).reshape(shape)?.into_any(),
+        16 => developed.codes.into_pyarray(py).reshape(shape)?.into_any(),
+        _ => return Err(InputError::new_err(format!("bits is {bits}; allowed: 8, 16"))),
+    };
+    Ok((codes, developed.out_of_gamut))
 }

@@ -21,7 +21,7 @@ fn refused(error: impl std::fmt::Display) -> PyErr {
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::image::{parameters, parts, render};
+    use super::image::{develop, parameters, parts, render};
     #[pymodule_export]
     use super::nacre::{Stack, grow};
     #[pymodule_export]

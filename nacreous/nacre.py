@@ -1,0 +1,184 @@
+"""What a pearl is made of: a stack of layers, given one by one or grown day by day."""
+
+from __future__ import annotations
+
+import datetime as dt
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nacreous import _core
+from nacreous.problem import InputError
+
+if TYPE_CHECKING:
+    from nacreous.spec import Growth, Pearl
+
+__all__ = ["Diary", "LayerStack", "diary", "grow", "stack_of"]
+
+
+class LayerStack:
+    """Aragonite layers from the surface inward, each followed by a protein layer, then the substrate.
+
+    thickness_nm: aragonite layers in nm, surface first; 1 to 5000 values, each above 0, up to 1e6.
+    protein_nm: thickness of every protein layer, 0 to 1e6 nm.
+    aragonite, protein, ambient, substrate: refractive indices n, or complex n + ik, of layers,
+    surroundings and core; 0 < n <= 100 and 0 <= k <= 100, where k > 0 absorbs.
+
+    Defaults are the paper's (section 3.2). Raises `InputError` that names the bad quantity.
+
+    >>> stack = LayerStack([410.0, 395.0])
+    >>> stack
+    LayerStack(2 layers, 0.845 um)
+    >>> LayerStack([410.0, -1.0])
+    Traceback (most recent call last):
+    nacreous.problem.InputError: thickness_nm[1] is -1; allowed: above 0, up to 1000000 nm
+    """
+
+    __slots__ = ("_core", "ambient", "aragonite", "protein", "protein_nm", "substrate", "thickness_nm")
+
+    def __init__(
+        self,
+        thickness_nm: ArrayLike,
+        protein_nm: float = 20.0,
+        aragonite: complex = 1.53,
+        protein: complex = 1.43,
+        ambient: complex = 1.0,
+        substrate: complex = 1.53,
+    ) -> None:
+        layers = row_of("thickness_nm", thickness_nm)
+        layers.flags.writeable = False
+        self.thickness_nm: NDArray[np.float64] = layers
+        self.protein_nm = float(protein_nm)
+        self.aragonite, self.protein = aragonite, protein
+        self.ambient, self.substrate = ambient, substrate
+        indices = (index_of(name, getattr(self, name)) for name in _MEDIA)
+        self._core = _core.Stack(layers, self.protein_nm, *indices)
+
+    def __repr__(self) -> str:
+        return f"LayerStack({len(self)} layers, {self.total_um:.3f} um)"
+
+    def __len__(self) -> int:
+        return len(self.thickness_nm)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LayerStack):
+            return NotImplemented
+        same = all(getattr(self, name) == getattr(other, name) for name in ("protein_nm", *_MEDIA))
+        return same and np.array_equal(self.thickness_nm, other.thickness_nm)
+
+    def __hash__(self) -> int:
+        return hash((self.thickness_nm.tobytes(), self.protein_nm, self.aragonite, self.protein))
+
+    @property
+    def total_um(self) -> float:
+        """Thickness of the whole nacre in um, protein included."""
+        return self._core.total_um()
+
+    def outer(self, depth_um: float) -> tuple[int, float, float]:
+        """Count, mean and spread (standard deviation, nm) of the layers within `depth_um`.
+
+        Counted are the aragonite layers that begin within that depth below the surface, at least
+        one. The trade's reports give these numbers for the outer 10 and 50 um.
+
+        >>> LayerStack([300.0, 500.0, 700.0]).outer(0.4)
+        (2, 400.0, 100.0)
+        """
+        return self._core.outer(float(depth_um))
+
+
+_MEDIA = ("aragonite", "protein", "ambient", "substrate")
+
+
+def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """A fresh one-dimensional float64 array, or one clear message."""
+    try:
+        row = np.array(values, dtype=np.float64, ndmin=1)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} is {values!r}; allowed: numbers") from None
+    if row.ndim != 1:
+        raise InputError(f"{name} has {row.ndim} dimensions; allowed: 1")
+    return row
+
+
+def index_of(name: str, value: object) -> complex:
+    if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):
+        return complex(value)
+    raise InputError(f"{name} is {value!r}; allowed: a number n or a complex number n + ik")
+
+
+@dataclass(frozen=True)
+class Diary:
+    """What grew on which day, in the order of growth: from the nucleus outward.
+
+    date: one calendar day for each layer; thickness_nm: float64, aragonite.
+    """
+
+    date: list[dt.date]
+    thickness_nm: NDArray[np.float64]
+
+
+def diary(growth: Growth) -> Diary:
+    """Grow nacre day by day and keep the days (paper, section 3.2.1). Same growth, same layers.
+
+    >>> from nacreous.spec import Growth
+    >>> days = diary(Growth(seed=7))
+    >>> days.date[-1] < Growth().harvest_date
+    True
+    """
+    day, thickness_nm = _core.grow(
+        days=growth.days,
+        peak_day=float((growth.peak_date - growth.seeding_date).days),
+        season_days=growth.season_days,
+        thickness_winter_nm=growth.thickness_winter_nm,
+        thickness_summer_nm=growth.thickness_summer_nm,
+        layers_winter=growth.layers_winter,
+        layers_summer=growth.layers_summer,
+        thickness_noise_nm=growth.thickness_noise_nm,
+        layers_noise=growth.layers_noise,
+        seed=growth.seed,
+    )
+    seeding = growth.seeding_date
+    return Diary([seeding + dt.timedelta(days=int(days)) for days in day], thickness_nm)
+
+
+def grow(growth: str | Growth = "paper", **parameters: Any) -> LayerStack:
+    """Grow a pearl from seeding to harvest and return its layers, surface first.
+
+    growth: the name of a nacre preset (`nacreous presets nacre` lists them) or a `Growth`.
+    parameters: any key of the `[nacre]` section of a pearl file, such as seed, harvest="12-15" or
+    thickness_summer_nm; they go over the preset's. Raises `InputError` for what cannot be.
+
+    Same seed, same stack, on every platform.
+
+    >>> stack = grow("akoya-rg", seed=7, harvest="12-15")
+    >>> stack == grow("akoya-rg", seed=7, harvest="12-15")
+    True
+    >>> stack == grow("akoya-rg", seed=8, harvest="12-15")
+    False
+    """
+    from nacreous.spec import Pearl
+
+    given = {"preset": growth} if isinstance(growth, str) else growth.model_dump()
+    return stack_of(Pearl.check({"nacre": {**given, **parameters}}, "grow", Path()))
+
+
+def stack_of(pearl: Pearl) -> LayerStack:
+    """The layers of a pearl file: those it lists, or those that grow by its season.
+
+    >>> from nacreous.spec import Pearl
+    >>> stack_of(Pearl.load("paper", [("nacre.harvest", "08-15")])).outer(10)[1] > 600
+    True
+    """
+    from nacreous.spec import Growth
+
+    nacre = pearl.nacre
+    if isinstance(nacre, Growth):
+        thickness_nm = diary(nacre).thickness_nm[::-1]
+    else:
+        thickness_nm = np.asarray(nacre.thickness_nm)
+    return LayerStack(
+        thickness_nm, nacre.protein_nm, nacre.aragonite_index, nacre.protein_index
+    )
