@@ -7,7 +7,7 @@ use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
     CHANNELS, Camera, Dome, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
     Pearl, Place, Progress, Projection, Rgb, Rings, Sky, Source, Sphere, Surroundings, Table,
-    Walls,
+    Walls, eight_bit,
 };
 use nacreous_optics::IlluminantModel;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};

@@ -1,0 +1,104 @@
+"""`nacreous render`: a pearl in a scene, as a picture file."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from nacreous.spec import Pearl, Scene
+    from nacreous.spec.override import Override
+
+_EXAMPLES = """\
+examples:
+  nacreous render paper                            the pearl of 1996, as pearl.png
+  nacreous render paper --set depth=0.8            one knob turned
+  nacreous render my.toml --scene dark --size 1024 your pearl in another scene
+  nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
+"""
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Describe the command."""
+    parser = subparsers.add_parser(
+        "render",
+        help="make a picture of a pearl",
+        description="Make a picture of a pearl in a scene. The picture file carries everything "
+        "that makes it again: pearl, scene, seeds and versions.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("pearl", help="a pearl file, or a preset's name")
+    parser.add_argument("--scene", default="paper", help="a scene file, or a preset's name (paper)")
+    parser.add_argument("--size", type=int, default=512, help="pixels a side, 1 to 8192 (512)")
+    parser.add_argument(
+        "--samples", type=int, default=16, help="samples a pixel, a square number up to 1024 (16)"
+    )
+    parser.add_argument("-o", "--output", default="pearl.png", help=".png or .exr (pearl.png)")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
+    )
+    parser.add_argument("--bits", type=int, choices=(8, 16), default=8, help="a channel in PNG (8)")
+    parser.add_argument(
+        "--space", choices=("srgb", "display-p3"), default="srgb", help="colour space of PNG (srgb)"
+    )
+    parser.add_argument(
+        "--gamut",
+        choices=("soft", "clip"),
+        default="soft",
+        help="colours that the screen cannot show: bent softly, or cut (soft)",
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Check everything, render, write, say what was made."""
+    from nacreous import file, image
+    from nacreous.commands.progress import bar
+    from nacreous.spec import Pearl, Scene
+
+    of_pearl, of_scene = _overrides(args.set)
+    pearl = Pearl.load(args.pearl, of_pearl)
+    scene = Scene.load(args.scene, of_scene)
+    file.check_output(args.output, image.SUFFIXES)
+    begin = time.monotonic()
+    with bar("rendering") as show:
+        picture = image.render(pearl, scene, args.size, args.samples, show)
+    outside = picture.save(args.output, args.bits, args.space, args.gamut)
+    print(_report(args, pearl, scene, time.monotonic() - begin, outside))
+    return 0
+
+
+def _overrides(settings: list[str]) -> tuple[list[Override], list[Override]]:
+    """Each KEY=VALUE goes to the file that knows the key's first word, the pearl in doubt."""
+    from nacreous.spec import Pearl, Scene, override
+
+    of_pearl: list[Override] = []
+    of_scene: list[Override] = []
+    for setting in settings:
+        key, value = override.parse(setting)
+        first = key.partition(".")[0]
+        scenic = first in Scene.model_fields and first not in Pearl.model_fields
+        (of_scene if scenic else of_pearl).append((key, value))
+    return of_pearl, of_scene
+
+
+def _report(
+    args: argparse.Namespace, pearl: Pearl, scene: Scene, seconds: float, outside: float
+) -> str:
+    """One line: what was made, where, and how far the screen falls short of it."""
+    from nacreous.nacre import stack_of
+
+    stack = stack_of(pearl)
+    line = (
+        f"{args.output}: pearl {pearl.name} ({len(stack)} layers, {stack.total_um:.0f} um of nacre) "
+        f"in scene {scene.name}, {args.size} x {args.size}, {args.samples} samples a pixel, "
+        f"{seconds:.1f} s"
+    )
+    if outside:
+        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[args.gamut]}"
+    return line
+
+
+_HANDLED = {"soft": "bent softly into it", "clip": "cut to it"}
