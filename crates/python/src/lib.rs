@@ -13,4 +13,7 @@ pyo3::import_exception!(nacreous.problem, InputError);
 
 /// The compiled rooms of nacreous.
 #[pymodule]
-mod _core {}
+mod _core {
+    #[pymodule_export]
+    use super::file::{read_panorama, read_photograph, read_png_text, write_exr, write_png};
+}
