@@ -19,14 +19,15 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from nacreous.commands import presets, schema
+from nacreous.commands import grow, presets, render, schema
 from nacreous.problem import InputError
 
 #: In the order of the help page.
-COMMANDS = (presets, schema)
+COMMANDS = (render, grow, presets, schema)
 
 _EXAMPLES = """\
 examples:
+  nacreous render paper          the pearl of 1996, as pearl.png
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them
   nacreous schema pearl          every key of a pearl file, for editors

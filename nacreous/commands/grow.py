@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from nacreous.nacre import Diary, LayerStack
-    from nacreous.spec import Growth
+    from nacreous.spec import Growth, Pearl
 
 _EXAMPLES = """\
 examples:
@@ -60,12 +60,12 @@ def run(args: argparse.Namespace) -> int:
         if output.suffix.lower() == ".csv":
             _write_table(temporary, growth, grown)
         else:
-            _draw(temporary, output.suffix.lower()[1:], growth, grown)
+            _draw(temporary, growth, grown)
     print(f"{output}: thickness against depth and date")
     return 0
 
 
-def _pearl(name: str, settings: list[str]):  # type: ignore[no-untyped-def]
+def _pearl(name: str, settings: list[str]) -> Pearl:
     from pathlib import Path
 
     from nacreous.spec import Pearl, override, preset
@@ -104,10 +104,10 @@ def _write_table(path: Path, growth: Growth, grown: Diary) -> None:
     path.write_text("date,depth_um,thickness_nm\n" + "\n".join(lines) + "\n", encoding="utf-8")
 
 
-def _draw(path: Path, kind: str, growth: Growth, grown: Diary) -> None:
+def _draw(path: Path, growth: Growth, grown: Diary) -> None:
     from nacreous.figure import figure
 
-    with figure(path, kind, width_in=9, height_in=3.6) as (deep, dated):
+    with figure(path, panels=2, width_in=9, height_in=3.6) as (deep, dated):
         deep.plot(_depth_um(growth, grown), grown.thickness_nm, ".", markersize=2.5)
         deep.set_xlabel("depth below the surface, um")
         deep.set_ylabel("thickness of the layer, nm")

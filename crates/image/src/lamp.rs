@@ -1,6 +1,9 @@
 use glam::DVec3;
 
-use crate::facet::Facets;
+use crate::{
+    facet::Facets,
+    rgb::{self, Rgb},
+};
 
 /// Where a lamp stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,14 +21,14 @@ pub struct Lamp {
     place: Place,
     angular_radius_rad: f64,
     /// Linear RGB of a white matt surface that faces the lamp.
-    pub brightness: [f64; 3],
+    pub brightness: Rgb,
     /// Points of equal weight over the unit disc that stand for the lamp in highlights.
     points: Vec<[f64; 2]>,
 }
 
 impl Lamp {
     /// `angular_radius_rad` above 0, up to 0.6, seen from the pearl.
-    pub fn new(place: Place, angular_radius_rad: f64, brightness: [f64; 3]) -> Self {
+    pub fn new(place: Place, angular_radius_rad: f64, brightness: Rgb) -> Self {
         Self { place, angular_radius_rad, brightness, points: vec![[0.0; 2]] }
     }
 
@@ -50,6 +53,20 @@ impl Lamp {
             Place::Direction(direction) => direction,
             Place::Position(position) => (position - point).normalize(),
         }
+    }
+
+    /// Linear RGB of a white matt surface at `point`. Where the surface's horizon cuts the disc, light
+    /// fades over the disc's width: a parabola in place of the exact integral, right to 0.03 of the
+    /// lamp's radius.
+    pub fn matt(&self, point: DVec3, normal: DVec3) -> Rgb {
+        let cosine = self.toward(point).dot(normal);
+        let width = libm::sin(self.angular_radius_rad);
+        let lit = if cosine.abs() < width {
+            (cosine + width).powi(2) / (4.0 * width)
+        } else {
+            cosine.max(0.0)
+        };
+        rgb::scaled(self.brightness, lit)
     }
 
     /// Radiance of the lamp's image in facets at `point`, for a lamp whose white matt surface has
@@ -110,6 +127,24 @@ mod tests {
             let moment =
                 points.iter().map(|[x, y]| x * x + y * y).sum::<f64>() / points.len() as f64;
             assert!((moment - 0.5).abs() < 0.5 / points.len() as f64, "{rings}: {moment}");
+        }
+    }
+
+    #[test]
+    fn a_matt_surface_meets_the_integral_over_the_disc() {
+        let lamp = Lamp::new(Place::Direction(DVec3::Y), 0.2, [1.0; 3]);
+        for step in 0..40 {
+            let turn = 1.2 + f64::from(step) * 0.02;
+            let normal = DVec3::new(turn.sin(), turn.cos(), 0.0);
+            let cosines = disc(80).into_iter().map(|[x, z]| {
+                DVec3::new(x * 0.2_f64.tan(), 1.0, z * 0.2_f64.tan())
+                    .normalize()
+                    .dot(normal)
+                    .max(0.0)
+            });
+            let exact = cosines.sum::<f64>() / disc(80).len() as f64;
+            let got = lamp.matt(DVec3::ZERO, normal)[0];
+            assert!((got - exact).abs() < 0.03 * 0.2 + 0.005, "{turn}: {got} {exact}");
         }
     }
 

@@ -83,8 +83,7 @@ impl Pearl {
     fn body(&self, surroundings: &Surroundings, hit: &Hit) -> Rgb {
         let mut light = self.irradiance.at(hit.normal);
         for lamp in &surroundings.lamps {
-            let cosine = lamp.toward(hit.point).dot(hit.normal).max(0.0);
-            rgb::add(&mut light, rgb::scaled(lamp.brightness, cosine));
+            rgb::add(&mut light, lamp.matt(hit.point, hit.normal));
         }
         rgb::times(self.body_colour, light)
     }

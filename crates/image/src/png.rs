@@ -91,8 +91,12 @@ fn encode(
     space: PngSpace,
 ) -> Result<(), png::EncodingError> {
     let mut encoder = png::Encoder::with_info(out, info)?;
-    encoder.set_filter(FILTER);
-    encoder.set_deflate_compression(DEFLATE);
+    encoder.set_filter(png::Filter::Adaptive);
+    // Measured on 512 x 512 pearls with and without grain: 7 to 25 ms at level 3; level 6 takes
+    // three times as long for 2 to 10 % less. The low bytes of 16-bit samples are noise to
+    // deflate, and level 1 (7 to 11 ms) comes out smaller than all levels above it.
+    let level = if matches!(pixels, PngPixels::Eight(_)) { 3 } else { 1 };
+    encoder.set_deflate_compression(png::DeflateCompression::Level(level));
     let mut writer = encoder.write_header()?;
     writer.write_chunk(png::chunk::ChunkType(*b"cICP"), &space.cicp())?;
     match pixels {
@@ -104,11 +108,6 @@ fn encode(
     }
     writer.finish()
 }
-
-/// The filter of a row: the one whose differences are smallest.
-const FILTER: png::Filter = png::Filter::Adaptive;
-/// The effort of deflate.
-const DEFLATE: png::DeflateCompression = png::DeflateCompression::Level(4);
 
 /// All texts of the PNG file at `path`, as [`png_text`] finds them.
 ///

@@ -1,1 +1,186 @@
-//! The door to file.
+//! The door to picture files.
+
+#![allow(clippy::needless_pass_by_value)] // PyO3 hands arguments over by value
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use nacreous_image::exr::{self, Channels, Plane};
+use nacreous_image::panorama;
+use nacreous_image::photograph;
+use nacreous_image::picture_file::{LinearPicture, PictureFileError};
+use nacreous_image::png::{self, PngPixels, PngSpace};
+use numpy::ndarray::{Array3, ArrayView3, CowArray, Ix3};
+use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use crate::InputError;
+
+type Text = Vec<(String, String)>;
+
+/// Writes integer pixels [row, column, rgb], uint8 or uint16, as a PNG; space is "srgb" or
+/// "display-p3". Raises `OSError` where the system refuses, for nacreous.file to translate.
+#[pyfunction]
+pub fn write_png(
+    py: Python<'_>,
+    path: PathBuf,
+    pixels: &Bound<'_, PyAny>,
+    space: &str,
+    text: Text,
+) -> PyResult<()> {
+    let space = match space {
+        "srgb" => PngSpace::Srgb,
+        "display-p3" => PngSpace::DisplayP3,
+        other => {
+            let message = format!("colour space {other:?}; allowed: \"srgb\", \"display-p3\"");
+            return Err(InputError::new_err(message));
+        }
+    };
+    if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u8>>() {
+        let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
+        return py
+            .detach(|| encode_png(&path, size, PngPixels::Eight(slice(&samples)), space, &text));
+    }
+    if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u16>>() {
+        let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
+        return py
+            .detach(|| encode_png(&path, size, PngPixels::Sixteen(slice(&samples)), space, &text));
+    }
+    let given = describe(pixels);
+    let message = format!("pixels are {given}; allowed: uint8 or uint16 [row, column, 3]");
+    Err(InputError::new_err(message))
+}
+
+fn encode_png(
+    path: &Path,
+    (width, height): (u32, u32),
+    pixels: PngPixels<'_>,
+    space: PngSpace,
+    text: &Text,
+) -> PyResult<()> {
+    let mut out = BufWriter::new(File::create(path)?);
+    png::write_png(&mut out, width, height, pixels, space, text).map_err(raised)?;
+    Ok(out.flush()?)
+}
+
+/// Writes float32 planes [row, column, channel] of 1, 3 or 4 channels as an EXR; the picture
+/// itself is named "". Raises `OSError` where the system refuses.
+#[pyfunction]
+pub fn write_exr(
+    py: Python<'_>,
+    path: PathBuf,
+    planes: Vec<(String, Bound<'_, PyAny>)>,
+    text: Text,
+) -> PyResult<()> {
+    let mut arrays = Vec::new();
+    for (name, array) in planes {
+        let plane = array.extract::<PyReadonlyArray3<'_, f32>>().ok().and_then(|found| {
+            Channels::of_count(found.shape()[2]).map(|channels| (channels, found))
+        });
+        let Some((channels, plane)) = plane else {
+            let given = describe(&array);
+            let allowed = "float32 [row, column, channel] with 1, 3 or 4 channels";
+            let message = format!("layer {name:?} is {given}; allowed: {allowed}");
+            return Err(InputError::new_err(message));
+        };
+        arrays.push((name, channels, plane));
+    }
+    let size = |plane: &PyReadonlyArray3<'_, f32>| (plane.shape()[0], plane.shape()[1]);
+    let (height, width) = arrays.first().map_or((0, 0), |(_, _, plane)| size(plane));
+    if let Some((name, _, plane)) = arrays.iter().find(|own| size(&own.2) != (height, width)) {
+        let (rows, columns) = size(plane);
+        let message = format!(
+            "layer {name:?} has {rows} rows of {columns} pixels; allowed: {height} rows of \
+             {width}, as the first"
+        );
+        return Err(InputError::new_err(message));
+    }
+    let planes: Vec<(String, Channels, CowArray<'_, f32, Ix3>)> = arrays
+        .iter()
+        .map(|(name, channels, plane)| (name.clone(), *channels, in_order(plane.as_array())))
+        .collect();
+    py.detach(|| {
+        let planes: Vec<Plane<'_>> = planes
+            .iter()
+            .map(|(name, channels, samples)| Plane {
+                name: name.clone(),
+                channels: *channels,
+                samples: slice(samples).into(),
+            })
+            .collect();
+        let mut out = BufWriter::new(File::create(&path)?);
+        exr::write_exr(&mut out, width, height, &planes, &text).map_err(raised)?;
+        Ok(out.flush()?)
+    })
+}
+
+/// A photograph (PNG, JPEG, TIFF) as linear-light sRGB, float32 [row, column, rgb].
+#[pyfunction]
+pub fn read_photograph(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyArray3<f32>>> {
+    let picture = py.detach(|| photograph::read_photograph(&path)).map_err(raised)?;
+    array(py, picture)
+}
+
+/// A panorama (.hdr, .exr) as linear-light sRGB, float32 [row, column, rgb].
+#[pyfunction]
+pub fn read_panorama(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyArray3<f32>>> {
+    let picture = py.detach(|| panorama::read_panorama(&path)).map_err(raised)?;
+    array(py, picture)
+}
+
+/// The texts in a PNG as (keyword, text).
+#[pyfunction]
+pub fn read_png_text(py: Python<'_>, path: PathBuf) -> PyResult<Text> {
+    py.detach(|| png::read_png_text(&path)).map_err(raised)
+}
+
+/// What the system refused to write is an `OSError`, all else is the user's to mend.
+fn raised(problem: PictureFileError) -> PyErr {
+    match problem {
+        PictureFileError::Unwritable(refusal) => refusal.into(),
+        other => InputError::new_err(other.to_string()),
+    }
+}
+
+/// (width, height) of [row, column, rgb].
+fn rgb_size(shape: &[usize]) -> PyResult<(u32, u32)> {
+    match *shape {
+        [height, width, 3] if height.min(width) > 0 => {
+            u32::try_from(width).ok().zip(u32::try_from(height).ok())
+        }
+        _ => None,
+    }
+    .ok_or_else(|| {
+        let message = format!("pixels have the shape {shape:?}; allowed: [row, column, 3]");
+        InputError::new_err(message)
+    })
+}
+
+/// The same array with its values one after the other, copied only if they are not.
+fn in_order<T: Clone>(view: ArrayView3<'_, T>) -> CowArray<'_, T, Ix3> {
+    if view.is_standard_layout() {
+        view.into()
+    } else {
+        view.as_standard_layout().into_owned().into()
+    }
+}
+
+/// The values of an array from [`in_order`].
+fn slice<'a, T>(array: &'a CowArray<'_, T, Ix3>) -> &'a [T] {
+    array.as_slice().unwrap_or_default() // always there: the layout is standard
+}
+
+fn describe(value: &Bound<'_, PyAny>) -> String {
+    match value.cast::<PyUntypedArray>() {
+        Ok(array) => format!("{} of shape {:?}", array.dtype(), array.shape()),
+        Err(_) => format!("no array but {}", value.get_type()),
+    }
+}
+
+fn array(py: Python<'_>, picture: LinearPicture) -> PyResult<Bound<'_, PyArray3<f32>>> {
+    let shape = (picture.height, picture.width, 3);
+    let array = Array3::from_shape_vec(shape, picture.rgb)
+        .map_err(|problem| InputError::new_err(problem.to_string()))?;
+    Ok(array.into_pyarray(py))
+}

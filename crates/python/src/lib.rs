@@ -21,6 +21,8 @@ fn refused(error: impl std::fmt::Display) -> PyErr {
 #[pymodule]
 mod _core {
     #[pymodule_export]
+    use super::file::{read_panorama, read_photograph, read_png_text, write_exr, write_png};
+    #[pymodule_export]
     use super::image::{develop, parameters, parts, render};
     #[pymodule_export]
     use super::nacre::{Stack, grow};

@@ -1,0 +1,154 @@
+"""Files in and out: outputs that are whole or absent, and pictures that users bring.
+
+Readers name the file, the problem and what is allowed in one line (`InputError`), before they
+decode anything that is beyond the limits: 16384 pixels a side, 64 megapixels, 512 MiB.
+"""
+
+import os
+import secrets
+import stat
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous import _core
+from nacreous.problem import InputError
+
+__all__ = ["atomic", "check_output", "read_panorama", "read_photograph", "read_png_text"]
+
+
+@contextmanager
+def atomic(path: str | PathLike[str]) -> Iterator[Path]:
+    """Write a file so that, whatever happens, `path` is the old file or the whole new one.
+
+    Yields the path of a temporary file in the same folder, with the same ending, to be written by
+    whatever means. At the end it is flushed to the disk and takes the place of `path`; after any
+    exception, Ctrl-C included, it is removed. A new file has the permissions that the umask
+    leaves, a replaced one keeps its own, and a symbolic link keeps pointing where it did.
+
+    Raises `InputError` if `path` cannot be written: the folder is missing or closed, `path` is a
+    directory or a device, or the disk is full.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     with atomic(f"{folder}/pearl.txt") as temporary:
+    ...         _ = temporary.write_text("lustre")
+    ...     Path(folder, "pearl.txt").read_text()
+    'lustre'
+    """
+    target = _target(path)
+    temporary = _create_beside(path, target)
+    try:
+        yield temporary
+        with temporary.open("rb+") as stream:
+            os.fsync(stream.fileno())
+        if target.exists():
+            temporary.chmod(stat.S_IMODE(target.stat().st_mode))
+        temporary.replace(target)
+    except BaseException as problem:
+        temporary.unlink(missing_ok=True)
+        # An error about some other file, which the body read, is not ours to translate.
+        if isinstance(problem, OSError) and problem.filename in (None, str(temporary)):
+            raise _unwritable(path, problem) from problem
+        raise
+
+
+def check_output(path: str | PathLike[str], suffixes: Collection[str]) -> Path:
+    """Return `path` if a file of one of these endings can be written there; ask before long work.
+
+    `suffixes` are lower case with their dot; capitals in `path` are accepted. The folder is tried
+    by creating, and removing, a file in it. Raises `InputError` otherwise.
+
+    >>> check_output("pearl.gif", [".png", ".exr"])
+    Traceback (most recent call last):
+    nacreous.problem.InputError: pearl.gif: the ending is .gif; allowed: .png, .exr
+    """
+    output = Path(path)
+    if output.suffix.lower() not in suffixes:
+        given = output.suffix or "missing"
+        raise InputError(f"{output}: the ending is {given}; allowed: {', '.join(suffixes)}")
+    _create_beside(path, _target(path)).unlink()
+    return output
+
+
+def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]:
+    """Read a photograph (PNG, JPEG or TIFF; 8 or 16 bits; grey or RGB) as linear light.
+
+    Returns linear-light sRGB, float32 [row, column, rgb] in 0..1. Samples are taken as sRGB
+    (IEC 61966-2-1) unless the file carries an ICC profile, from which they are converted to sRGB;
+    colours outside sRGB are clipped. Alpha is ignored. The orientation noted by the camera is
+    applied. Raises `InputError` for everything that is no such picture or beyond the limits.
+
+    >>> read_photograph("no such nacre.jpg")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: no such nacre.jpg: does not exist
+    """
+    return _core.read_photograph(path)
+
+
+def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]:
+    """Read a panorama (Radiance .hdr or OpenEXR .exr) as linear light.
+
+    Returns linear-light sRGB, float32 [row, column, rgb], 0 or more and unbounded above. Primaries
+    that an OpenEXR file states are converted; values below zero become zero. Raises `InputError`
+    for NaN or infinity, and for everything that is no such picture or beyond the limits.
+
+    >>> read_panorama("sky.hdr")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: sky.hdr: does not exist
+    """
+    return _core.read_panorama(path)
+
+
+def read_png_text(path: str | PathLike[str]) -> dict[str, str]:
+    """Read the texts in a PNG by keyword: in our pictures the recipe they can be made from again.
+
+    Raises `InputError` for a file that is no whole PNG.
+
+    >>> import numpy as np
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     pixels = np.zeros((1, 1, 3), np.uint8)
+    ...     _core.write_png(f"{folder}/a.png", pixels, "srgb", [("nacreous:seed", "7")])
+    ...     read_png_text(f"{folder}/a.png")
+    {'nacreous:seed': '7'}
+    """
+    return dict(_core.read_png_text(path))
+
+
+def _target(path: str | PathLike[str]) -> Path:
+    """Return the file that a write to `path` concerns, behind all symbolic links."""
+    try:
+        target = Path(os.path.realpath(path))
+        mode = target.stat().st_mode if target.exists() else stat.S_IFREG
+    except (OSError, ValueError) as problem:
+        raise _unwritable(path, problem) from problem
+    if stat.S_ISDIR(mode):
+        raise InputError(f"{path}: is a directory; a file name is needed")
+    if not stat.S_ISREG(mode):
+        # Replacing it would turn, say, /dev/null into a file.
+        raise InputError(f"{path}: is not an ordinary file, and cannot be replaced by one")
+    return target
+
+
+def _create_beside(path: str | PathLike[str], target: Path) -> Path:
+    """Create an empty file of an unused name, hidden, in the folder of `target`."""
+    # The name is short, for the target's own may be as long as names can be.
+    temporary = target.with_name(f".nacreous-{secrets.token_hex(4)}{target.suffix[:16]}")
+    if not target.parent.is_dir():
+        raise InputError(f"{path}: the folder {target.parent} does not exist")
+    try:
+        # 0o666 less the umask, as every program creates its files; never over an existing one.
+        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+    except OSError as problem:
+        raise _unwritable(path, problem) from problem
+    return temporary
+
+
+def _unwritable(path: str | PathLike[str], problem: OSError | ValueError) -> InputError:
+    reason = problem.strerror if isinstance(problem, OSError) else None
+    return InputError(f"{path}: cannot be written ({reason or problem})")
