@@ -56,7 +56,9 @@ def page(tmp_path, monkeypatch):
 def test_true_pages_pass(page, tmp_path):
     run_document(page("python", ">>> half = 1 / 2", ">>> half", "0.5"), tmp_path)
     run_document(page("python", "half = 1 / 2", "assert half == 0.5"), tmp_path)
-    run_document(page("console", "$ git clone ...", "$ nacreous a \\", "    b", "a b", "", "$ "), tmp_path)
+    run_document(
+        page("console", "$ git clone ...", "$ nacreous a \\", "    b", "a b", "", "$ "), tmp_path
+    )
     run_document(page("console", "$ nacreous 12 layers", "... layers"), tmp_path)
 
 
