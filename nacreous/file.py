@@ -150,5 +150,5 @@ def _create_beside(path: str | PathLike[str], target: Path) -> Path:
 
 
 def _unwritable(path: str | PathLike[str], problem: OSError | ValueError) -> InputError:
-    reason = problem.strerror if isinstance(problem, OSError) else None
-    return InputError(f"{path}: cannot be written ({reason or problem})")
+    number = problem.errno if isinstance(problem, OSError) else None
+    return InputError(f"{path}: cannot be written ({os.strerror(number) if number else problem})")

@@ -3,7 +3,7 @@
 #![allow(clippy::needless_pass_by_value)] // PyO3 hands arguments over by value
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use nacreous_image::exr::{self, Channels, Plane};
@@ -13,6 +13,7 @@ use nacreous_image::picture_file::{LinearPicture, PictureFileError};
 use nacreous_image::png::{self, PngPixels, PngSpace};
 use numpy::ndarray::{Array3, ArrayView3, CowArray, Ix3};
 use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::InputError;
@@ -59,9 +60,9 @@ fn encode_png(
     space: PngSpace,
     text: &Text,
 ) -> PyResult<()> {
-    let mut out = BufWriter::new(File::create(path)?);
+    let mut out = BufWriter::new(File::create(path).map_err(refused)?);
     png::write_png(&mut out, width, height, pixels, space, text).map_err(raised)?;
-    Ok(out.flush()?)
+    out.flush().map_err(refused)
 }
 
 /// Writes float32 planes [row, column, channel] of 1, 3 or 4 channels as an EXR; the picture
@@ -109,9 +110,9 @@ pub fn write_exr(
                 samples: slice(samples).into(),
             })
             .collect();
-        let mut out = BufWriter::new(File::create(&path)?);
+        let mut out = BufWriter::new(File::create(&path).map_err(refused)?);
         exr::write_exr(&mut out, width, height, &planes, &text).map_err(raised)?;
-        Ok(out.flush()?)
+        out.flush().map_err(refused)
     })
 }
 
@@ -138,8 +139,16 @@ pub fn read_png_text(py: Python<'_>, path: PathBuf) -> PyResult<Text> {
 /// What the system refused to write is an `OSError`, all else is the user's to mend.
 fn raised(problem: PictureFileError) -> PyErr {
     match problem {
-        PictureFileError::Unwritable(refusal) => refusal.into(),
+        PictureFileError::Unwritable(refusal) => refused(refusal),
         other => InputError::new_err(other.to_string()),
+    }
+}
+
+/// The `OSError` with its number, so that Python can tell a full disk from a closed folder.
+fn refused(refusal: io::Error) -> PyErr {
+    match refusal.raw_os_error() {
+        Some(number) => PyOSError::new_err((number, refusal.to_string())),
+        None => refusal.into(),
     }
 }
 
