@@ -1,6 +1,9 @@
 //! The picture of a pearl.
 
 pub mod exr;
+mod fourier;
+pub mod grain;
+pub mod harmonics;
 pub mod photograph;
 pub mod png;
 pub mod texture;
