@@ -19,9 +19,11 @@ use std::f64::consts::PI;
 /// How many fields are summed together: hue, value and chroma.
 pub const CHANNELS: usize = 3;
 
-/// Rings that share a pass, as many as keep the processor's registers full.
+/// Ring pairs summed at once, as many as keep the processor's registers full.
 const LANES: usize = 8;
-/// Steps in l between two looks at the scale; one step grows by less than 2^6 for l <= 4096.
+/// Groups of `LANES` ring pairs that share the walk through the coefficients, which is long.
+const GROUPS: usize = 4;
+/// Steps in l (an even number) between two looks at the scale; one step grows by less than 2^6 for l <= 4096.
 const STRIDE: usize = 16;
 /// 2^400: a value at depth d stands for itself times 2^(-400 d).
 const SCALE: f64 = f64::from_bits((1023 + 400) << 52);
@@ -69,36 +71,36 @@ impl Coefficients {
     }
 }
 
-/// Fills `grid` (row-major, `2 * rows` columns) with the fields of degree up to `top`.
+/// Fills `grid` with the fields of degree up to `top`, on `rows` rows and twice as many columns.
 ///
-/// Row r lies at colatitude `(r + 1/2) pi / rows`, column c at longitude `c pi / rows`. `rows` is a
-/// power of two, at least 2 and greater than `top`, which does not exceed the coefficients' band
-/// limit. Each grid cell is what `texel` makes of the three channels' values.
+/// Row r lies at colatitude `(r + 1/2) pi / rows`, column c at longitude `c pi / rows`. `rows` is even,
+/// greater than `top` (which does not exceed the coefficients' band limit), and 1 or 3 times a power of
+/// two. The grid holds one row after the other, `pitch` cells from one to the next; cells beyond the
+/// last column stay as they are. Each cell is what `texel` makes of the three channels' values.
 pub fn synthesise<T: Send>(
     coefficients: &Coefficients,
     top: usize,
-    rows: usize,
+    (rows, pitch): (usize, usize),
     texel: impl Fn([f64; CHANNELS]) -> T + Sync,
     grid: &mut [T],
 ) {
-    debug_assert!(rows.is_power_of_two() && rows > top && top <= coefficients.band_limit);
+    debug_assert!(rows > top && top <= coefficients.band_limit && pitch >= 2 * rows);
     let pass = Pass { coefficients, recursion: Recursion::new(top), top, rows };
     let transform = InverseTransform::new(2 * rows);
-    let lanes = LANES.min(rows / 2);
-    let (north, south) = grid.split_at_mut(rows * rows);
-    let blocks =
-        north.par_chunks_mut(2 * rows * lanes).zip(south.par_rchunks_mut(2 * rows * lanes));
+    let pairs = LANES * GROUPS;
+    let (north, south) = grid.split_at_mut(rows / 2 * pitch);
+    let blocks = north.par_chunks_mut(pairs * pitch).zip(south.par_rchunks_mut(pairs * pitch));
     blocks.enumerate().for_each(|(block, (north, south))| {
-        let rings = pass.sum_over_degrees(block * lanes);
+        let groups = pass.sum_over_degrees(block * pairs);
         let mut signals = [(); CHANNELS].map(|()| Signal::zero(2 * rows));
         let mut scratch = Signal::zero(2 * rows);
-        let pairs = north.chunks_mut(2 * rows).zip(south.rchunks_mut(2 * rows));
-        for (lane, (north, south)) in pairs.enumerate() {
+        let rings = north.chunks_mut(pitch).zip(south.rchunks_mut(pitch));
+        for (pair, (north, south)) in rings.enumerate() {
             for (channel, signal) in signals.iter_mut().enumerate() {
-                load(signal, &rings, channel, lane);
+                load(signal, &groups[pair / LANES].orders, channel, pair % LANES);
                 transform.apply(signal, &mut scratch);
             }
-            for (column, (n, s)) in north.iter_mut().zip(south).enumerate() {
+            for (column, (n, s)) in north.iter_mut().zip(south).take(2 * rows).enumerate() {
                 *n = texel(signals.each_ref().map(|signal| signal.re[column]));
                 *s = texel(signals.each_ref().map(|signal| signal.im[column]));
             }
@@ -138,38 +140,61 @@ struct Pass<'a> {
 
 impl Pass<'_> {
     /// The sums over l for every order m, for the ring pairs from row `first` on.
-    ///
-    /// Ends early near the poles, where high orders are smaller than 2^-120.
-    fn sum_over_degrees(&self, first: usize) -> Vec<Order> {
-        let colatitude = |lane| (first + lane) as f64 + 0.5;
-        let angle: Lanes = std::array::from_fn(|lane| colatitude(lane) * PI / self.rows as f64);
-        let (sin, cos) = (angle.map(libm::sin), angle.map(libm::cos));
-        let mut column = vec![[0.0; LANES]; (self.top + 1).next_multiple_of(STRIDE)];
-        let mut sectoral = Scaled::start();
-        let mut orders = Vec::with_capacity(self.top + 1);
+    fn sum_over_degrees(&self, first: usize) -> [Group; GROUPS] {
+        let mut groups = std::array::from_fn(|group| Group::new(first + group * LANES, self.rows));
+        let mut column = vec![[0.0; LANES]; self.top + 1];
         for m in 0..=self.top {
-            let steps = self.recursion.column(m);
-            let Some(seen) = legendre(steps, &cos, sectoral.clone(), &mut column) else { break };
-            let coefficients = &self.coefficients.column(m, self.top)[seen..];
-            orders.push(sum_order(coefficients, &column[seen..], seen % 2));
-            sectoral.step(m, &sin);
+            let (steps, coefficients) =
+                (self.recursion.column(m), self.coefficients.column(m, self.top));
+            for group in &mut groups {
+                group.sum_order(m, steps, coefficients, &mut column);
+            }
         }
-        orders
+        groups
     }
 }
 
-/// Sums coefficient times Legendre function over l, even and odd l - m apart.
-fn sum_order(
-    coefficients: &[[[f64; 2]; CHANNELS]],
-    column: &[Lanes],
-    first_parity: usize,
-) -> Order {
+/// Ring pairs that share registers, on their way from m = 0 up.
+struct Group {
+    sin: Lanes,
+    cos: Lanes,
+    sectoral: Scaled,
+    /// Ends early near the poles, where high orders are smaller than 2^-120.
+    orders: Vec<Order>,
+}
+
+impl Group {
+    fn new(first: usize, rows: usize) -> Self {
+        let angle: Lanes =
+            std::array::from_fn(|lane| ((first + lane) as f64 + 0.5) * PI / rows as f64);
+        let (sin, cos) = (angle.map(libm::sin), angle.map(libm::cos));
+        Self { sin, cos, sectoral: Scaled::start(), orders: Vec::new() }
+    }
+
+    /// Adds order m, unless an order before was already too small to count.
+    fn sum_order(
+        &mut self,
+        m: usize,
+        steps: &[[f64; 2]],
+        coefficients: &[[[f64; 2]; CHANNELS]],
+        column: &mut [Lanes],
+    ) {
+        if self.orders.len() == m {
+            if let Some(seen) = legendre(steps, &self.cos, &self.sectoral, column) {
+                self.orders.push(sum_order(&coefficients[seen..], &column[seen..]));
+                self.sectoral.step(m, &self.sin);
+            }
+        }
+    }
+}
+
+/// Sums coefficient times Legendre function over l, even and odd l - m apart, an even one first.
+fn sum_order(coefficients: &[[[f64; 2]; CHANNELS]], column: &[Lanes]) -> Order {
     let mut order = [[[[0.0; LANES]; 2]; 2]; CHANNELS];
     for (channel, sums) in order.iter_mut().enumerate() {
         for (parity, sum) in sums.iter_mut().enumerate() {
             let (mut re, mut im) = ([0.0; LANES], [0.0; LANES]);
-            let skip = (parity + first_parity) % 2;
-            for (a, legendre) in coefficients.iter().zip(column).skip(skip).step_by(2) {
+            for (a, legendre) in coefficients.iter().zip(column).skip(parity).step_by(2) {
                 let [a_re, a_im] = a[channel];
                 for lane in 0..LANES {
                     re[lane] += a_re * legendre[lane];
@@ -208,14 +233,14 @@ impl Recursion {
 }
 
 /// `P_mm` on every lane, scaled so that sin(theta)^m never underflows.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Scaled {
     value: Lanes,
     depth: [u32; LANES],
 }
 
 impl Scaled {
-    /// P_00 = 1 / sqrt(4 pi).
+    /// `P_00` = 1 / sqrt(4 pi).
     fn start() -> Self {
         Self { value: [1.0 / (4.0 * PI).sqrt(); LANES], depth: [0; LANES] }
     }
@@ -223,11 +248,11 @@ impl Scaled {
     /// From m to m + 1.
     fn step(&mut self, m: usize, sin: &Lanes) {
         let factor = -((2 * m + 3) as f64 / (2 * m + 2) as f64).sqrt();
-        for lane in 0..LANES {
-            self.value[lane] *= factor * sin[lane];
-            if self.value[lane].abs() < 1.0 / HALF_SCALE {
-                self.value[lane] *= SCALE;
-                self.depth[lane] += 1;
+        for ((value, depth), sin) in self.value.iter_mut().zip(&mut self.depth).zip(sin) {
+            *value *= factor * sin;
+            if value.abs() < 1.0 / HALF_SCALE {
+                *value *= SCALE;
+                *depth += 1;
             }
         }
     }
@@ -236,8 +261,13 @@ impl Scaled {
 /// Fills `column` with `P_lm` for l = m, m + 1, ... and gives the first l - m worth summing.
 ///
 /// None if all lanes stay below 2^-120 to the last l: then no higher order counts either.
-fn legendre(steps: &[[f64; 2]], cos: &Lanes, start: Scaled, column: &mut [Lanes]) -> Option<usize> {
-    let Scaled { value: mut now, mut depth } = start;
+fn legendre(
+    steps: &[[f64; 2]],
+    cos: &Lanes,
+    start: &Scaled,
+    column: &mut [Lanes],
+) -> Option<usize> {
+    let Scaled { value: mut now, mut depth } = *start;
     let mut before: Lanes = [0.0; LANES];
     let mut seen = None;
     for (chunk, steps) in steps.chunks(STRIDE).enumerate() {
@@ -276,8 +306,8 @@ mod tests {
         let mut sectoral = Scaled::start();
         let mut rows = Vec::new();
         for m in 0..=top {
-            let mut column = vec![[0.0; LANES]; (top + 1).next_multiple_of(STRIDE)];
-            legendre(recursion.column(m), &cos, sectoral.clone(), &mut column);
+            let mut column = vec![[0.0; LANES]; top + 1];
+            legendre(recursion.column(m), &cos, &sectoral, &mut column);
             rows.push(column[..=top - m].iter().map(|lanes| lanes[0]).collect());
             sectoral.step(m, &sin);
         }
@@ -318,7 +348,7 @@ mod tests {
         let mut coefficients = Coefficients::zero(3);
         coefficients.at_mut(3, 2)[1] = [0.25, -0.5];
         let mut grid = vec![[0.0; CHANNELS]; 2 * rows * rows];
-        synthesise(&coefficients, 3, rows, |texel| texel, &mut grid);
+        synthesise(&coefficients, 3, (rows, 2 * rows), |texel| texel, &mut grid);
         for (index, texel) in grid.iter().enumerate() {
             let theta = (index / (2 * rows)) as f64 * PI / 16.0 + PI / 32.0;
             let phi = (index % (2 * rows)) as f64 * PI / 16.0;
