@@ -32,10 +32,11 @@ impl Parameters {
         Self {
             // From 0.2, where a few layers are seen, down to 0.005, where a hundred are.
             diffuse_loss: geometric(0.2, 0.005, depth),
-            mixing: 0.75 * depth,
+            // Pale in the middle of the scale, where most pearls are; half interference at its end.
+            mixing: 0.5 * libm::pow(depth, 1.5),
             // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).
             facet_spread_rad: geometric(0.25, 0.012, shininess),
-            mirror_weight: shininess,
+            mirror_weight: shininess.sqrt(),
             hue_weight: 1.5 * grain,
             chroma_weight: 1.5 * grain,
             value_weight: 1.5 * grain,

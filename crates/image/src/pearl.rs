@@ -24,7 +24,7 @@ pub struct Grain {
 
 /// How the pearl answers to light, all of it known before the first pixel.
 #[derive(Debug)]
-pub struct Pearl {
+pub struct Pearl<'a> {
     /// Interference colour by view angle.
     pub rings: Rings,
     /// Share of interference against body colour.
@@ -40,7 +40,7 @@ pub struct Pearl {
     /// Distance over which a mirrored thing fades to 1/e of its contrast with the backdrop.
     pub falloff_mm: f64,
     /// The grain over the sphere, if any.
-    pub texture: Option<Texture>,
+    pub texture: Option<&'a Texture>,
     /// How strongly it acts.
     pub grain: Grain,
 }
@@ -58,7 +58,7 @@ pub struct Shade {
     pub texture: Rgb,
 }
 
-impl Pearl {
+impl Pearl<'_> {
     /// What goes from `hit` towards `view`. `pixel_mm` is the width that it stands for on the pearl.
     pub fn shade(
         &self,
@@ -68,7 +68,7 @@ impl Pearl {
         pixel_mm: f64,
     ) -> Shade {
         let radius_mm = surroundings.pearl.radius_mm;
-        let texture = self.texture.as_ref().map_or([0.0; 3], |texture| {
+        let texture = self.texture.map_or([0.0; 3], |texture| {
             texture.at(hit.normal, pixel_mm / radius_mm).map(f64::from)
         });
         Shade {

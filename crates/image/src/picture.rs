@@ -52,7 +52,7 @@ impl Progress {
 /// No random numbers: every sample stands for its cell, and lamps, table and silhouette are averaged
 /// over the cell in closed form. Memory: 64 bytes a pixel.
 pub fn render(
-    pearl: &Pearl,
+    pearl: &Pearl<'_>,
     surroundings: &Surroundings,
     camera: &Camera,
     size_px: usize,
@@ -85,7 +85,7 @@ fn tent(samples_side: usize) -> Vec<f64> {
 }
 
 struct Eye<'a> {
-    pearl: &'a Pearl,
+    pearl: &'a Pearl<'a>,
     surroundings: &'a Surroundings,
     camera: &'a Camera,
     offsets: Vec<f64>,

@@ -1,10 +1,251 @@
-//! stub until the grain branch lands
-/// stub
-#[derive(Debug, Clone)]
-pub struct Texture;
+//! A seamless texture over the whole sphere, made from the spectrum of a patch.
+//!
+//! The paper (4.3) maps the filtered patch itself onto the pearl. A patch has edges and a sphere has
+//! poles, so we draw instead **(ours)** an isotropic Gaussian random field that has the patch's
+//! spectrum: every place and direction on the sphere is like every other, there is nothing to join.
+//! Approximate: a flat patch's frequency f stands for the degree l + 1/2 = 2 pi f R of a sphere of
+//! radius R, which is good to a part in l (flat-sky relation of cosmologists); phases are random, so
+//! the stripes of terraces come out as short as their spectrum leaves them.
+
+use crate::grain::{GrainError, GrainSpectrum};
+use crate::harmonics::{CHANNELS, Coefficients, synthesise};
+use glam::{DVec3, Vec3A};
+use rand_chacha::ChaCha8Rng;
+use rand_core::{Rng, SeedableRng};
+use std::f32;
+use std::f64::consts::{PI, TAU};
+
+/// The highest degree drawn: 20 cycles per mm on a pearl of 8 mm. What lies above is left out, and
+/// [`Texture::lost_variance`] says how much that is.
+pub const HIGHEST_DEGREE: usize = 512;
+
+/// Rows beyond each pole that let the look-up reach over it.
+const MARGIN: usize = 2;
+/// Columns beyond the date line, for the same reason.
+const WRAP: usize = 3;
+
+/// Deviations of hue (radians), value and chroma (relative) over a pearl, with mean 0.
+///
+/// ```
+/// use glam::DVec3;
+/// use nacreous_image::{grain::GrainSpectrum, texture::Texture};
+/// let texture = Texture::synthesise(&GrainSpectrum::procedural(), 1.0, 7)?;
+/// let [hue, value, chroma] = texture.at(DVec3::new(0.3, -0.2, 0.9), 0.0);
+/// assert!(hue.abs() < 0.5 && value.abs() < 0.8 && chroma.abs() < 1.0);
+/// # Ok::<(), nacreous_image::grain::GrainError>(())
+/// ```
+#[derive(Debug)]
+pub struct Texture {
+    /// The finest first; each next holds the lower half of the degrees.
+    levels: Vec<Level>,
+    band_limit: usize,
+    lost_variance: [f64; CHANNELS],
+}
+
 impl Texture {
-    /// stub
-    pub fn at(&self, _: glam::DVec3, _: f64) -> [f32; 3] {
-        [0.0; 3]
+    /// Draws a texture for a pearl of `radius_mm`. Same seed, same bytes, on every machine.
+    ///
+    /// # Errors
+    /// [`GrainError::Radius`] unless the radius is 0.1 to 100 mm.
+    pub fn synthesise(
+        spectrum: &GrainSpectrum,
+        radius_mm: f64,
+        seed: u64,
+    ) -> Result<Self, GrainError> {
+        if !(0.1..=100.0).contains(&radius_mm) {
+            return Err(GrainError::Radius(radius_mm));
+        }
+        let circumference_mm = TAU * radius_mm;
+        let wanted = (spectrum.highest_frequency() * circumference_mm).ceil() as usize;
+        let band_limit = wanted.clamp(1, HIGHEST_DEGREE);
+        let below = |channel, l| spectrum.variance_below(channel, l as f64 / circumference_mm);
+        // Degree l holds the frequencies between l and l + 1 cycles round the pearl, so that no power
+        // is lost between degrees. Degree 0, the mean, stays empty.
+        let share = |l| [0, 1, 2].map(|c| (below(c, l + 1) - below(c, l)).max(0.0));
+        let shares: Vec<_> = (1..=band_limit).map(share).collect();
+        let lost_variance = [0, 1, 2].map(|c| {
+            let kept = below(c, band_limit + 1) - below(c, 1);
+            (spectrum.variance(c) - kept).max(0.0)
+        });
+        let coefficients = draw(&shares, spectrum.mixing(), seed);
+        let lowest = 1 + shares.iter().position(|s| s.iter().any(|&s| s > 0.0)).unwrap_or(0);
+        let levels = (0..=HIGHEST_DEGREE.ilog2())
+            .map(|k| band_limit >> k)
+            .take_while(|&top| top >= lowest)
+            .map(|top| Level::synthesise(&coefficients, top))
+            .collect();
+        Ok(Self { levels, band_limit, lost_variance })
     }
+
+    /// The deviations of hue, value and chroma at `direction`, seen with samples `footprint_rad` apart.
+    ///
+    /// `direction` is finite, not zero, of any length; colatitude counts from +z, longitude from +x to
+    /// +y. `footprint_rad` is the distance, as an angle at the pearl's centre, of neighbouring samples on
+    /// its surface: detail that they cannot carry (degrees above pi / footprint) fades out, down to
+    /// the mean 0. Give 0 for all detail.
+    #[inline]
+    pub fn at(&self, direction: DVec3, footprint_rad: f64) -> [f32; CHANNELS] {
+        let place = Place::towards(direction);
+        if footprint_rad * self.band_limit as f64 <= PI {
+            return self.levels[0].at(place).to_array();
+        }
+        self.filtered(place, (PI / footprint_rad) as f32).to_array()
+    }
+
+    /// A mixture of the two levels whose highest degrees enclose `degree`.
+    fn filtered(&self, place: Place, degree: f32) -> Vec3A {
+        let coarser = self.levels.iter().position(|level| (level.top as f32) <= degree);
+        let coarser = coarser.unwrap_or(self.levels.len());
+        let finer = &self.levels[coarser.max(1) - 1];
+        let (base, low) = match self.levels.get(coarser) {
+            Some(level) => (level.at(place), level.top as f32),
+            None => (Vec3A::ZERO, 0.0),
+        };
+        let weight = ((degree - low) / (finer.top as f32 - low)).clamp(0.0, 1.0);
+        base + weight * (finer.at(place) - base)
+    }
+
+    /// The highest degree drawn.
+    pub fn band_limit(&self) -> usize {
+        self.band_limit
+    }
+
+    /// Variance of hue, value and chroma that the spectrum has and the texture has not.
+    ///
+    /// It lies in frequencies above the highest degree (512), and below one cycle round the pearl.
+    pub fn lost_variance(&self) -> [f64; CHANNELS] {
+        self.lost_variance
+    }
+
+    /// The finest grid: rows from pole to pole, twice as many columns, row-major.
+    ///
+    /// Row r lies at colatitude (r + 1/2) pi / rows, column c at longitude c pi / rows.
+    pub fn rows(&self) -> usize {
+        self.levels[0].rows
+    }
+
+    /// The values on the finest grid.
+    pub fn texels(&self) -> impl Iterator<Item = [f32; CHANNELS]> {
+        let (rows, texels) = (self.rows(), &self.levels[0].texels);
+        let inner = texels.chunks_exact(2 * rows + WRAP).skip(MARGIN).take(rows);
+        inner.flat_map(move |row| row[..2 * rows].iter().map(Vec3A::to_array))
+    }
+}
+
+/// Draws `a_lm` with variance `C_l`, where `shares` holds (2 l + 1) `C_l` / (4 pi) from l = 1 up.
+///
+/// Degree by degree, so that a finer texture keeps the coarser one's large features.
+fn draw(
+    shares: &[[f64; CHANNELS]],
+    mixing: &[[f64; CHANNELS]; CHANNELS],
+    seed: u64,
+) -> Coefficients {
+    let mut key = *b"-------- nacreous grain texture ";
+    key[..8].copy_from_slice(&seed.to_le_bytes());
+    let mut random = ChaCha8Rng::from_seed(key);
+    let mut coefficients = Coefficients::zero(shares.len());
+    for (l, share) in (1..).zip(shares) {
+        let deviation = share.map(|s| (4.0 * PI * s / (2 * l + 1) as f64).sqrt());
+        for m in 0..=l {
+            let normal: [_; CHANNELS] = std::array::from_fn(|_| normal_pair(&mut random));
+            let part = if m == 0 { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
+            let mixed =
+                |c: usize, i: usize| (0..=c).map(|k| mixing[c][k] * normal[k][i]).sum::<f64>();
+            *coefficients.at_mut(l, m) =
+                std::array::from_fn(|c| [0, 1].map(|i| part * deviation[c] * mixed(c, i)));
+        }
+    }
+    coefficients
+}
+
+/// Two independent normal deviates (Box and Muller 1958), with sines that are the same everywhere.
+fn normal_pair(random: &mut ChaCha8Rng) -> [f64; 2] {
+    let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+    let radius = (-2.0 * libm::log(1.0 - uniform())).sqrt();
+    let (sin, cos) = libm::sincos(TAU * uniform());
+    [radius * cos, radius * sin]
+}
+
+/// Where a direction points: colatitude and longitude in radians.
+#[derive(Clone, Copy)]
+struct Place {
+    colatitude: f32,
+    longitude: f32,
+}
+
+impl Place {
+    fn towards(direction: DVec3) -> Self {
+        let [x, y, z] = direction.to_array().map(|part| part as f32);
+        let colatitude = libm::atan2f((x * x + y * y).sqrt(), z);
+        Self { colatitude, longitude: libm::atan2f(y, x) }
+    }
+}
+
+/// The field up to one degree, on a grid of at least four samples to its shortest wave.
+#[derive(Debug)]
+struct Level {
+    top: usize,
+    rows: usize,
+    /// Rows of the grid, with `MARGIN` rows beyond either pole and `WRAP` columns beyond the last.
+    texels: Vec<Vec3A>,
+}
+
+impl Level {
+    fn synthesise(coefficients: &Coefficients, top: usize) -> Self {
+        let power = (2 * top).next_power_of_two().max(16);
+        let rows = if 3 * power / 4 >= 2 * top { 3 * power / 4 } else { power };
+        let pitch = 2 * rows + WRAP;
+        let mut texels = vec![Vec3A::ZERO; pitch * (rows + 2 * MARGIN)];
+        let inner = pitch * MARGIN..pitch * (MARGIN + rows);
+        let texel = |value: [f64; CHANNELS]| Vec3A::from_array(value.map(|v| v as f32));
+        synthesise(coefficients, top, (rows, pitch), texel, &mut texels[inner]);
+        // Beyond a pole lies the same ring, half way round.
+        for beyond in 1..=MARGIN {
+            let (north, south) = (MARGIN, MARGIN + rows);
+            let mirrored =
+                [(north - beyond, north + beyond - 1), (south + beyond - 1, south - beyond)];
+            for (to, from) in mirrored.map(|(to, from)| (to * pitch, from * pitch)) {
+                texels.copy_within(from + rows..from + 2 * rows, to);
+                texels.copy_within(from..from + rows, to + rows);
+            }
+        }
+        for row in texels.chunks_exact_mut(pitch) {
+            row.copy_within(..WRAP, 2 * rows);
+        }
+        Self { top, rows, texels }
+    }
+
+    /// Cubic interpolation (Catmull and Rom 1974) of the sixteen texels around a place.
+    #[inline]
+    fn at(&self, place: Place) -> Vec3A {
+        let columns = 2 * self.rows;
+        let scale = self.rows as f32 / f32::consts::PI;
+        // A turn more keeps both positive, so that `as` rounds down.
+        let across = place.longitude * scale + columns as f32;
+        let down = place.colatitude * scale + (MARGIN as f32 - 0.5);
+        let (column, row) = (across as usize, down as usize);
+        let weights = cubic_weights(across - column as f32);
+        let first = if column > columns { column - columns - 1 } else { column - 1 };
+        let mut start = (row - 1) * (columns + WRAP) + first;
+        let mut sum = Vec3A::ZERO;
+        for weight in cubic_weights(down - row as f32) {
+            let ring = &self.texels[start..start + 4];
+            let along = weights[0] * ring[0] + weights[1] * ring[1];
+            sum += weight * (along + (weights[2] * ring[2] + weights[3] * ring[3]));
+            start += columns + WRAP;
+        }
+        sum
+    }
+}
+
+/// Weights of the four neighbours at t in 0..1 between the middle two; they add up to 1.
+#[inline]
+fn cubic_weights(t: f32) -> [f32; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [
+        0.5 * (-t3 + 2.0 * t2 - t),
+        0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
+        0.5 * (-3.0 * t3 + 4.0 * t2 + t),
+        0.5 * (t3 - t2),
+    ]
 }

@@ -153,7 +153,7 @@ impl SkySpec<'_> {
 }
 
 /// Everything that a render needs, in the types of the rooms.
-struct Job {
+struct Job<'a> {
     model: IlluminantModel,
     stack: nacreous_nacre::LayerStack,
     light: Light,
@@ -161,12 +161,12 @@ struct Job {
     camera: Camera,
     facets: Facets,
     look: PearlSpec,
-    texture: Option<nacreous_image::texture::Texture>,
+    texture: Option<&'a nacreous_image::texture::Texture>,
     size_px: usize,
     samples_side: usize,
 }
 
-impl Job {
+impl Job<'_> {
     fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
         let look = &self.look;
         let pearl = Pearl {
@@ -189,14 +189,14 @@ impl Job {
     }
 }
 
-fn job(
+fn job<'a>(
     look: PearlSpec,
     scene: &SceneSpec<'_>,
     stack: &Stack,
-    texture: Option<&Texture>,
+    texture: Option<&'a Texture>,
     size_px: usize,
     samples_side: usize,
-) -> PyResult<Job> {
+) -> PyResult<Job<'a>> {
     let sources = scene.lamps.iter().map(LampSpec::source).collect::<PyResult<Vec<_>>>()?;
     let white = scene.white.as_deref().map(Spectrum::from_values).transpose().map_err(refused)?;
     let observer: Observer = scene.observer.parse().map_err(refused)?;
@@ -229,7 +229,7 @@ fn job(
         camera: scene.camera.camera(),
         facets,
         look,
-        texture: texture.map(|texture| texture.0.clone()),
+        texture: texture.map(|texture| &texture.0),
         size_px,
         samples_side,
     })
