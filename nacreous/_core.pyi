@@ -1,11 +1,46 @@
 """The compiled rooms, as mypy sees them; `just check` compares this file with the built module."""
 
-# file
+from collections.abc import Callable, Mapping
 from os import PathLike
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
 
+# colour
+def spectrum_wavelength_nm() -> NDArray[np.float64]: ...
+def illuminant_spectrum(name: str) -> NDArray[np.float64]: ...
+def spectrum_from_csv(text: str, place: str) -> NDArray[np.float64]: ...
+def xyz_from_spectrum(
+    spectra: NDArray[np.float64], illuminant: NDArray[np.float64], observer: str
+) -> NDArray[np.float64]: ...
+def lab_from_xyz(
+    xyz: NDArray[np.float64], white_xyz: tuple[float, float, float]
+) -> NDArray[np.float64]: ...
+def xyz_from_lab(
+    lab: NDArray[np.float64], white_xyz: tuple[float, float, float]
+) -> NDArray[np.float64]: ...
+def delta_e_2000(
+    first: NDArray[np.float64], second: NDArray[np.float64]
+) -> NDArray[np.float64]: ...
+def rgb_from_xyz(xyz: NDArray[np.float64], space: str) -> NDArray[np.float64]: ...
+def xyz_from_rgb(rgb: NDArray[np.float64], space: str) -> NDArray[np.float64]: ...
+def encode_rgb(rgb: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def decode_rgb(encoded: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def adapt_xyz(
+    xyz: NDArray[np.float64],
+    from_white: tuple[float, float, float],
+    to_white: tuple[float, float, float],
+) -> NDArray[np.float64]: ...
+def map_to_gamut(rgb: NDArray[np.float64], method: str, space: str) -> NDArray[np.float64]: ...
+def out_of_gamut_share(rgb: NDArray[np.float64]) -> float: ...
+def hvc_from_rgb(rgb: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def rgb_from_hvc(hvc: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def hvc_from_xyz(xyz: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def xyz_from_hvc(hvc: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def munsell_notation(hvc: NDArray[np.float64]) -> list[str]: ...
+
+# file
 def write_png(
     path: str | PathLike[str],
     pixels: NDArray[np.uint8] | NDArray[np.uint16],
@@ -20,3 +55,61 @@ def write_exr(
 def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_png_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
+
+# nacre
+@final
+class Stack:
+    def __new__(
+        cls,
+        thickness_nm: NDArray[np.float64],
+        protein_nm: float,
+        aragonite: complex,
+        protein: complex,
+        ambient: complex,
+        substrate: complex,
+    ) -> Stack: ...
+    def total_um(self) -> float: ...
+    def outer(self, depth_um: float) -> tuple[int, float, float]: ...
+
+def grow(
+    *,
+    days: int,
+    peak_day: float,
+    season_days: float,
+    thickness_winter_nm: float,
+    thickness_summer_nm: float,
+    layers_winter: float,
+    layers_summer: float,
+    thickness_noise_nm: float,
+    layers_noise: float,
+    seed: int,
+) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
+
+# optics
+def fresnel(
+    n_i: complex, n_t: complex, angle_rad: NDArray[np.float64]
+) -> tuple[list[NDArray[np.complex128]], list[NDArray[np.float64]]]: ...
+def illuminant(
+    stack: Stack,
+    angle_rad: NDArray[np.float64],
+    wavelength_nm: NDArray[np.float64],
+    coherence_nm: float,
+    threshold: float,
+    diffuse_loss: float,
+) -> NDArray[np.float64]: ...
+
+# image
+def render(
+    pearl: Mapping[str, Any],
+    scene: Mapping[str, Any],
+    stack: Stack,
+    texture: Texture | None,
+    size_px: int,
+    samples_side: int,
+    report: Callable[[int], object] | None,
+) -> NDArray[np.float32]: ...
+def parts() -> list[tuple[str, int, int]]: ...
+def parameters(depth: float, shininess: float, grain: float) -> dict[str, float]: ...
+def develop(
+    linear: NDArray[np.float32], space: str, gamut: str, bits: int
+) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]: ...

@@ -1,4 +1,6 @@
 //! Everything that this room refuses, each as one line for the person who gave the value.
+//!
+//! Numbers are written with `{:?}`, which keeps 1e300 short.
 
 /// A value from outside that has no meaning as colour.
 ///
@@ -21,7 +23,7 @@ pub enum ColourError {
         allowed: &'static str,
     },
     /// A colour temperature outside the range of the daylight and Planckian loci.
-    #[error("colour temperature is {kelvin} K; allowed: 1000 to 25000 K")]
+    #[error("colour temperature is {kelvin:?} K; allowed: 1000 to 25000 K")]
     Temperature {
         /// The temperature as given.
         kelvin: f64,
@@ -33,7 +35,7 @@ pub enum ColourError {
         samples: usize,
     },
     /// A sample that is not a spectral quantity.
-    #[error("spectrum at {wavelength_nm} nm is {value}; allowed: 0 to 1e12")]
+    #[error("spectrum at {wavelength_nm} nm is {value:?}; allowed: 0 to 1e12")]
     Sample {
         /// Where in the spectrum.
         wavelength_nm: f64,

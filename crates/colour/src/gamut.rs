@@ -64,7 +64,8 @@ fn soft(rgb: [f64; 3], luminance: f64) -> [f64; 3] {
     if grey >= 1.0 {
         return [1.0; 3]; // so bright that the knee rounds to white
     }
-    let away = rgb.map(|channel| channel / luminance * grey - grey);
+    let dim = grey / luminance; // 1 below the knee, to the last bit
+    let away = rgb.map(|channel| channel * dim - grey);
     let excess = away
         .iter()
         .map(|&step| if step > 0.0 { step / (1.0 - grey) } else { -step / grey })

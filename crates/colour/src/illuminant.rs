@@ -242,7 +242,7 @@ mod tests {
             "illuminant is \"F2\"; allowed: A, D50, D65, E, or a colour temperature such as 5500K \
              (1000K to 25000K)"
         );
-        assert_eq!(error("500K"), "colour temperature is 500 K; allowed: 1000 to 25000 K");
+        assert_eq!(error("500K"), "colour temperature is 500.0 K; allowed: 1000 to 25000 K");
         assert_eq!(error("nanK"), "colour temperature is NaN K; allowed: 1000 to 25000 K");
     }
 }

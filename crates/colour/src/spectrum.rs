@@ -116,27 +116,30 @@ fn check(rows: &[Row<2>], place: &str) -> Result<(), ColourError> {
     };
     for row in rows {
         if !(0.0..=LARGEST).contains(&row.cells[1]) {
-            return Err(line(row.line, format!("value is {}; allowed: 0 to 1e12", row.cells[1])));
+            return Err(line(row.line, format!("value is {:?}; allowed: 0 to 1e12", row.cells[1])));
         }
     }
     for pair in rows.windows(2) {
         let ([before, _], [after, _]) = (pair[0].cells, pair[1].cells);
         if after <= before {
-            let problem = format!("wavelength_nm is {after}; allowed: above {before}, the last");
+            let problem =
+                format!("wavelength_nm is {after:?}; allowed: above {before:?}, the last");
             return Err(line(pair[1].line, problem));
         }
     }
     let ([from_nm, _], [to_nm, _]) = (first.cells, last.cells);
     let mut missing = Vec::new();
     if from_nm > FIRST_NM {
-        missing.push(format!("{FIRST_NM} to {from_nm} nm"));
+        missing.push(format!("{FIRST_NM:?} to {from_nm:?} nm"));
     }
     if to_nm < LAST_NM {
-        missing.push(format!("{to_nm} to {LAST_NM} nm"));
+        missing.push(format!("{to_nm:?} to {LAST_NM:?} nm"));
     }
     if !missing.is_empty() {
         let missing = missing.join(" and ");
-        return Err(table(format!("wavelength_nm is {from_nm} to {to_nm}; missing: {missing}")));
+        return Err(table(format!(
+            "wavelength_nm is {from_nm:?} to {to_nm:?}; missing: {missing}"
+        )));
     }
     Ok(())
 }
@@ -211,12 +214,12 @@ mod tests {
         assert_eq!(problem("380,1"), "lamp.csv: 1 rows of numbers; allowed: at least 2");
         assert_eq!(
             problem("400,1\n700,1"),
-            "lamp.csv: wavelength_nm is 400 to 700; missing: 380 to 400 nm and 700 to 780 nm"
+            "lamp.csv: wavelength_nm is 400.0 to 700.0; missing: 380.0 to 400.0 nm and 700.0 to 780.0 nm"
         );
-        assert_eq!(problem("380,1\n780,-2"), "lamp.csv, line 2: value is -2; allowed: 0 to 1e12");
+        assert_eq!(problem("380,1\n780,-2"), "lamp.csv, line 2: value is -2.0; allowed: 0 to 1e12");
         assert_eq!(
             problem("380,1\n500,1\n500,1\n780,1"),
-            "lamp.csv, line 3: wavelength_nm is 500; allowed: above 500, the last"
+            "lamp.csv, line 3: wavelength_nm is 500.0; allowed: above 500.0, the last"
         );
     }
 

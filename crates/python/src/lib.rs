@@ -21,6 +21,13 @@ fn refused(error: impl std::fmt::Display) -> PyErr {
 #[pymodule]
 mod _core {
     #[pymodule_export]
+    use super::colour::{
+        adapt_xyz, decode_rgb, delta_e_2000, encode_rgb, hvc_from_rgb, hvc_from_xyz,
+        illuminant_spectrum, lab_from_xyz, map_to_gamut, munsell_notation, out_of_gamut_share,
+        rgb_from_hvc, rgb_from_xyz, spectrum_from_csv, spectrum_wavelength_nm, xyz_from_hvc,
+        xyz_from_lab, xyz_from_rgb, xyz_from_spectrum,
+    };
+    #[pymodule_export]
     use super::file::{read_panorama, read_photograph, read_png_text, write_exr, write_png};
     #[pymodule_export]
     use super::image::{develop, parameters, parts, render};
