@@ -78,6 +78,33 @@ def spectrum_from_csv(path: str | Path) -> Array:
     return _core.spectrum_from_csv(text, str(path))
 
 
+def light(name_or_path: str) -> Array:
+    """Relative spectrum of a light given as files of scenes give it: a name, or a table's path.
+
+    >>> bool(np.array_equal(light("D65"), illuminant("D65")))
+    True
+    """
+    if name_or_path.lower().endswith(".csv"):
+        return spectrum_from_csv(name_or_path)
+    return illuminant(name_or_path)
+
+
+def linear_from_hex(code: str) -> tuple[float, float, float]:
+    """Linear sRGB of a colour written as "#rrggbb" in sRGB codes.
+
+    >>> linear_from_hex("#ff0000")
+    (1.0, 0.0, 0.0)
+    """
+    try:
+        codes = [int(code[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    except ValueError:
+        codes = []
+    if len(code) != 7 or code[0] != "#" or not codes:
+        raise InputError(f'colour is "{code}"; allowed: "#rrggbb" with hexadecimal digits')
+    red, green, blue = decode(codes).tolist()
+    return red, green, blue
+
+
 def xyz_from_spectrum(
     spectra: ArrayLike,
     illuminant: str | ArrayLike = "E",

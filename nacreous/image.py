@@ -71,8 +71,7 @@ class Image:
         outside = 0.0
         with file.atomic(path) as temporary:
             if suffix == ".exr":
-                coverage = self.layers["coverage"]
-                _core.write_exr(temporary, self.linear, coverage, dict(self.layers), self._texts())
+                _core.write_exr(temporary, [("", self.linear), *self.layers.items()], self._texts())
             else:
                 codes, outside = self.develop(bits, space, gamut)
                 _core.write_png(temporary, codes, space, self._texts())
