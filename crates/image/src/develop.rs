@@ -49,7 +49,7 @@ mod tests {
     fn middle_grey_meets_the_srgb_standard_and_gamut_is_counted() {
         let developed =
             develop(&[0.214_041, 0.214_041, 0.214_041, 1.5, 0.0, 0.0], RgbSpace::Srgb, Gamut::Clip);
-        assert_eq!(developed.codes[0], 32768);
+        assert!((f64::from(developed.codes[0]) - 0.5 * 65535.0).abs() <= 1.0);
         assert!((developed.out_of_gamut - 0.5).abs() < 1e-15);
     }
 }

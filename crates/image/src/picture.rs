@@ -145,7 +145,7 @@ impl Eye<'_> {
     /// proportion to lightness (paper, section 4.4). Once a pixel, for its samples share the texture.
     fn lay_texture(&self, pixel: &mut Pixel) {
         let weights = self.pearl.grain;
-        if pixel.coverage <= 0.0 || pixel.texture == [0.0; 3] {
+        if pixel.coverage <= 0.0 || self.pearl.texture.is_none() {
             return;
         }
         let [hue, value, chroma] = pixel.texture.map(|t| t / pixel.coverage);
