@@ -47,13 +47,14 @@ test-rust *options: setup
 test-python *options: setup
     pytest {{ options }}
 
-# Check format, lint, types, the compiled module's stub, and who imports whom
+# Check format, lint, links, types, the compiled module's stub, and who imports whom
 [group("trust")]
 check: _rust-tools setup
     cargo fmt --all --check
     ruff format --check
     ruff check
     cargo clippy --workspace --all-targets -- -D warnings
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
     mypy
     @# PyO3 lists every name in __all__; the stub says the same by having them.
     echo nacreous._core.__all__ | stubtest nacreous._core --allowlist /dev/stdin

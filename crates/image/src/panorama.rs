@@ -14,7 +14,9 @@ use exr::prelude::{ReadChannels, ReadLayers, Vec2};
 use image::codecs::hdr::HdrDecoder;
 use image::{DynamicImage, ImageDecoder, ImageFormat};
 
-use crate::picture_file::{LinearPicture, PictureFileError, check_finite, check_size, read_bytes};
+use crate::picture_file::{
+    LinearPicture, PictureFileError, check_finite, check_size, guarded, read_bytes,
+};
 use crate::profile::srgb_from_rgb;
 
 /// Reads the panorama at `path`; see [`decode_panorama`].
@@ -22,7 +24,9 @@ use crate::profile::srgb_from_rgb;
 /// # Errors
 /// As [`decode_panorama`], and a path that is no readable file, each with the path in front.
 pub fn read_panorama(path: &Path) -> Result<LinearPicture, PictureFileError> {
-    read_bytes(path).and_then(|bytes| decode_panorama(&bytes)).map_err(|problem| problem.at(path))
+    read_bytes(path)
+        .and_then(|bytes| guarded(|| decode_panorama(&bytes)))
+        .map_err(|problem| problem.at(path))
 }
 
 /// Decodes the bytes of a `.hdr` or `.exr` file to linear-light sRGB, 0 or more.
@@ -82,6 +86,7 @@ fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
         )
         .first_valid_layer()
         .all_attributes()
+        .non_parallel() // a panic in a worker thread could not be caught
         .from_chunks(reader)
         .map_err(damaged)?;
     let mut picture = image.layer_data.channel_data.pixels;

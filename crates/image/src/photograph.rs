@@ -14,7 +14,7 @@ use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, tiff::TiffDecoder};
 use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageFormat, Limits};
 
 use crate::picture_file::{
-    LinearPicture, PIXELS_MAX, PictureFileError, SIDE_MAX, check_size, read_bytes,
+    LinearPicture, PIXELS_MAX, PictureFileError, SIDE_MAX, check_size, guarded, read_bytes,
 };
 use crate::profile::{Samples, light_from_profile};
 
@@ -25,7 +25,9 @@ const ALLOWED: PictureFileError = PictureFileError::Format { allowed: "PNG, JPEG
 /// # Errors
 /// As [`decode_photograph`], and a path that is no readable file, each with the path in front.
 pub fn read_photograph(path: &Path) -> Result<LinearPicture, PictureFileError> {
-    read_bytes(path).and_then(|bytes| decode_photograph(&bytes)).map_err(|problem| problem.at(path))
+    read_bytes(path)
+        .and_then(|bytes| guarded(|| decode_photograph(&bytes)))
+        .map_err(|problem| problem.at(path))
 }
 
 /// Decodes the bytes of a PNG, JPEG or TIFF file to linear-light sRGB in 0..1.

@@ -3,6 +3,7 @@
 
 use std::fs::File;
 use std::io::{self, Read};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 /// Longest side of a picture that is read, in pixels.
@@ -176,6 +177,15 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, PictureFileError> {
     }
 }
 
+/// Runs a decoder so that a defect of its own, met in a damaged file, is an error and no crash.
+pub(crate) fn guarded<T>(
+    decode: impl FnOnce() -> Result<T, PictureFileError>,
+) -> Result<T, PictureFileError> {
+    // Sound to go on after: whatever the decoder had under way is dropped here.
+    catch_unwind(AssertUnwindSafe(decode))
+        .unwrap_or_else(|_| Err(PictureFileError::Damaged("its decoder gave up".to_owned())))
+}
+
 /// Holds the size that a header claims against the limits, before anything is decoded.
 pub(crate) fn check_size(width: u64, height: u64) -> Result<(), PictureFileError> {
     let side = 1..=u64::from(SIDE_MAX);
@@ -239,4 +249,26 @@ pub(crate) fn check_text(text: &[(String, String)]) -> Result<(), PictureFileErr
         return Err(PictureFileError::Text { keyword: keyword.clone(), problem });
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decoder_that_panics_is_a_damaged_file() {
+        let outcome = guarded::<()>(|| panic!("as third-party code may"));
+        assert_eq!(
+            outcome.unwrap_err().to_string(),
+            "is damaged or cut short (its decoder gave up)"
+        );
+    }
+
+    #[test]
+    fn the_limits_are_inclusive() {
+        assert!(check_size(16_384, 4096).is_ok());
+        for (width, height) in [(0, 1), (1, 0), (16_385, 1), (16_384, 4097), (u64::MAX, u64::MAX)] {
+            assert!(check_size(width, height).is_err());
+        }
+    }
 }

@@ -10,7 +10,7 @@ use std::io::{BufRead, Cursor, Seek, Write};
 use std::path::Path;
 
 use crate::picture_file::{
-    PictureFileError, TEXT_BYTES_MAX, check_sample_count, check_text, read_bytes,
+    PictureFileError, TEXT_BYTES_MAX, check_sample_count, check_text, guarded, read_bytes,
 };
 use crate::profile::icc_profile;
 
@@ -115,7 +115,7 @@ fn encode(
 /// A path that is no readable PNG file, with the path in the message.
 pub fn read_png_text(path: &Path) -> Result<Vec<(String, String)>, PictureFileError> {
     read_bytes(path)
-        .and_then(|bytes| png_text(Cursor::new(bytes)))
+        .and_then(|bytes| guarded(|| png_text(Cursor::new(bytes))))
         .map_err(|problem| problem.at(path))
 }
 

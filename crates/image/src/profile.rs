@@ -4,9 +4,12 @@
 //! A profile describes colours relative to D50; D65 is brought there by the Bradford transform
 //! (ICC.1:2022, annex E).
 
+use std::sync::Arc;
+
 use moxcms::{
-    Chromaticity, ColorPrimaries, ColorProfile, DataColorSpace, Layout, LocalizableString,
-    Matrix3d, ProfileText, ToneReprCurve, TransformOptions, XyY, Xyzd, adaption_matrix_d,
+    Chromaticity, CmsError, ColorPrimaries, ColorProfile, DataColorSpace, Layout,
+    LocalizableString, Matrix3d, ProfileText, ToneReprCurve, TransformF32Executor,
+    TransformOptions, XyY, Xyzd, adaption_matrix_d,
 };
 
 use crate::picture_file::PictureFileError;
@@ -107,7 +110,7 @@ pub(crate) fn light_from_profile(
     profile: &[u8],
     samples: Samples,
 ) -> Result<Vec<f32>, PictureFileError> {
-    let unusable = |problem: moxcms::CmsError| PictureFileError::ColourProfile(problem.to_string());
+    let unusable = |problem: CmsError| PictureFileError::ColourProfile(problem.to_string());
     let mut source = ColorProfile::new_from_slice(profile).map_err(unusable)?;
     source.cicp = None; // the curves are what other programs use
     let (layout, channels, samples) = match (samples, source.color_space) {
@@ -121,16 +124,8 @@ pub(crate) fn light_from_profile(
             return Err(PictureFileError::ColourProfile(problem));
         }
     };
-    let mut linear = rgb_profile(ColorPrimaries::BT_709, "linear sRGB");
-    let identity = Some(ToneReprCurve::Lut(Vec::new()));
-    (linear.red_trc, linear.green_trc, linear.blue_trc) =
-        (identity.clone(), identity.clone(), identity);
-    // Curves evaluated, not tabulated: a table is coarse where sRGB is dark.
-    let options =
-        TransformOptions { allow_extended_range_rgb_xyz: true, ..TransformOptions::default() };
-    let transform =
-        source.create_transform_f32(layout, &linear, Layout::Rgb, options).map_err(unusable)?;
     let mut light = vec![0.0; samples.len() / channels * 3];
+    let transform = to_linear_srgb(&source, layout).map_err(unusable)?;
     // Piece by piece, so that the samples never stand in memory as floats as well.
     for (from, to) in samples.chunks(4096 * channels).zip(light.chunks_mut(4096 * 3)) {
         let from: Vec<f32> = from.iter().map(|&own| f32::from(own) / 65_535.0).collect();
@@ -144,6 +139,21 @@ pub(crate) fn light_from_profile(
         *value = value.clamp(0.0, 1.0);
     }
     Ok(light)
+}
+
+/// The transform from a profile to linear-light sRGB, its curves evaluated, not tabulated: a table
+/// is coarse where sRGB is dark.
+fn to_linear_srgb(
+    source: &ColorProfile,
+    layout: Layout,
+) -> Result<Arc<TransformF32Executor>, CmsError> {
+    let mut linear = rgb_profile(ColorPrimaries::BT_709, "linear sRGB");
+    let identity = Some(ToneReprCurve::Lut(Vec::new()));
+    (linear.red_trc, linear.green_trc, linear.blue_trc) =
+        (identity.clone(), identity.clone(), identity);
+    let options =
+        TransformOptions { allow_extended_range_rgb_xyz: true, ..TransformOptions::default() };
+    source.create_transform_f32(layout, &linear, Layout::Rgb, options)
 }
 
 #[cfg(test)]

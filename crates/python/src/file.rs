@@ -74,29 +74,7 @@ pub fn write_exr(
     planes: Vec<(String, Bound<'_, PyAny>)>,
     text: Text,
 ) -> PyResult<()> {
-    let mut arrays = Vec::new();
-    for (name, array) in planes {
-        let plane = array.extract::<PyReadonlyArray3<'_, f32>>().ok().and_then(|found| {
-            Channels::of_count(found.shape()[2]).map(|channels| (channels, found))
-        });
-        let Some((channels, plane)) = plane else {
-            let given = describe(&array);
-            let allowed = "float32 [row, column, channel] with 1, 3 or 4 channels";
-            let message = format!("layer {name:?} is {given}; allowed: {allowed}");
-            return Err(InputError::new_err(message));
-        };
-        arrays.push((name, channels, plane));
-    }
-    let size = |plane: &PyReadonlyArray3<'_, f32>| (plane.shape()[0], plane.shape()[1]);
-    let (height, width) = arrays.first().map_or((0, 0), |(_, _, plane)| size(plane));
-    if let Some((name, _, plane)) = arrays.iter().find(|own| size(&own.2) != (height, width)) {
-        let (rows, columns) = size(plane);
-        let message = format!(
-            "layer {name:?} has {rows} rows of {columns} pixels; allowed: {height} rows of \
-             {width}, as the first"
-        );
-        return Err(InputError::new_err(message));
-    }
+    let (arrays, (height, width)) = float_planes(planes)?;
     let planes: Vec<(String, Channels, CowArray<'_, f32, Ix3>)> = arrays
         .iter()
         .map(|(name, channels, plane)| (name.clone(), *channels, in_order(plane.as_array())))
@@ -114,6 +92,37 @@ pub fn write_exr(
         exr::write_exr(&mut out, width, height, &planes, &text).map_err(raised)?;
         out.flush().map_err(refused)
     })
+}
+
+type FloatPlane<'py> = (String, Channels, PyReadonlyArray3<'py, f32>);
+
+/// The planes as arrays, and their common (height, width).
+fn float_planes<'py>(
+    planes: Vec<(String, Bound<'py, PyAny>)>,
+) -> PyResult<(Vec<FloatPlane<'py>>, (usize, usize))> {
+    let mut arrays: Vec<FloatPlane<'py>> = Vec::new();
+    let mut common = (0, 0);
+    for (name, array) in planes {
+        let plane = array.extract::<PyReadonlyArray3<'py, f32>>().ok().and_then(|found| {
+            Channels::of_count(found.shape()[2]).map(|channels| (channels, found))
+        });
+        let Some((channels, plane)) = plane else {
+            let given = describe(&array);
+            let allowed = "float32 [row, column, channel] with 1, 3 or 4 channels";
+            let message = format!("layer {name:?} is {given}; allowed: {allowed}");
+            return Err(InputError::new_err(message));
+        };
+        let (rows, columns) = (plane.shape()[0], plane.shape()[1]);
+        if arrays.is_empty() {
+            common = (rows, columns);
+        } else if common != (rows, columns) {
+            let given = format!("layer {name:?} has {rows} rows of {columns} pixels");
+            let allowed = format!("{} rows of {}, as the first", common.0, common.1);
+            return Err(InputError::new_err(format!("{given}; allowed: {allowed}")));
+        }
+        arrays.push((name, channels, plane));
+    }
+    Ok((arrays, common))
 }
 
 /// A photograph (PNG, JPEG, TIFF) as linear-light sRGB, float32 [row, column, rgb].
