@@ -176,10 +176,36 @@ struct Place {
 impl Place {
     fn towards(direction: DVec3) -> Self {
         let [x, y, z] = direction.to_array().map(|part| part as f32);
-        let colatitude = libm::atan2f((x * x + y * y).sqrt(), z);
-        Self { colatitude, longitude: libm::atan2f(y, x) }
+        Self { colatitude: angle((x * x + y * y).sqrt(), z), longitude: angle(y, x) }
     }
 }
+
+/// The angle of (x, y) from the x axis, like atan2, to 2e-7 rad: a texel is 10 000 times as wide.
+///
+/// Without branches, since a picture asks for millions. The polynomial is the minimax fit of degree 15.
+#[inline]
+fn angle(y: f32, x: f32) -> f32 {
+    let steep = y.abs() > x.abs();
+    let (low, high) = if steep { (x.abs(), y.abs()) } else { (y.abs(), x.abs()) };
+    let slope = low / (high + f32::MIN_POSITIVE);
+    let square = slope * slope;
+    let octant = ARCTANGENT.into_iter().rev().fold(0.0, |sum, c| sum * square + c) * slope;
+    let quadrant = if steep { f32::consts::FRAC_PI_2 - octant } else { octant };
+    let half = if x < 0.0 { f32::consts::PI - quadrant } else { quadrant };
+    half.copysign(y)
+}
+
+/// Coefficients of t, t^3, t^5, ... in arctan(t) for t in 0..1.
+const ARCTANGENT: [f32; 8] = [
+    0.999_999_335,
+    -0.333_298_603,
+    0.199_465_604,
+    -0.139_086_041,
+    0.096_421_341,
+    -0.055_911_487,
+    0.021_862_392,
+    -0.004_054_415,
+];
 
 /// The field up to one degree, on a grid of at least four samples to its shortest wave.
 #[derive(Debug)]
@@ -223,7 +249,7 @@ impl Level {
         // A turn more keeps both positive, so that `as` rounds down.
         let across = place.longitude * scale + columns as f32;
         let down = place.colatitude * scale + (MARGIN as f32 - 0.5);
-        let (column, row) = (across as usize, down as usize);
+        let (column, row) = (across as i32 as usize, down as i32 as usize);
         let weights = cubic_weights(across - column as f32);
         let first = if column > columns { column - columns - 1 } else { column - 1 };
         let mut start = (row - 1) * (columns + WRAP) + first;
