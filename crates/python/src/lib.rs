@@ -11,6 +11,15 @@ mod texture;
 
 pyo3::import_exception!(nacreous.problem, InputError);
 
+/// What a room refuses, said to Python.
+#[allow(clippy::needless_pass_by_value)] // the form that map_err wants
+fn refused(error: impl std::fmt::Display) -> PyErr {
+    InputError::new_err(error.to_string())
+}
+
 /// The compiled rooms of nacreous.
 #[pymodule]
-mod _core {}
+mod _core {
+    #[pymodule_export]
+    use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
+}
