@@ -97,7 +97,7 @@ def _pearl(picture: Array) -> tuple[float, float, float]:
     shade = np.sqrt(np.clip(picture, 0, None))  # steps of about equal visibility
     border = np.concatenate([shade[0], shade[-1], shade[:, 0], shade[:, -1]])
     distance = np.linalg.norm(shade - np.median(border, axis=0), axis=-1)
-    count, edges = np.histogram(distance, bins=256)
+    count, edges = np.histogram(distance, bins=256, range=(0, distance.max() or 1))
     below, total = np.cumsum(count), np.cumsum(count * edges[:-1])
     # Otsu (1979): the threshold with the greatest variance between the two sides.
     spread = (total[-1] * below - total * below[-1]) ** 2 / np.maximum(

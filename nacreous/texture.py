@@ -144,7 +144,7 @@ def synthesise(spectrum: GrainSpectrum, radius_mm: float, seed: int = 0) -> Text
 
     >>> texture = synthesise(GrainSpectrum([1, 2, 3], np.ones((3, 3))), radius_mm=4.0)
     >>> texture.band_limit
-    76
+    75
     """
     if not 0 <= seed < 2**64:
         raise InputError(f"texture: seed is {seed}; allowed: 0 to 2^64 - 1")

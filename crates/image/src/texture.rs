@@ -57,11 +57,11 @@ impl Texture {
             return Err(GrainError::Radius(radius_mm));
         }
         let circumference_mm = TAU * radius_mm;
-        let wanted = (spectrum.highest_frequency() * circumference_mm).ceil() as usize;
-        let band_limit = wanted.clamp(1, HIGHEST_DEGREE);
-        let below = |channel, l| spectrum.variance_below(channel, l as f64 / circumference_mm);
         // Degree l holds the frequencies between l and l + 1 cycles round the pearl, so that no power
         // is lost between degrees. Degree 0, the mean, stays empty.
+        let wanted = (spectrum.highest_frequency() * circumference_mm).ceil() as usize;
+        let band_limit = wanted.saturating_sub(1).clamp(1, HIGHEST_DEGREE);
+        let below = |channel, l| spectrum.variance_below(channel, l as f64 / circumference_mm);
         let share = |l| [0, 1, 2].map(|c| (below(c, l + 1) - below(c, l)).max(0.0));
         let shares: Vec<_> = (1..=band_limit).map(share).collect();
         let lost_variance = [0, 1, 2].map(|c| {
