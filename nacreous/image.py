@@ -105,11 +105,13 @@ def render(
     scene = scene if isinstance(scene, Scene) else Scene.load(scene)
     side = _samples_side(samples)
     report = None if progress is None else lambda rows: progress(rows / size)
+    look = _look(pearl)
+    grained = any(look[weight] for weight in ("hue_weight", "chroma_weight", "value_weight"))
     pixels = _core.render(
-        _look(pearl),
+        look,
         _surroundings(scene, pearl),
         stack_of(pearl)._core,
-        texture.of_pearl(pearl),
+        texture.of_pearl(pearl) if grained else None,
         size,
         side,
         report,

@@ -123,23 +123,20 @@ impl GrainSpectrum {
 
     /// A stand-in for pearls of which there is no photograph. **Not measured**: show it as "procedural".
     ///
-    /// Chosen **(ours)** for the look of an Akoya pearl of 8 mm at arm's length: terraces in irregular
-    /// stripes about a quarter of a millimetre wide. S(f) rises as f^2 from 1 cycle per mm, so that no
-    /// clouds appear, turns near 3 and falls as f^-2, the slope of a surface made of steps, up to the
-    /// 12 cycles per mm that a pearl 500 pixels wide can just show. Standard deviations: hue 0.06 rad,
-    /// value 0.10, chroma 0.12; the grain knob multiplies them. Value and chroma fall together (-0.3) as
-    /// lightening a colour thins it; hue goes its own way.
+    /// Chosen **(ours)**, by eye, for the look of an Akoya pearl of 8 mm at arm's length: terraces in
+    /// irregular stripes some 0.3 mm wide. S(f) falls as f^-3 from 4 to 12 cycles per mm. A surface of
+    /// sharp steps would fall as f^-2; nacre is translucent and blurs them. Below 4 the density ends in
+    /// a cosine flank down to 2, which is what makes stripes and keeps clouds away; 12 is what a pearl
+    /// 500 pixels wide can just show without aliasing, and the flank there begins at 10. Standard
+    /// deviations: hue 0.06 rad, value 0.10, chroma 0.12, to be weighted by the grain knob. Value and
+    /// chroma are correlated by -0.3, as a lighter place looks paler; hue goes its own way.
     pub fn procedural() -> Self {
-        let (first, turn, last, points) = (1.0, 3.0, 12.0, 111);
+        let (first, last, points) = (2.0, 12.0, 101);
         let deviation = [0.06, 0.10, 0.12];
         let frequency = |i: usize| first + (last - first) * i as f64 / (points - 1) as f64;
         let cycles_per_mm: Vec<f64> = (0..points).map(frequency).collect();
-        let shape = |&f: &f64| {
-            let (rise, fall) = ((f / turn) * (f / turn), (turn / f) * (turn / f));
-            // A cosine flank over the outer 2 cycles per mm, and over the first, ends the band softly.
-            let flank = |x: f64| 0.5 - 0.5 * libm::cos(PI * x.clamp(0.0, 1.0));
-            flank(f - first) * flank((last - f) / 2.0) / (1.0 / rise + 1.0 / fall)
-        };
+        let flank = |x: f64| 0.5 - 0.5 * libm::cos(PI * x.clamp(0.0, 1.0));
+        let shape = |f: &f64| flank((f - first) / 2.0) * flank((last - f) / 2.0) / (f * f * f);
         let shape: Vec<f64> = cycles_per_mm.iter().map(shape).collect();
         let total = integral(&cycles_per_mm, &shape, f64::INFINITY);
         let scaled = |d: f64| shape.iter().map(|s| s * d * d / total).collect();

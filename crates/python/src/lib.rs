@@ -35,4 +35,6 @@ mod _core {
     use super::nacre::{Stack, grow};
     #[pymodule_export]
     use super::optics::{fresnel, illuminant};
+    #[pymodule_export]
+    use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
 }
