@@ -1,9 +1,12 @@
 """The compiled rooms, as mypy sees them; `just check` compares this file with the built module."""
 
 # texture
+from typing import final
+
 import numpy as np
 from numpy.typing import NDArray
 
+@final
 class Texture:
     @property
     def band_limit(self) -> int: ...
