@@ -194,7 +194,7 @@ def test_what_lies_above_degree_512_is_reported_as_lost() -> None:
 # From a photograph to its spectrum
 
 
-def photograph(hue: Array, value: Array, chroma: Array) -> Array:
+def photograph(hue: Array | float, value: Array | float, chroma: Array | float) -> Array:
     return rgb_from_hvc(np.stack(np.broadcast_arrays(hue, value, chroma), axis=-1))
 
 

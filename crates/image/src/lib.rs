@@ -19,6 +19,8 @@ pub mod harmonics;
 mod irradiance;
 mod knob;
 mod lamp;
+mod legendre;
+mod level;
 mod light;
 pub mod panorama;
 mod pearl;
