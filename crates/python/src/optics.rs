@@ -50,7 +50,8 @@ pub fn illuminant<'py>(
     let model = IlluminantModel { coherence_nm, threshold, diffuse_loss };
     let (rows, columns) = (angle_rad.len()?, wavelength_nm.len()?);
     if rows.saturating_mul(columns) > MAX_VALUES {
-        let message = format!("the table has {rows} x {columns} values; allowed: up to {MAX_VALUES}");
+        let message =
+            format!("the table has {rows} x {columns} values; allowed: up to {MAX_VALUES}");
         return Err(InputError::new_err(message));
     }
     let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
