@@ -99,6 +99,8 @@ def illuminant(
 ) -> NDArray[np.float64]: ...
 
 # image
+MAX_SIZE_PX: int
+
 def render(
     pearl: Mapping[str, Any],
     scene: Mapping[str, Any],

@@ -32,6 +32,8 @@ mod _core {
     #[pymodule_export]
     use super::image::{develop, parameters, parts, render};
     #[pymodule_export]
+    const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
+    #[pymodule_export]
     use super::nacre::{Stack, grow};
     #[pymodule_export]
     use super::optics::{fresnel, illuminant};
