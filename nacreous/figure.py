@@ -22,7 +22,9 @@ _STYLE = {
 
 
 @contextmanager
-def figure(path: Path, panels: int = 1, width_in: float = 6.0, height_in: float = 4.0) -> Iterator[Any]:
+def figure(
+    path: Path, panels: int = 1, width_in: float = 6.0, height_in: float = 4.0
+) -> Iterator[Any]:
     """Yield the axes of a diagram (one, or an array of `panels` side by side) and write it to `path`.
 
     The ending of `path` decides the kind: .png, .svg or .pdf. Same drawing, same bytes.

@@ -161,7 +161,7 @@ struct Job<'a> {
     camera: Camera,
     facets: Facets,
     look: PearlSpec,
-    texture: Option<&'a nacreous_image::texture::Texture>,
+    texture: Option<&'a nacreous_image::grain::texture::Texture>,
     size_px: usize,
     samples_side: usize,
 }

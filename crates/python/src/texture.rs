@@ -2,8 +2,8 @@
 #![allow(clippy::needless_pass_by_value)] // arrays from Python are handed over
 
 use glam::DVec3;
-use nacreous_image::grain::GrainSpectrum;
-use nacreous_image::harmonics::{Coefficients, synthesise};
+use nacreous_image::grain::harmonics::{Coefficients, synthesise};
+use nacreous_image::grain::spectrum::GrainSpectrum;
 use num_complex::Complex64;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
@@ -29,7 +29,7 @@ pub fn procedural_grain(py: Python<'_>) -> PyResult<Spectrum<'_>> {
 
 /// A seamless texture over a sphere, ready for the renderer.
 #[pyclass(frozen, module = "nacreous._core")]
-pub struct Texture(pub nacreous_image::texture::Texture);
+pub struct Texture(pub nacreous_image::grain::texture::Texture);
 
 #[pymethods]
 impl Texture {
@@ -108,7 +108,7 @@ pub fn synthesise_texture(
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| correlation[[i, j]])),
     )
     .map_err(refused)?;
-    py.detach(|| nacreous_image::texture::Texture::synthesise(&spectrum, radius_mm, seed))
+    py.detach(|| nacreous_image::grain::texture::Texture::synthesise(&spectrum, radius_mm, seed))
         .map(Texture)
         .map_err(refused)
 }
