@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 #: One look for all diagrams: quiet axes, no boxes.
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -25,7 +25,7 @@ _STYLE = {
 def figure(
     path: Path, panels: int = 1, width_in: float = 6.0, height_in: float = 4.0
 ) -> Iterator[Any]:
-    """Yield the axes of a diagram (one, or an array of `panels` side by side) and write it to `path`.
+    """Yield the axes of a diagram (or an array of `panels` side by side) and write it to `path`.
 
     The ending of `path` decides the kind: .png, .svg or .pdf. Same drawing, same bytes.
 

@@ -1,7 +1,5 @@
 //! The door to picture files.
 
-#![allow(clippy::needless_pass_by_value)] // PyO3 hands arguments over by value
-
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
