@@ -221,21 +221,21 @@ class Pearl(SpecFile):
         source="paper 4.1; the colour is **(ours)**",
     )
     depth: float = quantity(
-        0.5,
+        0.6,
         "Knob: strength of the interference colour against the body colour (fukami, maki).",
         least=0,
         most=1,
         source="paper 4.1",
     )
     shininess: float = quantity(
-        0.5,
+        0.7,
         "Knob: brightness and sharpness of what the surface mirrors (kagayaki, teri).",
         least=0,
         most=1,
         source="paper 4.2",
     )
     grain: float = quantity(
-        0.5,
+        0.3,
         "Knob: strength of the surface texture (kime).",
         least=0,
         most=1,
