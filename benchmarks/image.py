@@ -1,10 +1,10 @@
-"""The main job, process start to PNG on disk: `nacreous render paper`, 512 x 512, 16 samples a pixel.
+"""The main job, process start to PNG on disk: the preset paper, 512 x 512, 16 samples a pixel.
 
     ./just bench
 
 Prints whole-process wall time, processor time and peak memory over several runs, the import of the
-package, and where the time goes inside one process. The budget of the main job is 1.5 s on two cores,
-of the import 0.3 s, of memory 200 MB. Nothing here is a test: machines differ.
+package, and where the time goes inside one process. The budget of the main job is 1.5 s on two
+cores, of the import 0.3 s, of memory 200 MB. Nothing here is a test: machines differ.
 """
 
 from __future__ import annotations

@@ -115,6 +115,7 @@ def parameters(depth: float, shininess: float, grain: float) -> dict[str, float]
 def develop(
     linear: NDArray[np.float32], space: str, gamut: str, bits: int
 ) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]: ...
+
 # texture
 @final
 class Texture:

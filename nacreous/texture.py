@@ -185,7 +185,7 @@ def of_pearl(pearl: Pearl) -> Texture:
 
     >>> from nacreous.spec import Pearl
     >>> of_pearl(Pearl(diameter_mm=2.0)).band_limit
-    76
+    75
     """
     wanted = pearl.texture
     low, high = wanted.low_per_mm, wanted.high_per_mm

@@ -74,11 +74,11 @@ class Surface(Section):
     )
     layer_reflectance: float = quantity(
         0.1,
-        "Share of the light entering the surface that the layers below mirror in the same direction; "
+        "Share of the light entering the surface that the layers mirror in the same direction; "
         "0 leaves Fresnel's share alone, as in the paper.",
         least=0,
         most=0.9,
-        source="exact reflectance of 100 bilayers: 0.09 for isotropic layers, 0.24 for uniaxial ones",
+        source="exact reflectance of 100 bilayers: 0.09 isotropic, 0.24 uniaxial",
     )
     falloff_mm: float = quantity(
         40.0,

@@ -1,4 +1,6 @@
 //! The door to Python: converts types and errors, decides nothing.
+#![allow(clippy::needless_pass_by_value)] // arrays from Python are handed over
+#![allow(clippy::elidable_lifetime_names)] // 'py, named as in all of PyO3's documentation
 
 use pyo3::prelude::*;
 
@@ -12,7 +14,6 @@ mod texture;
 pyo3::import_exception!(nacreous.problem, InputError);
 
 /// What a room refuses, said to Python.
-#[allow(clippy::needless_pass_by_value)] // the form that map_err wants
 fn refused(error: impl std::fmt::Display) -> PyErr {
     InputError::new_err(error.to_string())
 }

@@ -1,9 +1,8 @@
 //! The door to grain spectra and textures.
-#![allow(clippy::needless_pass_by_value)] // arrays from Python are handed over
 
 use glam::DVec3;
-use nacreous_image::grain::GrainSpectrum;
-use nacreous_image::harmonics::{Coefficients, synthesise};
+use nacreous_image::grain::harmonics::{Coefficients, synthesise};
+use nacreous_image::grain::spectrum::GrainSpectrum;
 use num_complex::Complex64;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
@@ -29,7 +28,7 @@ pub fn procedural_grain(py: Python<'_>) -> PyResult<Spectrum<'_>> {
 
 /// A seamless texture over a sphere, ready for the renderer.
 #[pyclass(frozen, module = "nacreous._core")]
-pub struct Texture(pub nacreous_image::texture::Texture);
+pub struct Texture(pub nacreous_image::grain::texture::Texture);
 
 #[pymethods]
 impl Texture {
@@ -108,7 +107,7 @@ pub fn synthesise_texture(
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| correlation[[i, j]])),
     )
     .map_err(refused)?;
-    py.detach(|| nacreous_image::texture::Texture::synthesise(&spectrum, radius_mm, seed))
+    py.detach(|| nacreous_image::grain::texture::Texture::synthesise(&spectrum, radius_mm, seed))
         .map(Texture)
         .map_err(refused)
 }
@@ -122,7 +121,7 @@ pub fn synthesise_harmonics<'py>(
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
     let given = coefficients.as_array();
     let (channels, degrees, orders) = given.dim();
-    let smooth = rows.is_power_of_two() || (rows % 3 == 0 && (rows / 3).is_power_of_two());
+    let smooth = rows.is_power_of_two() || (rows.is_multiple_of(3) && (rows / 3).is_power_of_two());
     if channels != 3 || degrees != orders || !(1..=513).contains(&degrees) {
         let message = format!(
             "harmonics: coefficients have shape {:?}; allowed: (3, l, l) with l from 1 to 513",
@@ -130,7 +129,7 @@ pub fn synthesise_harmonics<'py>(
         );
         return Err(InputError::new_err(message));
     }
-    if !(smooth && rows % 2 == 0 && rows >= degrees && rows <= 2048) {
+    if !(smooth && rows.is_multiple_of(2) && rows >= degrees && rows <= 2048) {
         let message = format!(
             "harmonics: rows is {rows}; allowed: 1 or 3 times a power of two, even, {degrees} to 2048"
         );

@@ -7,9 +7,9 @@
 //! radius R, which is good to a part in l (flat-sky relation of cosmologists); phases are random, so
 //! the stripes of terraces come out as short as their spectrum leaves them.
 
-use crate::grain::{GrainError, GrainSpectrum};
-use crate::harmonics::{CHANNELS, Coefficients};
-use crate::level::{Level, Place};
+use crate::grain::harmonics::{CHANNELS, Coefficients};
+use crate::grain::level::{Level, Place};
+use crate::grain::spectrum::{GrainError, GrainSpectrum};
 use glam::{DVec3, Vec3A};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
@@ -24,11 +24,11 @@ pub const HIGHEST_DEGREE: usize = 512;
 ///
 /// ```
 /// use glam::DVec3;
-/// use nacreous_image::{grain::GrainSpectrum, texture::Texture};
+/// use nacreous_image::grain::{spectrum::GrainSpectrum, texture::Texture};
 /// let texture = Texture::synthesise(&GrainSpectrum::procedural(), 1.0, 7)?;
 /// let [hue, value, chroma] = texture.at(DVec3::new(0.3, -0.2, 0.9), 0.0);
 /// assert!(hue.abs() < 0.5 && value.abs() < 0.8 && chroma.abs() < 1.0);
-/// # Ok::<(), nacreous_image::grain::GrainError>(())
+/// # Ok::<(), nacreous_image::grain::spectrum::GrainError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Texture {
@@ -165,7 +165,7 @@ fn normal_pair(random: &mut ChaCha8Rng) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grain::GrainSpectrum;
+    use crate::grain::spectrum::GrainSpectrum;
 
     /// A small pearl's texture: degrees up to 23.
     fn small(seed: u64) -> Texture {

@@ -8,8 +8,8 @@
 //! equator differ by the sign of the odd l - m only, so that both come from the same two sums, and
 //! travel through the transform as the real and the imaginary part of one signal.
 
-use crate::fourier::{InverseTransform, Signal};
-use crate::legendre::{LANES, Lanes, Recursion, Scaled, legendre};
+use crate::grain::fourier::{InverseTransform, Signal};
+use crate::grain::legendre::{LANES, Lanes, Recursion, Scaled, legendre};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -166,11 +166,11 @@ impl Group {
         coefficients: &[[[f64; 2]; CHANNELS]],
         column: &mut [Lanes],
     ) {
-        if self.orders.len() == m {
-            if let Some(seen) = legendre(steps, &self.cos, &self.sectoral, column) {
-                self.orders.push(sum_order(&coefficients[seen..], &column[seen..]));
-                self.sectoral.step(m, &self.sin);
-            }
+        if self.orders.len() == m
+            && let Some(seen) = legendre(steps, &self.cos, &self.sectoral, column)
+        {
+            self.orders.push(sum_order(&coefficients[seen..], &column[seen..]));
+            self.sectoral.step(m, &self.sin);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! One level of a texture: the field up to some degree on a grid, and the look-up between its cells.
 
-use crate::harmonics::{CHANNELS, Coefficients, synthesise};
+use crate::grain::harmonics::{CHANNELS, Coefficients, synthesise};
 use glam::{DVec3, Vec3A};
 use std::f32;
 

@@ -42,7 +42,7 @@ impl InverseTransform {
     /// `scratch` has the same length as `signal`; what it holds afterwards means nothing.
     pub fn apply(&self, signal: &mut Signal, scratch: &mut Signal) {
         let mut stride = 1;
-        if self.length % 3 == 0 {
+        if self.length.is_multiple_of(3) {
             self.first_pass_of_three(signal, scratch);
             std::mem::swap(signal, scratch);
             stride = 3;
