@@ -8,7 +8,7 @@ import platform
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,8 @@ __all__ = ["SUFFIXES", "Image", "render"]
 
 #: The kinds of picture file that can be written.
 SUFFIXES = (".png", ".exr")
+
+Spec = TypeVar("Spec", Pearl, Scene)
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,9 @@ class Image:
         >>> codes.dtype, codes.shape
         (dtype('uint8'), (8, 8, 3))
         """
-        return _core.develop(self.linear, space, gamut, bits)
+        if bits not in (8, 16):
+            raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
+        return _core.develop(self.linear, str(space), str(gamut), bits)
 
     def save(
         self,
@@ -101,8 +105,7 @@ def render(
     >>> bool(np.abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
     True
     """
-    pearl = pearl if isinstance(pearl, Pearl) else Pearl.load(pearl)
-    scene = scene if isinstance(scene, Scene) else Scene.load(scene)
+    pearl, scene = _loaded(Pearl, pearl), _loaded(Scene, scene)
     size, side = _size(size), _samples_side(samples)
     report = None if progress is None else lambda rows: progress(rows / size)
     look = _look(pearl)
@@ -121,6 +124,15 @@ def render(
     return Image(
         sum(first_four[1:], first_four[0]), layers, _recipe(pearl, scene, size, side * side)
     )
+
+
+def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
+    if isinstance(given, model):
+        return given
+    if isinstance(given, str | Path):
+        return model.load(given)
+    kind = model.preset_kind
+    raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
 
 
 def _size(size: int) -> int:
@@ -169,7 +181,8 @@ def _surroundings(scene: Scene, pearl: Pearl) -> dict[str, Any]:
             "field_mm": camera.field_mm or 1.5 * pearl.diameter_mm,
             "exposure": camera.exposure,
         },
-        "lamps": [_lamp(lamp) for lamp in scene.lamps],
+        # A lamp switched off has no say in what looks white either.
+        "lamps": [_lamp(lamp) for lamp in scene.lamps if lamp.intensity > 0],
         "table": None if table.kind == "none" else _coloured(table.model_dump()),
         "walls": None if walls is None else _coloured(walls.model_dump()),
         "sky": _sky(scene),
