@@ -22,11 +22,11 @@ _SIDE = 0.36
 _LEAST_SIDE_PX = 8
 #: Crops 3 to 7 **(ours)**: distance from the centre in radii, and turn against the clock, in degrees,
 #: from the direction in which the lamp's image lies. 3 and 4 lie clear of lamp and outline.
-_PLACES = {3: (0.60, -100.0), 4: (0.67, -50.0), 5: (0.88, -140.0), 6: (0.97, 51.0), 7: (1.06, 90.0)}
-#: Crop 1 lies on the lamp's image, crop 2 further out by this, in radii, so that it holds both the
-#: image's edge and the interference colours beyond. Lamps near the rim count as at the second number,
-#: or crop 2 would lie beyond crops 3 and 4.
-_BESIDE_LAMP, _FARTHEST_LAMP = 0.17, 0.42
+_PLACES = {3: (0.68, -100.0), 4: (0.72, -50.0), 5: (0.88, -140.0), 6: (0.97, 51.0), 7: (1.06, 90.0)}
+#: Crop 1 lies on the lamp's image. Crop 2 lies so much further out, in sides, that its border passes
+#: near the middle of that image: it holds half of it, and the interference colours beyond. Lamps near
+#: the rim count as nearer, or crop 2 would lie beyond crops 3 and 4.
+_BESIDE_LAMP, _FARTHEST_LAMP = 0.45, 0.42
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,9 @@ def seven(picture: NDArray[np.floating], circle: Circle) -> list[Crop]:
         )
     away, turn_rad = _lamp(picture, circle)
     nearest = min(away, _FARTHEST_LAMP)
-    places = {1: (nearest, 0.0), 2: (nearest + _BESIDE_LAMP, 0.0), **_PLACES}
+    # Squares reach further along their diagonals.
+    beside = _BESIDE_LAMP * _SIDE / max(abs(math.cos(turn_rad)), abs(math.sin(turn_rad)))
+    places = {1: (nearest, 0.0), 2: (nearest + beside, 0.0), **_PLACES}
     crops = []
     for number, (distance, turn_deg) in places.items():
         angle = turn_rad + math.radians(turn_deg)

@@ -50,13 +50,12 @@ def measure_a(picture: Image, scene: Scene) -> list[Measurement]:
 def measure_b(picture: Image, weak: Image, strip: list[Image], sight: Sight) -> list[Measurement]:
     """What a weaker depth does to the colours; `strip` goes from none to all of it."""
     full, less = (float(np.mean(chroma(one)[_clear(one, sight)])) for one in (picture, weak))
-    along = [float(np.mean(chroma(one)[one.layers["coverage"][..., 0] == 1])) for one in strip]
     return [
         Measurement("mean Munsell chroma of (a), lamp's image apart", full),
         Measurement("mean Munsell chroma of (b)", less),
         Measurement("chroma of (b) over that of (a)", less / full, "", None, 0.7),
         Measurement(
-            "least rise of chroma from step to step of the knob",
+            "least growth of the colour difference CIEDE2000 from none, step to step of the knob",
             float(np.diff(along).min()),
             "",
             0.0,
@@ -88,9 +87,6 @@ def measure_d(picture: Image, grained: Image, strip: list[Image]) -> list[Measur
     """What grain does to the colours; `strip` goes from none to all of it."""
     whole = picture.layers["coverage"][..., 0] == 1
     apart = colour.delta_e_2000(lab(picture), lab(grained))[whole]
-    first = lab(strip[0])
-    inside = strip[0].layers["coverage"][..., 0] == 1
-    along = [float(colour.delta_e_2000(first, lab(one))[inside].mean()) for one in strip]
     return [
         Measurement(
             "mean colour difference CIEDE2000 from (a): small, but there",
@@ -109,6 +105,14 @@ def measure_d(picture: Image, grained: Image, strip: list[Image]) -> list[Measur
             1e-6,
         ),
     ]
+
+
+def _least_growth(strip: list[Image]) -> float:
+    """Least growth, step to step, of the mean colour difference CIEDE2000 from the first picture."""
+    first = lab(strip[0])
+    inside = strip[0].layers["coverage"][..., 0] == 1
+    along = [float(colour.delta_e_2000(first, lab(one))[inside].mean()) for one in strip]
+    return float(np.diff(along).min())
 
 
 def exhibits(folder: Path, pictures: Pictures) -> list[Exhibit]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,9 @@ Array = NDArray[np.float64]
 FILES = ("figure-9.png",)
 #: View angles of the lines of sight (a) and (b) of figure 5 **(ours)**: near the middle, near the rim.
 VIEW_DEG = (10, 60)
+#: Samples of the logarithmic scale of wavelength, and the largest shift looked for.
+_LOG_STEPS = 2048
+_MOST_SHIFT = 0.06
 
 
 def spectra(pearl: Pearl) -> Array:
@@ -46,58 +50,45 @@ def measure(light: Array, index: float, changed: int) -> list[Measurement]:
     in different places.
     """
     near, far = (light[angle] for angle in VIEW_DEG)
-    track_nm = follow_peak(light)
-    first, last = track_nm[0], track_nm[-1]
-    cosine = [np.sqrt(1 - (np.sin(np.radians(angle)) / index) ** 2) for angle in VIEW_DEG]
-    steps = np.diff(track_nm)
+    shifts = fringe_shifts(light)
+    cosine = [math.sqrt(1 - (math.sin(math.radians(angle)) / index) ** 2) for angle in VIEW_DEG]
+    law = math.log(cosine[1] / cosine[0])
     unlike = float(np.sqrt(np.mean((far / far.mean() - near / near.mean()) ** 2)))
+    away, lamps = f"from (a) to (b), {VIEW_DEG[0]}° to {VIEW_DEG[1]}°", len(LAMPS_DEG) + 1
     return [
-        Measurement(
-            "contrast (max − min) / (max + min) at (a); flat light has 0", _contrast(near), "", 0.2
-        ),
-        Measurement("contrast at (b)", _contrast(far), "", 0.2),
-        Measurement("difference of (a) and (b), rms over mean", unlike, "", 0.1),
-        Measurement(f"strongest peak at (a), {VIEW_DEG[0]}°", float(first), "nm"),
-        Measurement(
-            f"the same peak followed to (b), {VIEW_DEG[1]}°", float(last), "nm", None, first - 10
-        ),
-        Measurement(
-            "its largest step to longer wavelengths on the way",
-            float(max(steps.max(), 0.0)),
-            "nm",
-            None,
-            0.0,
-        ),
-        Measurement(
-            "its shift over that of cos θ1 in equation (3)",
-            float(last / first / (cosine[1] / cosine[0])),
-            "",
-            0.95,
-            1.05,
-        ),
-        Measurement(
-            f"values that change in the interference picture under {len(LAMPS_DEG) + 1} lamp directions",
-            float(changed),
-            "",
-            None,
-            0.0,
-        ),
+        Measurement("contrast (max − min) / (max + min) at (a); flat light has 0", _contrast(near), least=0.2),
+        Measurement("contrast at (b)", _contrast(far), least=0.2),
+        Measurement("difference of (a) and (b), rms over mean", unlike, least=0.1),
+        Measurement(f"change of the fringes' wavelengths {away}", 100 * math.expm1(shifts.sum()), "%", most=-5.0),
+        Measurement("its largest step on the way: never to longer wavelengths", 100 * float(shifts.max()), "%", most=0.0),
+        Measurement("the whole change over that of cos θ1 in equation (3)", float(shifts.sum() / law), least=0.9, most=1.1),
+        Measurement(f"values that change in the interference component, {lamps} lamp directions", changed, most=0.0),
     ]
 
 
-def follow_peak(light: Array) -> Array:
-    """Wavelength in nm of the strongest peak at (a), followed by degrees to (b)."""
-    first, last = VIEW_DEG
-    peaks = _peaks(light[first])
-    if not peaks.size:
-        return np.full(last - first + 1, np.nan)
-    track = [peaks[light[first, peaks].argmax()]]
-    for angle in range(first + 1, last + 1):
-        peaks = _peaks(light[angle])
-        if not peaks.size:
-            return np.full(last - first + 1, np.nan)
-        track.append(peaks[np.abs(peaks - track[-1]).argmin()])
-    return np.asarray(colour.WAVELENGTH_NM[track])
+def fringe_shifts(light: Array) -> Array:
+    """By how much the fringes move from (a) to (b) at each step of two degrees: d ln(wavelength).
+
+    The phase of equation (3) holds cos(theta_1) / wavelength alone, so a change of angle moves all
+    fringes by one factor: on a logarithmic scale they shift as a whole. Measured is the shift at which two
+    spectra, their mean taken away, agree best (cross-correlation).
+    """
+    even = np.linspace(math.log(380.0), math.log(780.0), _LOG_STEPS)
+    rows = light[VIEW_DEG[0] : VIEW_DEG[1] + 1 : 2]
+    waves = np.stack([np.interp(even, np.log(colour.WAVELENGTH_NM), row / row.mean() - 1) for row in rows])
+    spectra = np.fft.rfft(waves * np.hanning(_LOG_STEPS), 4 * _LOG_STEPS)
+    agreement = np.fft.irfft(spectra[1:] * np.conj(spectra[:-1]))
+    step = float(even[1] - even[0])
+    lags = np.arange(-round(_MOST_SHIFT / step), round(_MOST_SHIFT / step) + 1)
+    return np.array([step * _top(lags, row[lags]) for row in agreement])
+
+
+def _top(lags: NDArray[np.intp], agreement: Array) -> float:
+    """The lag of best agreement, between the steps by a parabola through the best three."""
+    best = int(np.clip(agreement.argmax(), 1, len(lags) - 2))
+    left, middle, right = agreement[best - 1 : best + 2]
+    bend = left - 2 * middle + right
+    return float(lags[best] + (0.5 * (left - right) / bend if bend < 0 else 0.0))
 
 
 def changed_values(layers: list[NDArray[np.float32]]) -> int:
@@ -169,9 +160,3 @@ def _draw(path: Path, light: Array) -> None:
 
 def _contrast(spectrum: Array) -> float:
     return float((spectrum.max() - spectrum.min()) / (spectrum.max() + spectrum.min()))
-
-
-def _peaks(spectrum: Array) -> NDArray[np.intp]:
-    """Where a spectrum has its local maxima."""
-    middle = spectrum[1:-1]
-    return np.flatnonzero((middle > spectrum[:-2]) & (middle >= spectrum[2:])) + 1

@@ -53,8 +53,8 @@ class LampImage:
 
     @property
     def inside(self) -> NDArray[np.bool_]:
-        """The pixels of the image: at least half as bright as its peak, and near it."""
-        return np.asarray((self.share >= 0.5) & (self.away_deg <= 2 * self.half_width_deg))
+        """The pixels of the image, out to the end of its edge: a tenth of the peak and more."""
+        return np.asarray((self.share >= 0.1) & (self.away_deg <= 4 * self.half_width_deg))
 
 
 def luminance(linear: NDArray[np.floating]) -> Array:
