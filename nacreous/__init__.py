@@ -36,8 +36,8 @@ __all__ = [
     "texture",
 ]
 
-#: Where each public name lives. Loaded when first asked for, so that a command that needs no picture
-#: starts without the rooms that make one.
+#: Where each public name lives. Loaded when first asked for, so that a command that needs no
+#: picture starts without the rooms that make one.
 _HOME = {
     "Image": "image",
     "InputError": "problem",

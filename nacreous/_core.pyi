@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from os import PathLike
-from typing import Any, Literal, final
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -99,6 +99,8 @@ def illuminant(
 ) -> NDArray[np.float64]: ...
 
 # image
+MAX_SIZE_PX: int
+
 def render(
     pearl: Mapping[str, Any],
     scene: Mapping[str, Any],
@@ -113,3 +115,25 @@ def parameters(depth: float, shininess: float, grain: float) -> dict[str, float]
 def develop(
     linear: NDArray[np.float32], space: str, gamut: str, bits: int
 ) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]: ...
+
+# texture
+@final
+class Texture:
+    @property
+    def band_limit(self) -> int: ...
+    @property
+    def lost_variance(self) -> list[float]: ...
+    def at(self, directions: NDArray[np.float64], footprint_rad: float) -> NDArray[np.float32]: ...
+    def grid(self) -> NDArray[np.float32]: ...
+
+def procedural_grain() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+def synthesise_texture(
+    cycles_per_mm: NDArray[np.float64],
+    density: NDArray[np.float64],
+    correlation: NDArray[np.float64],
+    radius_mm: float,
+    seed: int,
+) -> Texture: ...
+def synthesise_harmonics(
+    coefficients: NDArray[np.complex128], rows: int
+) -> NDArray[np.float64]: ...

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 #: One look for all diagrams: quiet axes, no boxes.
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -22,8 +22,10 @@ _STYLE = {
 
 
 @contextmanager
-def figure(path: Path, panels: int = 1, width_in: float = 6.0, height_in: float = 4.0) -> Iterator[Any]:
-    """Yield the axes of a diagram (one, or an array of `panels` side by side) and write it to `path`.
+def figure(
+    path: Path, panels: int = 1, width_in: float = 6.0, height_in: float = 4.0
+) -> Iterator[Any]:
+    """Yield the axes of a diagram (or an array of `panels` side by side) and write it to `path`.
 
     The ending of `path` decides the kind: .png, .svg or .pdf. Same drawing, same bytes.
 

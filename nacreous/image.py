@@ -8,13 +8,13 @@ import platform
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous import _core, colour, file, texture
-from nacreous.nacre import stack_of
+from nacreous.nacre import said, stack_of
 from nacreous.problem import InputError
 from nacreous.spec import Growth, Pearl, Scene
 
@@ -22,6 +22,8 @@ __all__ = ["SUFFIXES", "Image", "render"]
 
 #: The kinds of picture file that can be written.
 SUFFIXES = (".png", ".exr")
+
+Spec = TypeVar("Spec", Pearl, Scene)
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,9 @@ class Image:
         >>> codes.dtype, codes.shape
         (dtype('uint8'), (8, 8, 3))
         """
-        return _core.develop(self.linear, space, gamut, bits)
+        if bits not in (8, 16):
+            raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
+        return _core.develop(self.linear, str(space), str(gamut), bits)
 
     def save(
         self,
@@ -64,8 +68,8 @@ class Image:
         """Write the picture; the ending decides. Returns the share of pixels out of gamut.
 
         .png: developed, with its colour profile. .exr: linear, with all layers; nothing is clipped
-        and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. The file is
-        whole or not there. Raises `InputError` for an ending or a place that cannot be.
+        and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. The file
+        is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
         outside = 0.0
@@ -90,44 +94,67 @@ def render(
 ) -> Image:
     """Render a pearl in a scene (paper, section 4).
 
-    pearl, scene: models, files, or presets' names. size: pixels a side, 1 to 8192. samples: a pixel,
-    a square number, 1 to 1024. progress: called with the finished share, 0 to 1, now and then; what
-    it raises stops the render, as Ctrl-C does.
+    pearl, scene: models, files, or presets' names. size: pixels a side, 1 to 8192. samples: a
+    pixel, a square number, 1 to 1024. progress: called with the finished share, 0 to 1, now and
+    then; what it raises stops the render, as Ctrl-C does.
 
     Same pearl, scene, size and samples: same bytes. Memory: 76 bytes a pixel, and some 60 MB.
 
     >>> image = render("paper", size=16, samples=4)
-    >>> parts = [image.layers[name] for name in ("interference", "diffuse", "mirror", "surroundings")]
-    >>> bool(np.abs(sum(parts) - image.linear).max() < 1e-6)
+    >>> parts = ("interference", "diffuse", "mirror", "surroundings")
+    >>> bool(np.abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
     True
     """
-    pearl = pearl if isinstance(pearl, Pearl) else Pearl.load(pearl)
-    scene = scene if isinstance(scene, Scene) else Scene.load(scene)
-    side = _samples_side(samples)
+    pearl, scene = _loaded(Pearl, pearl), _loaded(Scene, scene)
+    size, side = _size(size), _samples_side(samples)
     report = None if progress is None else lambda rows: progress(rows / size)
+    look = _look(pearl)
+    grained = any(look[weight] for weight in ("hue_weight", "chroma_weight", "value_weight"))
     pixels = _core.render(
-        _look(pearl),
+        look,
         _surroundings(scene, pearl),
         stack_of(pearl)._core,
-        texture.of_pearl(pearl),
+        texture.of_pearl(pearl) if grained else None,
         size,
         side,
         report,
     )
     layers = {name: pixels[..., first:end] for name, first, end in _core.parts()}
     first_four = list(layers.values())[:4]
-    return Image(sum(first_four[1:], first_four[0]), layers, _recipe(pearl, scene, size, samples))
+    return Image(
+        sum(first_four[1:], first_four[0]), layers, _recipe(pearl, scene, size, side * side)
+    )
+
+
+def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
+    if isinstance(given, model):
+        return given
+    if isinstance(given, str | Path):
+        return model.load(given)
+    kind = model.preset_kind
+    raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
+
+
+def _size(size: int) -> int:
+    if _is_whole(size) and 1 <= size <= _core.MAX_SIZE_PX:
+        return int(size)
+    raise InputError(f"size is {said(size)}; allowed: a whole number from 1 to {_core.MAX_SIZE_PX}")
 
 
 def _samples_side(samples: int) -> int:
-    side = math.isqrt(samples) if isinstance(samples, int) and samples > 0 else 0
-    if side * side == samples and 1 <= side <= 32:
+    side = math.isqrt(samples) if _is_whole(samples) and 1 <= samples <= 1024 else 0
+    if side and side * side == samples:
         return side
-    raise InputError(f"samples is {samples}; allowed: a square number from 1 to 1024, such as 16")
+    allowed = "a square number from 1 to 1024, such as 16"
+    raise InputError(f"samples is {said(samples)}; allowed: {allowed}")
+
+
+def _is_whole(value: object) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
 def _look(pearl: Pearl) -> dict[str, Any]:
-    """What the renderer needs of the pearl, knobs resolved where the file leaves a parameter open."""
+    """What the renderer needs of the pearl; knobs give what the file leaves open."""
     behind_knobs = _core.parameters(pearl.depth, pearl.shininess, pearl.grain)
     given = {
         **pearl.interference.model_dump(),
@@ -154,7 +181,8 @@ def _surroundings(scene: Scene, pearl: Pearl) -> dict[str, Any]:
             "field_mm": camera.field_mm or 1.5 * pearl.diameter_mm,
             "exposure": camera.exposure,
         },
-        "lamps": [_lamp(lamp) for lamp in scene.lamps],
+        # A lamp switched off has no say in what looks white either.
+        "lamps": [_lamp(lamp) for lamp in scene.lamps if lamp.intensity > 0],
         "table": None if table.kind == "none" else _coloured(table.model_dump()),
         "walls": None if walls is None else _coloured(walls.model_dump()),
         "sky": _sky(scene),
@@ -201,7 +229,11 @@ def _recipe(pearl: Pearl, scene: Scene, size: int, samples: int) -> dict[str, st
     from nacreous import __version__
 
     seed = pearl.nacre.seed if isinstance(pearl.nacre, Growth) else None
-    versions = {"nacreous": __version__, "python": platform.python_version(), "numpy": np.__version__}
+    versions = {
+        "nacreous": __version__,
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+    }
     settings = {"size": size, "samples": samples, "seed": seed, "texture_seed": pearl.texture_seed}
     return {
         "pearl": pearl.to_toml(),

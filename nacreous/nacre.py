@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
+import reprlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,9 +21,10 @@ __all__ = ["Diary", "LayerStack", "diary", "grow", "stack_of"]
 
 
 class LayerStack:
-    """Aragonite layers from the surface inward, each followed by a protein layer, then the substrate.
+    """Aragonite layers, surface first, each followed by a protein layer, then the substrate.
 
-    thickness_nm: aragonite layers in nm, surface first; 1 to 5000 values, each above 0, up to 1e6.
+    thickness_nm: aragonite layers in nm, from the surface inward; 1 to 5000 values, each above 0,
+    up to 1e6.
     protein_nm: thickness of every protein layer, 0 to 1e6 nm.
     aragonite, protein, ambient, substrate: refractive indices n, or complex n + ik, of layers,
     surroundings and core; 0 < n <= 100 and 0 <= k <= 100, where k > 0 absorbs.
@@ -37,7 +39,15 @@ class LayerStack:
     nacreous.problem.InputError: thickness_nm[1] is -1; allowed: above 0, up to 1000000 nm
     """
 
-    __slots__ = ("_core", "ambient", "aragonite", "protein", "protein_nm", "substrate", "thickness_nm")
+    __slots__ = (
+        "_core",
+        "ambient",
+        "aragonite",
+        "protein",
+        "protein_nm",
+        "substrate",
+        "thickness_nm",
+    )
 
     def __init__(
         self,
@@ -48,28 +58,33 @@ class LayerStack:
         ambient: complex = 1.0,
         substrate: complex = 1.53,
     ) -> None:
-        layers = row_of("thickness_nm", thickness_nm)
-        layers.flags.writeable = False
-        self.thickness_nm: NDArray[np.float64] = layers
-        self.protein_nm = float(protein_nm)
+        self.protein_nm = number_of("protein_nm", protein_nm)
         self.aragonite, self.protein = aragonite, protein
         self.ambient, self.substrate = ambient, substrate
         indices = (index_of(name, getattr(self, name)) for name in _MEDIA)
+        layers = row_of("thickness_nm", thickness_nm)
         self._core = _core.Stack(layers, self.protein_nm, *indices)
+        # Copied only now that it is known to be short enough.
+        self.thickness_nm: NDArray[np.float64] = layers.copy()
+        self.thickness_nm.flags.writeable = False
 
     def __repr__(self) -> str:
+        """Layers and thickness, not every layer."""
         return f"LayerStack({len(self)} layers, {self.total_um:.3f} um)"
 
     def __len__(self) -> int:
+        """How many aragonite layers."""
         return len(self.thickness_nm)
 
     def __eq__(self, other: object) -> bool:
+        """Same layers of the same media."""
         if not isinstance(other, LayerStack):
             return NotImplemented
         same = all(getattr(self, name) == getattr(other, name) for name in ("protein_nm", *_MEDIA))
         return same and np.array_equal(self.thickness_nm, other.thickness_nm)
 
     def __hash__(self) -> int:
+        """Equal stacks have equal hashes."""
         return hash((self.thickness_nm.tobytes(), self.protein_nm, self.aragonite, self.protein))
 
     @property
@@ -80,33 +95,66 @@ class LayerStack:
     def outer(self, depth_um: float) -> tuple[int, float, float]:
         """Count, mean and spread (standard deviation, nm) of the layers within `depth_um`.
 
-        Counted are the aragonite layers that begin within that depth below the surface, at least
-        one. The trade's reports give these numbers for the outer 10 and 50 um.
+        Counted are the aragonite layers that begin within that depth (0 or more um) below the
+        surface, at least one. The trade's reports give these numbers for the outer 10 and 50 um.
 
         >>> LayerStack([300.0, 500.0, 700.0]).outer(0.4)
         (2, 400.0, 100.0)
         """
-        return self._core.outer(float(depth_um))
+        depth = number_of("depth_um", depth_um)
+        if not depth >= 0:
+            raise InputError(f"depth_um is {depth:g}; allowed: 0 or more um")
+        return self._core.outer(depth)
 
 
 _MEDIA = ("aragonite", "protein", "ambient", "substrate")
 
 
 def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """A fresh one-dimensional float64 array, or one clear message."""
-    try:
-        row = np.array(values, dtype=np.float64, ndmin=1)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} is {values!r}; allowed: numbers") from None
-    if row.ndim != 1:
+    """A one-dimensional float64 array of the values, or one clear message."""
+    row = np.atleast_1d(array_of(name, values))
+    if row.ndim > 1:
         raise InputError(f"{name} has {row.ndim} dimensions; allowed: 1")
     return row
 
 
+def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """A float64 array of the values, in their shape, or one clear message."""
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError):  # lists of different lengths
+        array = np.array(None)
+    if array.dtype.kind not in "iuf":  # text, truth values and complex numbers would be converted
+        raise InputError(f"{name} is {said(values)}; allowed: numbers")
+    return np.require(array, np.float64, "A")
+
+
+def number_of(name: str, value: object) -> float:
+    """A finite or infinite float, or one clear message."""
+    if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
+        try:
+            return float(value)
+        except OverflowError:  # a whole number of hundreds of digits
+            pass
+    raise InputError(f"{name} is {said(value)}; allowed: a number")
+
+
 def index_of(name: str, value: object) -> complex:
+    """A complex index, or one clear message."""
     if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):
-        return complex(value)
-    raise InputError(f"{name} is {value!r}; allowed: a number n or a complex number n + ik")
+        try:
+            return complex(value)
+        except OverflowError:
+            pass
+    raise InputError(f"{name} is {said(value)}; allowed: a number n or a complex number n + ik")
+
+
+def said(value: object) -> str:
+    """A value as Python writes it, on one line and never long."""
+    try:
+        return " ".join(reprlib.repr(value).split())
+    except ValueError:  # a whole number of more digits than Python agrees to print
+        return "a number of thousands of digits"
 
 
 @dataclass(frozen=True)
@@ -159,8 +207,10 @@ def grow(growth: str | Growth = "paper", **parameters: Any) -> LayerStack:
     >>> stack == grow("akoya-rg", seed=8, harvest="12-15")
     False
     """
-    from nacreous.spec import Pearl
+    from nacreous.spec import Growth, Pearl
 
+    if not isinstance(growth, str | Growth):
+        raise InputError(f"growth is {said(growth)}; allowed: a nacre preset's name or a Growth")
     given = {"preset": growth} if isinstance(growth, str) else growth.model_dump()
     return stack_of(Pearl.check({"nacre": {**given, **parameters}}, "grow", Path()))
 
@@ -179,6 +229,4 @@ def stack_of(pearl: Pearl) -> LayerStack:
         thickness_nm = diary(nacre).thickness_nm[::-1]
     else:
         thickness_nm = np.asarray(nacre.thickness_nm)
-    return LayerStack(
-        thickness_nm, nacre.protein_nm, nacre.aragonite_index, nacre.protein_index
-    )
+    return LayerStack(thickness_nm, nacre.protein_nm, nacre.aragonite_index, nacre.protein_index)

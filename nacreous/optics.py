@@ -1,7 +1,7 @@
 """What light does in nacre: Fresnel's equations and the illuminant model of 1996.
 
-Conventions: waves run as exp(i(kx - wt)), so n + ik with k > 0 absorbs; angles in rad from the normal;
-tables are [angle, wavelength].
+Conventions: waves run as exp(i(kx - wt)), so n + ik with k > 0 absorbs; angles in rad from the
+normal; tables are [angle, wavelength].
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous.nacre import LayerStack, index_of, row_of
+from nacreous.nacre import LayerStack, array_of, index_of, number_of, row_of, said
+from nacreous.problem import InputError
 
 __all__ = ["Fresnel", "fresnel", "illuminant"]
 
@@ -21,8 +22,9 @@ __all__ = ["Fresnel", "fresnel", "illuminant"]
 class Fresnel:
     """What one smooth boundary does to a plane wave; every field has the shape of the angle.
 
-    r_s, r_p, t_s, t_p: complex amplitudes, reflected and transmitted, with the electric field across
-    (s) and in (p) the plane of incidence. r_p has the paper's sign, that of r_s at normal incidence.
+    r_s, r_p, t_s, t_p: complex amplitudes, reflected and transmitted, with the electric field
+    across (s) and in (p) the plane of incidence. r_p has the paper's sign, that of r_s at normal
+    incidence.
     R_s, R_p, T_s, T_p: shares of the energy. R, T: the same for natural light, equations (1), (2).
     """
 
@@ -58,11 +60,13 @@ def fresnel(n_i: complex, n_t: complex, angle_rad: ArrayLike) -> Fresnel:
     >>> round(float(fresnel(1.53, 1.0, 0.0).R), 4)
     0.0439
     """
-    angle = np.asarray(angle_rad, dtype=np.float64)
+    angle = array_of("angle_rad", angle_rad)
     amplitudes, energies = _core.fresnel(
         index_of("n_i", n_i), index_of("n_t", n_t), np.ascontiguousarray(angle.ravel())
     )
-    return Fresnel(*(part.reshape(angle.shape) for part in (*amplitudes, *energies)))
+    r_s, r_p, t_s, t_p = (part.reshape(angle.shape) for part in amplitudes)
+    R_s, R_p, T_s, T_p = (part.reshape(angle.shape) for part in energies)
+    return Fresnel(r_s, r_p, t_s, t_p, R_s, R_p, T_s, T_p)
 
 
 def illuminant(
@@ -76,24 +80,27 @@ def illuminant(
     """Interference light of nacre lit from within, float64 [angle, wavelength] (paper, section 3).
 
     angle_rad: view angles theta_0, 0 (middle of the pearl) to pi/2 (rim). wavelength_nm: 1 to 1e6.
+    The table has at most 2^27 values, 1 GB.
     coherence_nm: waves interfere while their path difference is below this; 5 um in the paper.
     threshold: the sum ends where the light going down falls below this share; 0.05 in the paper.
     diffuse_loss: D of equation (4), the share scattered at each layer, 0 to 1.
 
-    Relative: the intensity sent up from under a layer counts as 1 and all start layers are added, so
-    energy is not conserved; see docs/model.md. Does not depend on where a lamp is. Media must be
-    lossless, and the nacre denser than its surroundings; `InputError` otherwise.
+    Relative: the intensity sent up from under a layer counts as 1 and all start layers are added,
+    so energy is not conserved; see docs/model.md. Does not depend on where a lamp is. Media must
+    be lossless, and the nacre denser than its surroundings; `InputError` otherwise.
 
     >>> from nacreous.nacre import LayerStack
     >>> table = illuminant(LayerStack([420.0] * 100), [0.0, 0.5], [450.0, 550.0, 650.0])
     >>> table.shape
     (2, 3)
     """
+    if not isinstance(stack, LayerStack):
+        raise InputError(f"stack is {said(stack)}; allowed: a LayerStack")
     return _core.illuminant(
         stack._core,
         row_of("angle_rad", angle_rad),
         row_of("wavelength_nm", wavelength_nm),
-        coherence_nm,
-        threshold,
-        diffuse_loss,
+        number_of("coherence_nm", coherence_nm),
+        number_of("threshold", threshold),
+        number_of("diffuse_loss", diffuse_loss),
     )

@@ -53,7 +53,9 @@ def run(args: argparse.Namespace) -> int:
     pearl = _pearl(args.nacre, args.set)
     growth = pearl.nacre
     if not isinstance(growth, Growth):
-        raise InputError(f"{args.nacre}: lists its layers in nacre.thickness_nm; wanted: growth keys")
+        raise InputError(
+            f"{args.nacre}: lists its layers in nacre.thickness_nm; wanted: growth keys"
+        )
     grown, stack = diary(growth), stack_of(pearl)
     print(_statistics(args.nacre, growth, stack))
     with file.atomic(output) as temporary:
@@ -85,9 +87,8 @@ def _statistics(name: str, growth: Growth, stack: LayerStack) -> str:
     ]
     for depth_um in (10, 50):
         layers, mean_nm, spread_nm = stack.outer(depth_um)
-        lines.append(
-            f"outer {depth_um} um  {layers} layers, mean {mean_nm:.1f} nm, spread {spread_nm:.1f} nm"
-        )
+        counted = f"{layers} layers, mean {mean_nm:.1f} nm, spread {spread_nm:.1f} nm"
+        lines.append(f"outer {depth_um} um  {counted}")
     return "\n".join(lines)
 
 

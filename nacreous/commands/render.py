@@ -91,10 +91,10 @@ def _report(
     from nacreous.nacre import stack_of
 
     stack = stack_of(pearl)
+    nacre = f"{len(stack)} layers, {stack.total_um:.0f} um of nacre"
     line = (
-        f"{args.output}: pearl {pearl.name} ({len(stack)} layers, {stack.total_um:.0f} um of nacre) "
-        f"in scene {scene.name}, {args.size} x {args.size}, {args.samples} samples a pixel, "
-        f"{seconds:.1f} s"
+        f"{args.output}: pearl {pearl.name} ({nacre}) in scene {scene.name}, "
+        f"{args.size} x {args.size}, {args.samples} samples a pixel, {seconds:.1f} s"
     )
     if outside:
         line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[args.gamut]}"

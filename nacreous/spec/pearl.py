@@ -74,11 +74,11 @@ class Surface(Section):
     )
     layer_reflectance: float = quantity(
         0.1,
-        "Share of the light entering the surface that the layers below mirror in the same direction; "
+        "Share of the light entering the surface that the layers mirror in the same direction; "
         "0 leaves Fresnel's share alone, as in the paper.",
         least=0,
         most=0.9,
-        source="exact reflectance of 100 bilayers: 0.09 for isotropic layers, 0.24 for uniaxial ones",
+        source="exact reflectance of 100 bilayers: 0.09 isotropic, 0.24 uniaxial",
     )
     falloff_mm: float = quantity(
         40.0,
@@ -221,21 +221,21 @@ class Pearl(SpecFile):
         source="paper 4.1; the colour is **(ours)**",
     )
     depth: float = quantity(
-        0.5,
+        0.6,
         "Knob: strength of the interference colour against the body colour (fukami, maki).",
         least=0,
         most=1,
         source="paper 4.1",
     )
     shininess: float = quantity(
-        0.5,
+        0.7,
         "Knob: brightness and sharpness of what the surface mirrors (kagayaki, teri).",
         least=0,
         most=1,
         source="paper 4.2",
     )
     grain: float = quantity(
-        0.5,
+        0.3,
         "Knob: strength of the surface texture (kime).",
         least=0,
         most=1,

@@ -37,9 +37,10 @@ impl Parameters {
             // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).
             facet_spread_rad: geometric(0.25, 0.012, shininess),
             mirror_weight: shininess.sqrt(),
-            hue_weight: 1.5 * grain,
-            chroma_weight: 1.5 * grain,
-            value_weight: 1.5 * grain,
+            // A body near white has little chroma, and so takes strong weights to show its grain.
+            hue_weight: 3.0 * grain,
+            chroma_weight: 5.0 * grain,
+            value_weight: 4.0 * grain,
         }
     }
 }

@@ -3,12 +3,12 @@ use glam::DVec3;
 use crate::{
     camera::Ray,
     facet::Facets,
+    grain::texture::Texture,
     irradiance::Irradiance,
     rgb::{self, Rgb},
     rings::Rings,
     sphere::Hit,
     surroundings::Surroundings,
-    texture::Texture,
 };
 
 /// How strongly the grain's textures act, per unit of texture and of lightness.

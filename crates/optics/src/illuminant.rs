@@ -206,11 +206,12 @@ struct Beam {
 
 impl Beam {
     /// Step 3: the waves from top and bottom of a protein layer, r2 of opposite signs, so
-    /// |a|^2 = |r2 (1 - exp(i delta))|^2. All protein layers are alike, hence one a for all.
+    /// |a|^2 = |r2 (1 - exp(i delta))|^2 = (2 r2 sin(delta / 2))^2, exact for the thinnest layer too.
+    /// All protein layers are alike, hence one a for all.
     fn new(r2: f64, ray: &Ray, wavelength_nm: &[f64; LANES], diffuse_loss: f64) -> Self {
         let echo = wavelength_nm.map(|wavelength| {
-            let (cos_delta, _) = cos_sin(ray.protein_path_nm / wavelength);
-            r2 * r2 * 2.0 * (1.0 - cos_delta)
+            let (_, sin_half_delta) = cos_sin(0.5 * ray.protein_path_nm / wavelength);
+            (2.0 * r2 * sin_half_delta).powi(2)
         });
         let passing = echo.map(|a2| (1.0 - a2 - diffuse_loss).max(0.0).powi(2));
         Self { echo, passing, light: [1.0; LANES], intensity: [0.0; LANES] }

@@ -1,16 +1,14 @@
 //! The door to picture files.
 
-#![allow(clippy::needless_pass_by_value)] // PyO3 hands arguments over by value
-
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use nacreous_image::exr::{self, Channels, Plane};
-use nacreous_image::panorama;
-use nacreous_image::photograph;
-use nacreous_image::picture_file::{LinearPicture, PictureFileError};
-use nacreous_image::png::{self, PngPixels, PngSpace};
+use nacreous_image::file::exr::{self, Channels, Plane};
+use nacreous_image::file::panorama;
+use nacreous_image::file::photograph;
+use nacreous_image::file::picture::{LinearPicture, PictureFileError};
+use nacreous_image::file::png::{self, PngPixels, PngSpace};
 use numpy::ndarray::{Array3, ArrayView3, CowArray, Ix3};
 use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyOSError;

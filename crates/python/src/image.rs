@@ -161,7 +161,7 @@ struct Job<'a> {
     camera: Camera,
     facets: Facets,
     look: PearlSpec,
-    texture: Option<&'a nacreous_image::texture::Texture>,
+    texture: Option<&'a nacreous_image::grain::texture::Texture>,
     size_px: usize,
     samples_side: usize,
 }
@@ -252,7 +252,7 @@ pub fn render<'py>(
     texture: Option<&Texture>,
     size_px: usize,
     samples_side: usize,
-    report: Option<Bound<'py, PyAny>>,
+    report: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyArray3<f32>>> {
     if !(1..=MAX_SIZE_PX).contains(&size_px) {
         let message = format!("size is {size_px}; allowed: 1 to {MAX_SIZE_PX} pixels");
@@ -265,7 +265,7 @@ pub fn render<'py>(
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
     let job = job(pearl.extract()?, &scene, stack, texture, size_px, samples_side)?;
-    let mut pixels = watched(py, report.as_ref(), |progress| job.run(progress))?;
+    let mut pixels = watched(py, report, |progress| job.run(progress))?;
     scale_light(&mut pixels, exposure);
     pixels.into_pyarray(py).reshape([size_px, size_px, CHANNELS])
 }
@@ -314,12 +314,12 @@ pub fn parts() -> Vec<(&'static str, usize, usize)> {
 
 /// The physical parameters behind the three knobs.
 #[pyfunction]
-pub fn parameters<'py>(
-    py: Python<'py>,
+pub fn parameters(
+    py: Python<'_>,
     depth: f64,
     shininess: f64,
     grain: f64,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let p = Parameters::new(depth, shininess, grain);
     let named = PyDict::new(py);
     named.set_item("diffuse_loss", p.diffuse_loss)?;

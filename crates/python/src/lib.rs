@@ -1,4 +1,6 @@
 //! The door to Python: converts types and errors, decides nothing.
+#![allow(clippy::needless_pass_by_value)] // arrays from Python are handed over
+#![allow(clippy::elidable_lifetime_names)] // 'py, named as in all of PyO3's documentation
 
 use pyo3::prelude::*;
 
@@ -12,7 +14,6 @@ mod texture;
 pyo3::import_exception!(nacreous.problem, InputError);
 
 /// What a room refuses, said to Python.
-#[allow(clippy::needless_pass_by_value)] // the form that map_err wants
 fn refused(error: impl std::fmt::Display) -> PyErr {
     InputError::new_err(error.to_string())
 }
@@ -32,7 +33,11 @@ mod _core {
     #[pymodule_export]
     use super::image::{develop, parameters, parts, render};
     #[pymodule_export]
+    const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
+    #[pymodule_export]
     use super::nacre::{Stack, grow};
     #[pymodule_export]
     use super::optics::{fresnel, illuminant};
+    #[pymodule_export]
+    use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
 }

@@ -1,6 +1,6 @@
 //! The door to nacre.
 
-use nacreous_nacre::{Growth, Index, LayerStack, Season};
+use nacreous_nacre::{Growth, Index, LayerStack, MAX_LAYERS, NacreError, Season};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -26,6 +26,11 @@ impl Stack {
         ambient: Complex64,
         substrate: Complex64,
     ) -> PyResult<Self> {
+        // Before the copy, which for a billion layers takes 8 GB.
+        let layers = thickness_nm.len()?;
+        if layers > MAX_LAYERS {
+            return Err(refused(NacreError::LayerCount(layers)));
+        }
         LayerStack::new(
             thickness_nm.as_array().to_vec(),
             protein_nm,

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::{nacre::Stack, refused};
+use crate::{InputError, nacre::Stack, refused};
 
 type Amplitudes<'py> = Bound<'py, PyArray1<Complex64>>;
 type Energies<'py> = Bound<'py, PyArray1<f64>>;
@@ -48,7 +48,16 @@ pub fn illuminant<'py>(
     diffuse_loss: f64,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let model = IlluminantModel { coherence_nm, threshold, diffuse_loss };
+    let (rows, columns) = (angle_rad.len()?, wavelength_nm.len()?);
+    if rows.saturating_mul(columns) > MAX_VALUES {
+        let message =
+            format!("the table has {rows} x {columns} values; allowed: up to {MAX_VALUES}");
+        return Err(InputError::new_err(message));
+    }
     let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
     let table = py.detach(|| model.spectra(&stack.0, &angle, &wavelength)).map_err(refused)?;
-    table.into_pyarray(py).reshape([angle.len(), wavelength.len()])
+    table.into_pyarray(py).reshape([rows, columns])
 }
+
+/// 1 GB; more memory than there is would end the whole process.
+const MAX_VALUES: usize = 1 << 27;

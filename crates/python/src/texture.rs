@@ -1,5 +1,148 @@
-//! stub
+//! The door to grain spectra and textures.
+
+use glam::DVec3;
+use nacreous_image::grain::harmonics::{Coefficients, synthesise};
+use nacreous_image::grain::spectrum::GrainSpectrum;
+use num_complex::Complex64;
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
+    PyReadonlyArray3,
+};
 use pyo3::prelude::*;
-/// stub
-#[pyclass(frozen)]
-pub struct Texture(pub nacreous_image::texture::Texture);
+
+use crate::{InputError, refused};
+
+type Spectrum<'py> =
+    (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// The stand-in spectrum: frequencies [k] per mm, density [channel, k], correlation [channel, channel].
+#[pyfunction]
+pub fn procedural_grain(py: Python<'_>) -> PyResult<Spectrum<'_>> {
+    let spectrum = GrainSpectrum::procedural();
+    let cycles_per_mm = spectrum.cycles_per_mm().to_vec();
+    let count = cycles_per_mm.len();
+    let density = spectrum.density().concat().into_pyarray(py).reshape([3, count])?;
+    let correlation = spectrum.correlation().concat().into_pyarray(py).reshape([3, 3])?;
+    Ok((cycles_per_mm.into_pyarray(py), density, correlation))
+}
+
+/// A seamless texture over a sphere, ready for the renderer.
+#[pyclass(frozen, module = "nacreous._core")]
+pub struct Texture(pub nacreous_image::grain::texture::Texture);
+
+#[pymethods]
+impl Texture {
+    /// The highest degree of its spherical harmonics.
+    #[getter]
+    fn band_limit(&self) -> usize {
+        self.0.band_limit()
+    }
+
+    /// Variance of hue, value, chroma that the spectrum has and the texture has not.
+    #[getter]
+    fn lost_variance(&self) -> [f64; 3] {
+        self.0.lost_variance()
+    }
+
+    /// Values [n, channel] towards directions [n, xyz], for samples `footprint_rad` apart.
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        directions: PyReadonlyArray2<'_, f64>,
+        footprint_rad: f64,
+    ) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let directions = directions.as_array();
+        if directions.ncols() != 3 {
+            let columns = directions.ncols();
+            let message = format!("texture: directions have {columns} numbers; allowed: 3");
+            return Err(InputError::new_err(message));
+        }
+        if !(footprint_rad >= 0.0 && footprint_rad.is_finite()) {
+            let message = format!("texture: footprint_rad is {footprint_rad}; allowed: 0 and more");
+            return Err(InputError::new_err(message));
+        }
+        let mut values = Vec::with_capacity(3 * directions.nrows());
+        for (index, row) in directions.rows().into_iter().enumerate() {
+            let direction = DVec3::new(row[0], row[1], row[2]);
+            let Some(direction) = direction.try_normalize() else {
+                let message = format!(
+                    "texture: directions[{index}] is {direction}; allowed: finite and not zero"
+                );
+                return Err(InputError::new_err(message));
+            };
+            values.extend(self.0.at(direction, footprint_rad));
+        }
+        values.into_pyarray(py).reshape([directions.nrows(), 3])
+    }
+
+    /// The finest grid [row, column, channel], from pole to pole and once round.
+    fn grid<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let values: Vec<f32> = self.0.texels().flatten().collect();
+        values.into_pyarray(py).reshape([self.0.rows(), 2 * self.0.rows(), 3])
+    }
+}
+
+/// Draws a texture with a spectrum [k], [channel, k] and correlation [channel, channel].
+#[pyfunction]
+pub fn synthesise_texture(
+    py: Python<'_>,
+    cycles_per_mm: PyReadonlyArray1<'_, f64>,
+    density: PyReadonlyArray2<'_, f64>,
+    correlation: PyReadonlyArray2<'_, f64>,
+    radius_mm: f64,
+    seed: u64,
+) -> PyResult<Texture> {
+    let (density, correlation) = (density.as_array(), correlation.as_array());
+    let shapes = (density.nrows(), correlation.dim());
+    if shapes != (3, (3, 3)) {
+        let message = format!(
+            "grain spectrum: density has {} rows and correlation {:?} numbers; allowed: 3 and (3, 3)",
+            shapes.0, shapes.1
+        );
+        return Err(InputError::new_err(message));
+    }
+    let spectrum = GrainSpectrum::new(
+        cycles_per_mm.as_array().to_vec(),
+        [0, 1, 2].map(|channel| density.row(channel).to_vec()),
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| correlation[[i, j]])),
+    )
+    .map_err(refused)?;
+    py.detach(|| nacreous_image::grain::texture::Texture::synthesise(&spectrum, radius_mm, seed))
+        .map(Texture)
+        .map_err(refused)
+}
+
+/// Fields [row, column, channel] of coefficients [channel, l, m], on twice as many columns as rows.
+#[pyfunction]
+pub fn synthesise_harmonics<'py>(
+    py: Python<'py>,
+    coefficients: PyReadonlyArray3<'_, Complex64>,
+    rows: usize,
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let given = coefficients.as_array();
+    let (channels, degrees, orders) = given.dim();
+    let smooth = rows.is_power_of_two() || (rows.is_multiple_of(3) && (rows / 3).is_power_of_two());
+    if channels != 3 || degrees != orders || !(1..=513).contains(&degrees) {
+        let message = format!(
+            "harmonics: coefficients have shape {:?}; allowed: (3, l, l) with l from 1 to 513",
+            given.dim()
+        );
+        return Err(InputError::new_err(message));
+    }
+    if !(smooth && rows.is_multiple_of(2) && rows >= degrees && rows <= 2048) {
+        let message = format!(
+            "harmonics: rows is {rows}; allowed: 1 or 3 times a power of two, even, {degrees} to 2048"
+        );
+        return Err(InputError::new_err(message));
+    }
+    if !given.iter().all(|value| value.is_finite()) {
+        return Err(InputError::new_err("harmonics: a coefficient is not finite"));
+    }
+    let mut ours = Coefficients::zero(degrees - 1);
+    for ((channel, l, m), value) in given.indexed_iter().filter(|((_, l, m), _)| m <= l) {
+        ours.at_mut(l, m)[channel] = [value.re, value.im];
+    }
+    let mut grid = vec![[0.0; 3]; 2 * rows * rows];
+    py.detach(|| synthesise(&ours, degrees - 1, (rows, 2 * rows), |texel| texel, &mut grid));
+    grid.into_flattened().into_pyarray(py).reshape([rows, 2 * rows, 3])
+}

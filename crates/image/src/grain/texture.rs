@@ -7,37 +7,33 @@
 //! radius R, which is good to a part in l (flat-sky relation of cosmologists); phases are random, so
 //! the stripes of terraces come out as short as their spectrum leaves them.
 
-use crate::grain::{GrainError, GrainSpectrum};
-use crate::harmonics::{CHANNELS, Coefficients, synthesise};
+use crate::grain::harmonics::{CHANNELS, Coefficients};
+use crate::grain::level::{Level, Place};
+use crate::grain::spectrum::{GrainError, GrainSpectrum};
 use glam::{DVec3, Vec3A};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
-use std::f32;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// The highest degree drawn: 20 cycles per mm on a pearl of 8 mm. What lies above is left out, and
 /// [`Texture::lost_variance`] says how much that is.
 pub const HIGHEST_DEGREE: usize = 512;
 
-/// Rows beyond each pole that let the look-up reach over it.
-const MARGIN: usize = 2;
-/// Columns beyond the date line, for the same reason.
-const WRAP: usize = 3;
-
 /// Deviations of hue (radians), value and chroma (relative) over a pearl, with mean 0.
 ///
 /// ```
 /// use glam::DVec3;
-/// use nacreous_image::{grain::GrainSpectrum, texture::Texture};
+/// use nacreous_image::grain::{spectrum::GrainSpectrum, texture::Texture};
 /// let texture = Texture::synthesise(&GrainSpectrum::procedural(), 1.0, 7)?;
 /// let [hue, value, chroma] = texture.at(DVec3::new(0.3, -0.2, 0.9), 0.0);
 /// assert!(hue.abs() < 0.5 && value.abs() < 0.8 && chroma.abs() < 1.0);
-/// # Ok::<(), nacreous_image::grain::GrainError>(())
+/// # Ok::<(), nacreous_image::grain::spectrum::GrainError>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Texture {
-    /// The finest first; each next holds the lower half of the degrees.
-    levels: Vec<Level>,
+    /// The finest first; each next holds the lower half of the degrees. Shared, as they are large.
+    levels: Arc<[Level]>,
     band_limit: usize,
     lost_variance: [f64; CHANNELS],
 }
@@ -56,11 +52,11 @@ impl Texture {
             return Err(GrainError::Radius(radius_mm));
         }
         let circumference_mm = TAU * radius_mm;
-        let wanted = (spectrum.highest_frequency() * circumference_mm).ceil() as usize;
-        let band_limit = wanted.clamp(1, HIGHEST_DEGREE);
-        let below = |channel, l| spectrum.variance_below(channel, l as f64 / circumference_mm);
         // Degree l holds the frequencies between l and l + 1 cycles round the pearl, so that no power
         // is lost between degrees. Degree 0, the mean, stays empty.
+        let wanted = (spectrum.highest_frequency() * circumference_mm).ceil() as usize;
+        let band_limit = wanted.saturating_sub(1).clamp(1, HIGHEST_DEGREE);
+        let below = |channel, l| spectrum.variance_below(channel, l as f64 / circumference_mm);
         let share = |l| [0, 1, 2].map(|c| (below(c, l + 1) - below(c, l)).max(0.0));
         let shares: Vec<_> = (1..=band_limit).map(share).collect();
         let lost_variance = [0, 1, 2].map(|c| {
@@ -94,14 +90,16 @@ impl Texture {
 
     /// A mixture of the two levels whose highest degrees enclose `degree`.
     fn filtered(&self, place: Place, degree: f32) -> Vec3A {
-        let coarser = self.levels.iter().position(|level| (level.top as f32) <= degree);
+        let coarser = self.levels.iter().position(|level| (level.top() as f32) <= degree);
         let coarser = coarser.unwrap_or(self.levels.len());
         let finer = &self.levels[coarser.max(1) - 1];
         let (base, low) = match self.levels.get(coarser) {
-            Some(level) => (level.at(place), level.top as f32),
-            None => (Vec3A::ZERO, 0.0),
+            Some(level) => (level.at(place), level.top()),
+            // The next level would hold nothing but the mean.
+            None => (Vec3A::ZERO, finer.top() / 2),
         };
-        let weight = ((degree - low) / (finer.top as f32 - low)).clamp(0.0, 1.0);
+        let low = low as f32;
+        let weight = ((degree - low) / (finer.top() as f32 - low)).clamp(0.0, 1.0);
         base + weight * (finer.at(place) - base)
     }
 
@@ -121,14 +119,12 @@ impl Texture {
     ///
     /// Row r lies at colatitude (r + 1/2) pi / rows, column c at longitude c pi / rows.
     pub fn rows(&self) -> usize {
-        self.levels[0].rows
+        self.levels[0].rows()
     }
 
     /// The values on the finest grid.
     pub fn texels(&self) -> impl Iterator<Item = [f32; CHANNELS]> {
-        let (rows, texels) = (self.rows(), &self.levels[0].texels);
-        let inner = texels.chunks_exact(2 * rows + WRAP).skip(MARGIN).take(rows);
-        inner.flat_map(move |row| row[..2 * rows].iter().map(Vec3A::to_array))
+        self.levels[0].texels()
     }
 }
 
@@ -166,86 +162,87 @@ fn normal_pair(random: &mut ChaCha8Rng) -> [f64; 2] {
     [radius * cos, radius * sin]
 }
 
-/// Where a direction points: colatitude and longitude in radians.
-#[derive(Clone, Copy)]
-struct Place {
-    colatitude: f32,
-    longitude: f32,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grain::spectrum::GrainSpectrum;
 
-impl Place {
-    fn towards(direction: DVec3) -> Self {
-        let [x, y, z] = direction.to_array().map(|part| part as f32);
-        let colatitude = libm::atan2f((x * x + y * y).sqrt(), z);
-        Self { colatitude, longitude: libm::atan2f(y, x) }
+    /// A small pearl's texture: degrees up to 23.
+    fn small(seed: u64) -> Texture {
+        let frequency = vec![0.5, 1.0, 2.0, 3.6];
+        let density = [0.01, 0.02, 0.03].map(|d| vec![0.0, d, d / 2.0, 0.0]);
+        let correlation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.5], [0.0, 0.5, 1.0]];
+        let spectrum = GrainSpectrum::new(frequency, density, correlation).unwrap();
+        Texture::synthesise(&spectrum, 1.0, seed).unwrap()
     }
-}
 
-/// The field up to one degree, on a grid of at least four samples to its shortest wave.
-#[derive(Debug)]
-struct Level {
-    top: usize,
-    rows: usize,
-    /// Rows of the grid, with `MARGIN` rows beyond either pole and `WRAP` columns beyond the last.
-    texels: Vec<Vec3A>,
-}
+    fn towards(colatitude: f64, longitude: f64) -> DVec3 {
+        let (sin, cos) = colatitude.sin_cos();
+        DVec3::new(sin * longitude.cos(), sin * longitude.sin(), cos)
+    }
 
-impl Level {
-    fn synthesise(coefficients: &Coefficients, top: usize) -> Self {
-        let power = (2 * top).next_power_of_two().max(16);
-        let rows = if 3 * power / 4 >= 2 * top { 3 * power / 4 } else { power };
-        let pitch = 2 * rows + WRAP;
-        let mut texels = vec![Vec3A::ZERO; pitch * (rows + 2 * MARGIN)];
-        let inner = pitch * MARGIN..pitch * (MARGIN + rows);
-        let texel = |value: [f64; CHANNELS]| Vec3A::from_array(value.map(|v| v as f32));
-        synthesise(coefficients, top, (rows, pitch), texel, &mut texels[inner]);
-        // Beyond a pole lies the same ring, half way round.
-        for beyond in 1..=MARGIN {
-            let (north, south) = (MARGIN, MARGIN + rows);
-            let mirrored =
-                [(north - beyond, north + beyond - 1), (south + beyond - 1, south - beyond)];
-            for (to, from) in mirrored.map(|(to, from)| (to * pitch, from * pitch)) {
-                texels.copy_within(from + rows..from + 2 * rows, to);
-                texels.copy_within(from..from + rows, to + rows);
+    #[test]
+    fn same_seed_gives_the_same_bytes_on_every_machine() {
+        let sum = |seed| {
+            let bytes = small(seed).texels().flatten().collect::<Vec<_>>().into_iter();
+            bytes.flat_map(f32::to_le_bytes).fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+            })
+        };
+        // The hash (FNV-1a) as first computed on x86-64 Linux.
+        assert_eq!(sum(7), 0x7101_c665_1de1_c7ea);
+        assert_ne!(sum(7), sum(8));
+    }
+
+    #[test]
+    fn look_up_at_a_texel_gives_the_texel() {
+        let texture = small(7);
+        let rows = texture.rows();
+        for (index, texel) in texture.texels().enumerate() {
+            let (row, column) = (index / (2 * rows), index % (2 * rows));
+            let step = PI / rows as f64;
+            let seen = texture.at(towards((row as f64 + 0.5) * step, column as f64 * step), 0.0);
+            for (a, b) in seen.into_iter().zip(texel) {
+                assert!((a - b).abs() < 1e-4, "row {row}, column {column}: {a} for {b}");
             }
         }
-        for row in texels.chunks_exact_mut(pitch) {
-            row.copy_within(..WRAP, 2 * rows);
-        }
-        Self { top, rows, texels }
     }
 
-    /// Cubic interpolation (Catmull and Rom 1974) of the sixteen texels around a place.
-    #[inline]
-    fn at(&self, place: Place) -> Vec3A {
-        let columns = 2 * self.rows;
-        let scale = self.rows as f32 / f32::consts::PI;
-        // A turn more keeps both positive, so that `as` rounds down.
-        let across = place.longitude * scale + columns as f32;
-        let down = place.colatitude * scale + (MARGIN as f32 - 0.5);
-        let (column, row) = (across as usize, down as usize);
-        let weights = cubic_weights(across - column as f32);
-        let first = if column > columns { column - columns - 1 } else { column - 1 };
-        let mut start = (row - 1) * (columns + WRAP) + first;
-        let mut sum = Vec3A::ZERO;
-        for weight in cubic_weights(down - row as f32) {
-            let ring = &self.texels[start..start + 4];
-            let along = weights[0] * ring[0] + weights[1] * ring[1];
-            sum += weight * (along + (weights[2] * ring[2] + weights[3] * ring[3]));
-            start += columns + WRAP;
+    #[test]
+    fn poles_and_date_line_are_crossed_without_a_step() {
+        let texture = small(7);
+        let tiny = 1e-5;
+        let mut pairs = vec![];
+        for i in 0..64 {
+            let angle = f64::from(i) * PI / 32.0;
+            for pole in [tiny, PI - tiny] {
+                pairs.push((towards(pole, angle), towards(pole, angle + PI)));
+            }
+            let colatitude = angle / 2.0 + 0.01;
+            pairs.push((towards(colatitude, PI - tiny), towards(colatitude, PI + tiny)));
+            pairs.push((towards(colatitude, -tiny), towards(colatitude, tiny)));
         }
-        sum
+        for (here, there) in pairs {
+            let (a, b) = (texture.at(here, 0.0), texture.at(there, 0.0));
+            let step = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(step < 1e-4, "from {here} to {there}: {step}");
+        }
     }
-}
 
-/// Weights of the four neighbours at t in 0..1 between the middle two; they add up to 1.
-#[inline]
-fn cubic_weights(t: f32) -> [f32; 4] {
-    let (t2, t3) = (t * t, t * t * t);
-    [
-        0.5 * (-t3 + 2.0 * t2 - t),
-        0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
-        0.5 * (-3.0 * t3 + 4.0 * t2 + t),
-        0.5 * (t3 - t2),
-    ]
+    #[test]
+    fn far_samples_see_less_and_less_down_to_the_mean() {
+        let texture = small(7);
+        let power = |footprint| -> f32 {
+            let places =
+                (0..4000).map(|i| towards((1.0 - f64::from(i) / 2000.0).acos(), f64::from(i)));
+            places.map(|place| texture.at(place, footprint)[1].powi(2)).sum()
+        };
+        let powers = [0.0, 0.1, 0.2, 0.4, 0.8, 1e6].map(power);
+        assert!(powers[1] <= powers[0]);
+        assert!(
+            powers.windows(2).skip(1).all(|pair| pair[1] < pair[0] || pair[1] == 0.0),
+            "{powers:?}"
+        );
+        assert!(powers[5] < 1e-9 * powers[0]);
+    }
 }

@@ -9,10 +9,10 @@
 use std::io::{BufRead, Cursor, Seek, Write};
 use std::path::Path;
 
-use crate::picture_file::{
+use crate::file::picture::{
     PictureFileError, TEXT_BYTES_MAX, check_sample_count, check_text, guarded, read_bytes,
 };
-use crate::profile::icc_profile;
+use crate::file::profile::icc_profile;
 
 /// The colour space of the pixels in a PNG.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -51,12 +51,12 @@ pub enum PngPixels<'a> {
 /// A buffer that does not fit the size, a keyword that PNG cannot hold, and whatever `out` says.
 ///
 /// ```
-/// use nacreous_image::png::{PngPixels, PngSpace, png_text, write_png};
+/// use nacreous_image::file::png::{PngPixels, PngSpace, png_text, write_png};
 /// let text = vec![("Software".to_owned(), "nacreous".to_owned())];
 /// let mut file = Vec::new();
 /// write_png(&mut file, 1, 1, PngPixels::Eight(&[255, 240, 230]), PngSpace::Srgb, &text)?;
 /// assert_eq!(png_text(std::io::Cursor::new(file))?, text);
-/// # Ok::<(), nacreous_image::picture_file::PictureFileError>(())
+/// # Ok::<(), nacreous_image::file::picture::PictureFileError>(())
 /// ```
 pub fn write_png(
     out: &mut impl Write,

@@ -12,8 +12,8 @@ use moxcms::{
     TransformOptions, XyY, Xyzd, adaption_matrix_d,
 };
 
-use crate::picture_file::PictureFileError;
-use crate::png::PngSpace;
+use crate::file::picture::PictureFileError;
+use crate::file::png::PngSpace;
 
 /// The white of sRGB and Display P3 (IEC 61966-2-1).
 const D65: XyY = XyY { x: 0.3127, y: 0.3290, yb: 1.0 };

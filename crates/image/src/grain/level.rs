@@ -1,0 +1,152 @@
+//! One level of a texture: the field up to some degree on a grid, and the look-up between its cells.
+
+use crate::grain::harmonics::{CHANNELS, Coefficients, synthesise};
+use glam::{DVec3, Vec3A};
+use std::f32;
+
+/// Rows beyond each pole that let the look-up reach over it.
+const MARGIN: usize = 2;
+/// Columns beyond the date line, for the same reason.
+const WRAP: usize = 3;
+
+/// Where a direction points: colatitude and longitude in radians.
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
+    colatitude: f32,
+    longitude: f32,
+}
+
+impl Place {
+    pub fn towards(direction: DVec3) -> Self {
+        let [x, y, z] = direction.to_array().map(|part| part as f32);
+        Self { colatitude: angle((x * x + y * y).sqrt(), z), longitude: angle(y, x) }
+    }
+}
+
+/// The angle of (x, y) from the x axis, like atan2, to 2e-7 rad: a texel is 10 000 times as wide.
+///
+/// Without branches, since a picture asks for millions. The polynomial is the minimax fit of degree 15.
+#[inline]
+fn angle(y: f32, x: f32) -> f32 {
+    let steep = y.abs() > x.abs();
+    let (low, high) = if steep { (x.abs(), y.abs()) } else { (y.abs(), x.abs()) };
+    let slope = low / (high + f32::MIN_POSITIVE);
+    let square = slope * slope;
+    let octant = ARCTANGENT.into_iter().rev().fold(0.0, |sum, c| sum * square + c) * slope;
+    let quadrant = if steep { f32::consts::FRAC_PI_2 - octant } else { octant };
+    let half = if x < 0.0 { f32::consts::PI - quadrant } else { quadrant };
+    half.copysign(y)
+}
+
+/// Coefficients of t, t^3, t^5, ... in arctan(t) for t in 0..1.
+const ARCTANGENT: [f32; 8] = [
+    0.999_999_34,
+    -0.333_298_6,
+    0.199_465_6,
+    -0.139_086_04,
+    0.096_421_34,
+    -0.055_911_49,
+    0.021_862_392,
+    -0.004_054_415,
+];
+
+/// The field up to one degree, on a grid of at least four samples to its shortest wave.
+#[derive(Debug)]
+pub(crate) struct Level {
+    top: usize,
+    rows: usize,
+    /// Rows of the grid, with `MARGIN` rows beyond either pole and `WRAP` columns beyond the last.
+    texels: Vec<Vec3A>,
+}
+
+impl Level {
+    pub fn synthesise(coefficients: &Coefficients, top: usize) -> Self {
+        let power = (2 * top).next_power_of_two().max(16);
+        let rows = if 3 * power / 4 >= 2 * top { 3 * power / 4 } else { power };
+        let pitch = 2 * rows + WRAP;
+        let mut texels = vec![Vec3A::ZERO; pitch * (rows + 2 * MARGIN)];
+        let inner = pitch * MARGIN..pitch * (MARGIN + rows);
+        let texel = |value: [f64; CHANNELS]| Vec3A::from_array(value.map(|v| v as f32));
+        synthesise(coefficients, top, (rows, pitch), texel, &mut texels[inner]);
+        // Beyond a pole lies the same ring, half way round.
+        for beyond in 1..=MARGIN {
+            let (north, south) = (MARGIN, MARGIN + rows);
+            let mirrored =
+                [(north - beyond, north + beyond - 1), (south + beyond - 1, south - beyond)];
+            for (to, from) in mirrored.map(|(to, from)| (to * pitch, from * pitch)) {
+                texels.copy_within(from + rows..from + 2 * rows, to);
+                texels.copy_within(from..from + rows, to + rows);
+            }
+        }
+        for row in texels.chunks_exact_mut(pitch) {
+            row.copy_within(..WRAP, 2 * rows);
+        }
+        Self { top, rows, texels }
+    }
+
+    /// The highest degree it holds.
+    pub fn top(&self) -> usize {
+        self.top
+    }
+
+    /// Rows from pole to pole.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The grid without what lies beyond its ends, row-major.
+    pub fn texels(&self) -> impl Iterator<Item = [f32; CHANNELS]> {
+        let columns = 2 * self.rows;
+        let inner = self.texels.chunks_exact(columns + WRAP).skip(MARGIN).take(self.rows);
+        inner.flat_map(move |row| row[..columns].iter().map(Vec3A::to_array))
+    }
+
+    /// Cubic interpolation (Catmull and Rom 1974) of the sixteen texels around a place.
+    #[inline]
+    pub fn at(&self, place: Place) -> Vec3A {
+        let columns = 2 * self.rows;
+        let scale = self.rows as f32 / f32::consts::PI;
+        // A turn more keeps both positive, so that `as` rounds down.
+        let across = place.longitude * scale + columns as f32;
+        let down = place.colatitude * scale + (MARGIN as f32 - 0.5);
+        let (column, row) = (across as i32 as usize, down as i32 as usize);
+        let weights = cubic_weights(across - column as f32);
+        let first = if column > columns { column - columns - 1 } else { column - 1 };
+        let mut start = (row - 1) * (columns + WRAP) + first;
+        let mut sum = Vec3A::ZERO;
+        for weight in cubic_weights(down - row as f32) {
+            let ring = &self.texels[start..start + 4];
+            let along = weights[0] * ring[0] + weights[1] * ring[1];
+            sum += weight * (along + (weights[2] * ring[2] + weights[3] * ring[3]));
+            start += columns + WRAP;
+        }
+        sum
+    }
+}
+
+/// Weights of the four neighbours at t in 0..1 between the middle two; they add up to 1.
+#[inline]
+fn cubic_weights(t: f32) -> [f32; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [
+        0.5 * (-t3 + 2.0 * t2 - t),
+        0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
+        0.5 * (-3.0 * t3 + 4.0 * t2 + t),
+        0.5 * (t3 - t2),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angle_agrees_with_the_arctangent_of_libm() {
+        for i in 0..720 {
+            let (y, x) = (f64::from(i) * 0.5 + 0.25).to_radians().sin_cos();
+            let error = f64::from(angle(y as f32, x as f32)) - libm::atan2(y, x);
+            assert!(error.abs() < 4e-7, "at {y}, {x}: {error}");
+        }
+        assert!(angle(0.0, 0.0).abs() < 1e-30);
+    }
+}

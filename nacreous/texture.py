@@ -1,0 +1,275 @@
+"""The grain of a pearl (kime-kan): from a photograph to a texture over the whole sphere.
+
+Section 4.3 of the paper: patches of 64 x 64 pixels, Munsell hue, value and chroma, Hanning window,
+Fourier transform, band-pass, inverse transform. `analyse` does that and keeps the power at each
+spatial frequency; `synthesise` draws from it a texture that covers a pearl without seam or pole.
+
+>>> texture = synthesise(GrainSpectrum.procedural(), radius_mm=4.0, seed=7)
+>>> texture.at(np.array([[0.0, 0.0, 1.0]]), 0.0).shape  # towards +z: hue, value, chroma
+(1, 3)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nacreous._core import Texture, procedural_grain, synthesise_texture
+from nacreous.colour import hvc_from_rgb
+from nacreous.file import read_photograph
+from nacreous.patch import Corner, checked, find_corners, patches
+from nacreous.problem import InputError
+
+if TYPE_CHECKING:
+    from nacreous.spec import Pearl
+
+__all__ = ["Analysis", "GrainSpectrum", "Texture", "analyse", "of_pearl", "synthesise"]
+
+Array = NDArray[np.float64]
+
+_GREY_CHROMA = 0.2
+"""Below this mean chroma a patch counts as grey **(ours)**: relative deviations would be noise."""
+
+
+@dataclass(frozen=True, eq=False)
+class GrainSpectrum:
+    """How strongly hue, value and chroma vary over a pearl, and how finely.
+
+    Hue deviates in radians (weighted by chroma), value and chroma relative to their mean; all
+    means are 0. `density` is the power on the circle of one spatial frequency f, which is
+    S(f) = 2 pi f P(f) of the two-dimensional P. It is linear between the frequencies given and 0
+    outside; its integral is the channel's variance. What belongs together in hue, value and chroma
+    is kept as one correlation for all frequencies **(ours)**.
+    """
+
+    cycles_per_mm: Array
+    """Spatial frequencies [k], increasing, 2 to 4096 of them."""
+    density: Array
+    """Variance per cycle per millimetre [channel, k]; channels: hue, value, chroma."""
+    correlation: Array = field(default_factory=lambda: np.eye(3))
+    """Correlation matrix [channel, channel]."""
+    source: str = "given"
+    """Where it comes from, for captions: `photograph`, `procedural` ..."""
+
+    def __post_init__(self) -> None:
+        """Keeps arrays that nobody else can change."""
+        for name in ("cycles_per_mm", "density", "correlation"):
+            array = np.array(getattr(self, name), dtype=np.float64, order="C")
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
+
+    @classmethod
+    def procedural(cls) -> Self:
+        """A stand-in for pearls without a photograph. Chosen by eye, **not measured**.
+
+        >>> grain = GrainSpectrum.procedural()
+        >>> grain.source, (grain.variance**0.5).round(2).tolist()
+        ('procedural', [0.06, 0.1, 0.12])
+        """
+        return cls(*procedural_grain(), source="procedural")
+
+    def limited(self, low_per_mm: float, high_per_mm: float) -> Self:
+        """The part of the spectrum between two frequencies, as an ideal band-pass leaves it.
+
+        >>> grain = GrainSpectrum([1, 2, 3], np.ones((3, 3))).limited(1.5, 2.5)
+        >>> grain.variance.tolist()
+        [1.0, 1.0, 1.0]
+        """
+        ends = np.clip([low_per_mm, high_per_mm], self.cycles_per_mm[0], self.cycles_per_mm[-1])
+        if not low_per_mm < high_per_mm or ends[0] >= ends[1]:
+            raise InputError(
+                f"texture: the band is {low_per_mm:g} to {high_per_mm:g} cycles per mm; allowed: "
+                f"part of {self.cycles_per_mm[0]:g} to {self.cycles_per_mm[-1]:g}"
+            )
+        inner = self.cycles_per_mm[(self.cycles_per_mm > ends[0]) & (self.cycles_per_mm < ends[1])]
+        frequency = np.concatenate([ends[:1], inner, ends[1:]])
+        density = np.stack([np.interp(frequency, self.cycles_per_mm, row) for row in self.density])
+        return replace(self, cycles_per_mm=frequency, density=density)
+
+    @property
+    def variance(self) -> Array:
+        """Variance [channel] of hue (rad^2), value and chroma (relative)."""
+        return np.asarray(np.trapezoid(self.density, self.cycles_per_mm, axis=1))
+
+
+@dataclass(frozen=True, eq=False)
+class Analysis:
+    """What `analyse` finds in a photograph."""
+
+    spectrum: GrainSpectrum
+    """Mean over the patches, ready for `synthesise`."""
+    textures: Array
+    """The paper's texture images [patch, row, column, channel] (figure 13), fading at the edges."""
+    corners: list[Corner]
+    """(row, column) of each patch's first pixel."""
+
+
+def analyse(
+    photograph: ArrayLike,
+    mm_per_pixel: float | None = None,
+    side_px: int = 64,
+    corners: list[Corner] | None = None,
+    low: float | None = None,
+    high: float | None = None,
+) -> Analysis:
+    """Textures of hue, value and chroma in a photograph's patches, and their spectrum (paper 4.3).
+
+    `photograph` is linear RGB, 0..1, [row, column, 3]; `corners` are the patches' first pixels
+    (row, column), found in the pearl if not given. `low` and `high` limit the band in cycles per
+    mm; left out, they are 2 cycles per patch, under which lies the pearl's shading, and three
+    quarters of the highest frequency the pixels carry, above which lies the camera's noise
+    **(ours)**. Without `mm_per_pixel` the limits are cycles per patch, and a patch counts as 1 mm
+    **(ours)**: about right for a pearl of 8 mm, 512 pixels wide. The spectrum's `source` says so.
+
+    Raises `InputError` for a picture that is not RGB, not finite or smaller than a patch, patches
+    under 8 pixels or outside the picture, and limits other than 0 <= low < high <= half a cycle
+    per pixel.
+
+    >>> step = np.arange(64) / 64
+    >>> grating = 0.5 + 0.05 * np.cos(2 * np.pi * 8 * step)  # 8 cycles in 64 pixels of 0.02 mm
+    >>> photograph = np.tile(grating[None, :, None] * [0.9, 0.8, 0.75], (64, 1, 1))
+    >>> grain = analyse(photograph, mm_per_pixel=0.02).spectrum
+    >>> float(grain.cycles_per_mm[grain.density[1].argmax()])
+    6.25
+    """
+    picture = checked(photograph, side_px)
+    if mm_per_pixel is not None and not 0 < mm_per_pixel < np.inf:
+        raise InputError(f"texture: mm_per_pixel is {mm_per_pixel}; allowed: greater than 0")
+    patch_mm = 1.0 if mm_per_pixel is None else side_px * mm_per_pixel
+    chosen = find_corners(picture, side_px) if corners is None else corners
+    low, high = _band(low, high, patch_mm, side_px, "patch" if mm_per_pixel is None else "mm")
+
+    hvc = hvc_from_rgb(patches(picture, side_px, chosen))
+    waves = np.fft.fft2(_windowed(_deviations(hvc)), axes=(1, 2))
+    cycles = np.fft.fftfreq(side_px, 1 / side_px)
+    radius = np.hypot(cycles[:, None], cycles)
+    waves *= ((low <= radius) & (radius <= high) & (radius > 0))[..., None]
+
+    density = _ring_power(np.mean(np.abs(waves) ** 2, axis=0), radius, high) * patch_mm
+    frequency = np.arange(density.shape[1]) / patch_mm
+    source = "photograph" if mm_per_pixel is not None else "photograph, patch taken as 1 mm"
+    spectrum = GrainSpectrum(frequency, density, _correlation(waves), source)
+    return Analysis(spectrum, np.fft.ifft2(waves, axes=(1, 2)).real, chosen)
+
+
+def synthesise(spectrum: GrainSpectrum, radius_mm: float, seed: int = 0) -> Texture:
+    """A seamless texture for a pearl of `radius_mm` (0.1 to 100). Same seed, same bytes.
+
+    An isotropic Gaussian random field: degree l of its spherical harmonics has the power at
+    l + 1/2 = 2 pi f R, up to degree 512, and `texture.lost_variance` says what lies outside.
+    `texture.at(directions, footprint_rad)` gives float32 [n, channel] towards float64 [n, xyz] for
+    samples so far apart on the surface, as an angle at the pearl's centre.
+
+    Raises `InputError` for a spectrum that is none, a radius out of range, or a seed not in
+    0..2^64 - 1.
+
+    >>> texture = synthesise(GrainSpectrum([1, 2, 3], np.ones((3, 3))), radius_mm=4.0)
+    >>> texture.band_limit
+    75
+    """
+    if not 0 <= seed < 2**64:
+        raise InputError(f"texture: seed is {seed}; allowed: 0 to 2^64 - 1")
+    if spectrum.cycles_per_mm.ndim != 1 or spectrum.density.ndim != 2:
+        shapes = spectrum.cycles_per_mm.shape, spectrum.density.shape
+        raise InputError(f"grain spectrum: shapes are {shapes}; allowed: (k,) and (3, k)")
+    return synthesise_texture(
+        spectrum.cycles_per_mm, spectrum.density, spectrum.correlation, radius_mm, seed
+    )
+
+
+def of_pearl(pearl: Pearl) -> Texture:
+    """The texture that a pearl file asks for: of its photograph, or of the procedural stand-in.
+
+    >>> from nacreous.spec import Pearl
+    >>> of_pearl(Pearl(diameter_mm=2.0)).band_limit
+    75
+    """
+    wanted = pearl.texture
+    low, high = wanted.low_per_mm, wanted.high_per_mm
+    if wanted.source == "procedural":
+        spectrum = GrainSpectrum.procedural().limited(low or 0.0, high or np.inf)
+    else:
+        photograph = read_photograph(wanted.source)
+        spectrum = analyse(
+            photograph, wanted.mm_per_pixel, wanted.side_px, low=low, high=high
+        ).spectrum
+    return synthesise(spectrum, pearl.diameter_mm / 2, pearl.texture_seed)
+
+
+def _band(
+    low: float | None, high: float | None, patch_mm: float, side_px: int, unit: str
+) -> tuple[float, float]:
+    """The limits in cycles per patch."""
+    nyquist = side_px / 2 / patch_mm
+    low = 2 / patch_mm if low is None else low
+    high = 0.75 * nyquist if high is None else high
+    if not 0 <= low < high <= nyquist:
+        raise InputError(
+            f"texture: the band is {low:g} to {high:g} cycles per {unit};"
+            f" allowed: 0 <= low < high <= {nyquist:g}"
+        )
+    return low * patch_mm, high * patch_mm
+
+
+def _deviations(hvc: Array) -> Array:
+    """Deviations [patch, row, column, channel] from each patch's mean: hue in rad, others relative.
+
+    Hue is an angle: its mean is the direction of the mean chroma vector, deviations lie in -pi..pi
+    and count by their chroma, since a grey has none.
+    """
+    hue, value, chroma = np.moveaxis(hvc, -1, 0)
+    mean = np.mean(chroma * np.exp(1j * hue), axis=(1, 2), keepdims=True)
+    turned = np.angle(np.exp(1j * hue) * np.conj(mean))
+    mean_value = value.mean(axis=(1, 2), keepdims=True)
+    mean_chroma = np.maximum(chroma.mean(axis=(1, 2), keepdims=True), _GREY_CHROMA)
+    hue_deviation = turned * chroma / mean_chroma
+    value_deviation = value / np.maximum(mean_value, 0.1) - 1
+    return np.stack([hue_deviation, value_deviation, chroma / mean_chroma - 1], axis=-1)
+
+
+def _windowed(deviations: Array) -> Array:
+    """Without mean and slope, and under a Hanning window that keeps the variance."""
+    side = deviations.shape[1]
+    hanning = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(side) / side)
+    window = np.outer(hanning, hanning).ravel()
+    across = np.linspace(-1, 1, side)
+    plane = np.stack([np.ones(side**2), np.repeat(across, side), np.tile(across, side)], axis=1)
+    flat = deviations.reshape(len(deviations), side**2, 3)
+    # Weighted by the window, so that what the window leaves has neither mean nor slope.
+    weighted = plane * window[:, None]
+    slope = np.linalg.solve(weighted.T @ plane, weighted.T @ flat)
+    correction = 1 / np.sqrt(np.mean(window**2))
+    windowed: Array = (flat - plane @ slope) * window[:, None] * correction
+    return windowed.reshape(deviations.shape)
+
+
+def _ring_power(power: Array, radius: Array, high: float) -> Array:
+    """Variance per cycle per patch [channel, ring] at 0, 1, 2 ... cycles per patch.
+
+    Each wave is shared by the two nearest rings, so that the integral of the broken line is the
+    sum of all waves (Parseval).
+    """
+    inner = np.floor(radius).astype(int).ravel()
+    share = radius.ravel() - inner
+    count = int(high) + 3
+    keep = inner < count - 1
+    rings = [
+        np.bincount(inner[keep], (wave * (1 - share))[keep], count)
+        + np.bincount(inner[keep] + 1, (wave * share)[keep], count)
+        for wave in power.reshape(-1, 3).T
+    ]
+    return np.asarray(rings) / float(len(power)) ** 4
+
+
+def _correlation(waves: NDArray[np.complex128]) -> Array:
+    """Correlation of hue, value and chroma over the whole band; of a flat channel 0."""
+    flat = waves.reshape(-1, 3)
+    product = (flat.conj().T @ flat).real
+    scale = np.sqrt(np.diag(product))
+    known = np.outer(scale, scale)
+    correlation: Array = np.divide(product, known, out=np.zeros((3, 3)), where=known > 0)
+    np.fill_diagonal(correlation, 1.0)
+    return correlation
