@@ -19,11 +19,11 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from nacreous.commands import grow, presets, render, schema
+from nacreous.commands import crops, grow, paper, presets, render, schema
 from nacreous.problem import InputError
 
 #: In the order of the help page.
-COMMANDS = (render, grow, presets, schema)
+COMMANDS = (render, grow, paper, crops, presets, schema)
 
 _EXAMPLES = """\
 examples:
