@@ -737,3 +737,20 @@ def test_ctrl_c_ends_a_big_render_at_once_and_leaves_nothing(tmp_path: Path) -> 
         os.close(writer)
         os.close(reader)
     assert not list(tmp_path.iterdir())
+
+
+def test_ctrl_c_is_heard_without_anybody_watching() -> None:
+    program = """
+import os, signal, threading, time, nacreous as nc
+def interrupt():
+    global begin
+    begin = time.monotonic()
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Timer(0.5, interrupt).start()
+try:
+    nc.render("paper", size=4096, samples=64)
+except KeyboardInterrupt:
+    print(time.monotonic() - begin)
+"""
+    done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True)
+    assert float(done.stdout) < 2
