@@ -214,6 +214,15 @@ def test_a_bad_option_of_render_is_refused(
     assert lines[1:] == hint
 
 
+def test_the_output_is_tried_before_the_long_work(
+    refused: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("nacreous.image.render", lambda *_: pytest.fail("rendered already"))
+    monkeypatch.setattr("nacreous.nacre.diary", lambda *_: pytest.fail("grew already"))
+    assert refused("render", "paper", "-o", "gone/pearl.png")
+    assert refused("grow", "paper", "-o", "gone/growth.png")
+
+
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
