@@ -17,10 +17,10 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser = subparsers.add_parser(
         "crops",
         help="cut the seven crops of figure 2 from a picture of a pearl",
-        description="Cut seven crops, numbered from the centre outward, as in figure 2 of the paper: 1 "
-        "the lamp's image, 2 that and interference colours, 3 and 4 interference colours only, 5 to 7 "
-        "more and more of the outline. The pearl's outline comes from the options, or from the recipe "
-        "in a picture that nacreous rendered, or is estimated.",
+        description="Cut seven crops, numbered from the centre outward, as in figure 2 of the "
+        "paper: 1 the lamp's image, 2 that and interference colours, 3 and 4 interference colours "
+        "only, 5 to 7 more and more of the outline. The pearl's outline comes from the options, or "
+        "from the recipe in a picture that nacreous rendered, or is estimated.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -45,10 +45,9 @@ def run(args: argparse.Namespace) -> int:
 
     given = cutting.given_circle(args.centre, args.radius)
     cuts = cutting.cut_file(args.picture, args.output, given, args.bits)
-    circle = cuts.circle
+    circle, side = cuts.circle, cuts.crops[0].side_px
     print(
-        f"{args.output}: {len(cuts.crops)} crops of {cuts.crops[0].side_px} x {cuts.crops[0].side_px} "
-        f"pixels; centre ({circle.x_px:.1f}, {circle.y_px:.1f}), radius {circle.radius_px:.1f} pixels, "
-        f"{cuts.found}"
+        f"{args.output}: {len(cuts.crops)} crops, {side} x {side} pixels each; pearl's centre at "
+        f"({circle.x_px:.1f}, {circle.y_px:.1f}), radius {circle.radius_px:.1f}, {cuts.found}"
     )
     return 0

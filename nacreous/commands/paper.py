@@ -17,9 +17,9 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser = subparsers.add_parser(
         "paper",
         help="make every figure of the paper again, measured",
-        description="Make the paper's figures 8 to 14 and the seven crops of figure 2 in a folder, with "
-        "one page, index.html, that shows each beside the sentence it must satisfy and the numbers "
-        "measured on it. The page needs no network.",
+        description="Make the paper's figures 8 to 14 and the seven crops of figure 2 in a folder, "
+        "with one page, index.html, that shows each beside the sentence it must satisfy and the "
+        "numbers measured on it. The page needs no network.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

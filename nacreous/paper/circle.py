@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nacreous.problem import InputError
 from nacreous.spec import Camera
 
-__all__ = ["Circle", "estimate"]
+__all__ = ["Circle", "estimate", "reduced"]
 
 Array = NDArray[np.float64]
 
@@ -60,18 +60,17 @@ _ROUND = 0.02
 def estimate(picture: NDArray[np.floating]) -> tuple[Circle, float]:
     """The outline of one round pearl in linear RGB [row, column, 3], and how sure it is.
 
-    An estimate **(ours)**: of all circles that lie within the picture and have a radius of at least
-    an eighth of its shorter side, the one along which colour changes most steadily from inside to
-    outside; then a circle fitted to the steepest places near it. The share, 0 to 1, says in how many
-    directions an edge was found within 2 % of the circle. Raises `InputError` under 0.6: then the
-    picture shows no pearl, or several, or one that is cut off.
+    An estimate **(ours)**: of all circles that lie within the picture and have a radius of at
+    least an eighth of its shorter side, the one along which colour changes most steadily from
+    inside to outside; then a circle fitted to the steepest places near it. The share, 0 to 1, says
+    in how many directions an edge was found within 2 % of the circle. Raises `InputError` under
+    0.6: then the picture shows no pearl, or several, or one that is cut off.
     """
-    shade = np.sqrt(np.clip(picture, 0.0, None))  # about equal visibility
-    factor = max(1, math.ceil(max(shade.shape[:2]) / _COARSE_PX))
-    coarse = _best_circle(_steepness(_reduced(shade, factor)))
+    factor = max(1, math.ceil(max(picture.shape[:2]) / _COARSE_PX))
+    coarse = _best_circle(_steepness(_shade(reduced(picture, factor))))
     found = Circle(coarse.x_px * factor, coarse.y_px * factor, coarse.radius_px * factor)
     for reach in (0.10, 0.04, 0.04):
-        found, share = _fitted(shade, found, reach)
+        found, share = _fitted(picture, found, reach)
     if not share >= _LEAST_FOUND:
         raise InputError(
             f"no round outline of one pearl stands out (found in {share:.0%} of all directions, "
@@ -80,11 +79,18 @@ def estimate(picture: NDArray[np.floating]) -> tuple[Circle, float]:
     return found, share
 
 
-def _reduced(shade: NDArray[np.floating], factor: int) -> Array:
-    """Means over blocks of factor x factor pixels; a rest at the border is left out."""
-    rows, columns = (max(1, side // factor) for side in shade.shape[:2])
-    blocks = shade[: rows * factor, : columns * factor]
-    return blocks.reshape(rows, factor, columns, factor, 3).mean(axis=(1, 3), dtype=np.float64)
+def reduced(picture: NDArray[np.floating], factor: int) -> Array:
+    """Means over blocks of factor x factor pixels [row, column, rgb]; a rest is left out."""
+    rows, columns = (side // factor for side in picture.shape[:2])
+    # Row by row of blocks, as the picture may fill half of the memory.
+    bands = (picture[factor * row : factor * (row + 1), : factor * columns] for row in range(rows))
+    means = [band.reshape(factor, columns, factor, 3).mean((0, 2), np.float64) for band in bands]
+    return np.array(means).reshape(rows, columns, 3)
+
+
+def _shade(linear: NDArray[np.floating]) -> Array:
+    """Light on a scale of about equal visibility."""
+    return np.asarray(np.sqrt(np.maximum(linear, 0.0), dtype=np.float64))
 
 
 def _steepness(shade: Array) -> Array:
@@ -95,8 +101,8 @@ def _steepness(shade: Array) -> Array:
     turn = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
     along = np.cos(turn)[:, None, None, None] * across + np.sin(turn)[:, None, None, None] * down
     steep = np.linalg.norm(along, axis=-1)
-    # Beyond the steepest tenth more contrast is not more of an edge: a black square must not win.
-    return np.minimum(1.0, steep / max(float(np.quantile(steep, 0.9)), 1e-6))
+    # Beyond the steepest tenth, more contrast is not more of an edge: a black square must not win.
+    return np.asarray(np.minimum(1.0, steep / max(float(np.quantile(steep, 0.9)), 1e-6)))
 
 
 def _best_circle(steepness: Array) -> Circle:
@@ -121,7 +127,7 @@ def _best_circle(steepness: Array) -> Circle:
     return found
 
 
-def _fitted(shade: NDArray[np.floating], circle: Circle, reach: float) -> tuple[Circle, float]:
+def _fitted(picture: NDArray[np.floating], circle: Circle, reach: float) -> tuple[Circle, float]:
     """A circle through the steepest places within `reach` of a first one, and their share."""
     turn = 2 * np.pi * np.arange(4 * _DIRECTIONS) / (4 * _DIRECTIONS)
     steps = max(9, 2 * math.ceil(2 * reach * circle.radius_px) + 1)
@@ -129,8 +135,9 @@ def _fitted(shade: NDArray[np.floating], circle: Circle, reach: float) -> tuple[
     x = circle.x_px + np.cos(turn)[:, None] * radius
     y = circle.y_px + np.sin(turn)[:, None] * radius
     rows, columns = np.floor(y).astype(int), np.floor(x).astype(int)
-    inside = (rows >= 0) & (rows < shade.shape[0]) & (columns >= 0) & (columns < shade.shape[1])
-    line = shade[np.clip(rows, 0, shade.shape[0] - 1), np.clip(columns, 0, shade.shape[1] - 1)]
+    height, width = picture.shape[:2]
+    inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
+    line = _shade(picture[np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)])
     half = max(1, steps // 8)
     rise = np.linalg.norm(line[:, 2 * half :] - line[:, : -2 * half], axis=-1)
     steepest = rise.argmax(axis=1) + half
@@ -145,7 +152,7 @@ def _fitted(shade: NDArray[np.floating], circle: Circle, reach: float) -> tuple[
 
 
 def _through(x: Array, y: Array, first: Circle) -> Circle:
-    """The circle of least squared distance to most of the points (Gauss-Newton, outliers left out)."""
+    """The circle of least squared distance to the points, outliers left out (Gauss-Newton)."""
     circle = first
     for _ in range(12):
         right, below = x - circle.x_px, y - circle.y_px
@@ -155,6 +162,8 @@ def _through(x: Array, y: Array, first: Circle) -> Circle:
         slope = np.stack([right / away, below / away, np.ones_like(away)], axis=1)[kept]
         step = np.linalg.lstsq(slope, residual[kept], rcond=None)[0]
         circle = Circle(
-            *(float(v) for v in np.array([circle.x_px, circle.y_px, circle.radius_px]) + step)
+            circle.x_px + float(step[0]),
+            circle.y_px + float(step[1]),
+            circle.radius_px + float(step[2]),
         )
     return circle

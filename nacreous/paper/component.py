@@ -31,7 +31,7 @@ def alone(picture: Image, part: str, share: float = 0.995) -> tuple[Image, float
 
 
 def beside(pictures: list[Image], name: str, steps: tuple[float, ...]) -> Image:
-    """Pictures of one size in a row; the recipe is that of the first, with what changes along it."""
+    """Pictures of one size in a row; the recipe is the first one's, with what changes."""
     row = np.concatenate([picture.linear for picture in pictures], axis=1)
     note = json.dumps({"changes": name, "steps": steps})
     return Image(row, {}, {**pictures[0].recipe, "strip": note})

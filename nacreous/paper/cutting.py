@@ -59,9 +59,10 @@ def cut_file(
 ) -> Cuts:
     """Cut the seven crops of a PNG, JPEG or TIFF, and write them and a record, or nothing.
 
-    given: the pearl's outline. Left out, it comes from the recipe of a picture that nacreous rendered,
-    or is estimated (`circle.estimate`). Pixels keep their values where the file is sRGB and has
-    no more than `bits` bits. Raises `InputError` for a picture or a folder that cannot be used.
+    given: the pearl's outline. Left out, it comes from the recipe of a picture that nacreous
+    rendered, or is estimated (`circle.estimate`). Pixels keep their values where the file is sRGB
+    and has no more than `bits` bits. Raises `InputError` for a picture or a folder that cannot
+    be used.
     """
     linear = file.read_photograph(picture)
     texts = _texts(picture)

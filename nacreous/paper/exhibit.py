@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 from nacreous.paper.measurement import Measurement
 
@@ -11,34 +14,33 @@ __all__ = ["Exhibit", "Plate", "Quotation"]
 
 
 @dataclass(frozen=True)
-class Quotation:
-    """A sentence of the paper, our translation, and where it stands."""
+class Plate:
+    """One picture of a figure: its file, and a few words beside it."""
 
-    japanese: str
-    english: str
-    section: str
+    path: Path
+    label: str = ""
+    small: bool = False
+    """Only some pixels wide, and shown so that each can be seen."""
 
 
 @dataclass(frozen=True)
-class Plate:
-    """One picture of a figure: its file, and what is to be seen for those who cannot see it."""
+class Quotation:
+    """A sentence of the paper, our translation, and the section it stands in."""
 
-    path: Path
-    alt: str
-    label: str = ""
-    small: bool = False
-    """Shown at its own size: a crop of a few pixels more than a picture."""
+    section: str
+    japanese: str
+    english: str
 
 
 @dataclass(frozen=True)
 class Exhibit:
-    """Everything the page says about one figure."""
+    """Everything the page says about one figure; its words stand in captions.toml.
+
+    >>> Exhibit("8", [], [], "").english
+    'Angle of incidence and reflectance by view angle.'
+    """
 
     number: str
-    japanese: str
-    english: str
-    """The captions of the paper."""
-    quotations: list[Quotation]
     plates: list[Plate]
     measurements: list[Measurement]
     command: str
@@ -50,3 +52,27 @@ class Exhibit:
     def asked(self) -> list[Measurement]:
         """The measurements with a criterion."""
         return [measured for measured in self.measurements if measured.holds is not None]
+
+    @property
+    def japanese(self) -> str:
+        """The paper's caption in Japanese."""
+        return str(_captions()[self.number]["japanese"])
+
+    @property
+    def english(self) -> str:
+        """The paper's caption in English."""
+        return str(_captions()[self.number]["english"])
+
+    @property
+    def quotations(self) -> list[Quotation]:
+        """The sentences that the figure must satisfy."""
+        return [Quotation(**quoted) for quoted in _captions()[self.number]["quotations"]]
+
+    def alt(self, plate: Plate) -> str:
+        """What is to be seen on a plate, for those who cannot see it."""
+        return str(_captions()[self.number]["alts"][plate.path.name])
+
+
+@cache
+def _captions() -> dict[str, Any]:
+    return tomllib.loads(Path(__file__).with_name("captions.toml").read_text(encoding="utf-8"))

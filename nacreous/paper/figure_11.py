@@ -10,59 +10,43 @@ from numpy.typing import NDArray
 from nacreous import colour
 from nacreous.image import Image
 from nacreous.paper.component import alone
-from nacreous.paper.exhibit import Exhibit, Plate, Quotation
+from nacreous.paper.exhibit import Exhibit, Plate
 from nacreous.paper.lamp_image import luminance
 from nacreous.paper.measurement import Measurement
 from nacreous.paper.pictures import Pictures
 from nacreous.paper.sight import Sight, direction_of
 
-__all__ = ["exhibit", "measure"]
+__all__ = ["FILES", "exhibit", "measure"]
 
 Array = NDArray[np.float64]
 
 FILES = ("figure-11.png",)
+#: Luminance at which the chroma of two components is compared.
+_LUMINANCE = 0.4
 
 
-def measure(picture: Image, others: list[Image], sight: Sight, lamp: Array) -> list[Measurement]:
+def measure(
+    picture: Image, lamps: list[NDArray[np.float32]], sight: Sight, lamp: Array
+) -> list[Measurement]:
     """What the paper's sentence asks of the diffuse component.
 
-    others: pictures of which the first has the lamp where `picture` has it, unit vector `lamp`, and
-    the rest elsewhere.
+    lamp: unit vector towards the lamp of `picture`. lamps: diffuse layers [row, column, 3], the
+    first with that lamp and the others with it elsewhere.
     """
     whole = picture.layers["coverage"][..., 0] == 1
-    diffuse = picture.layers["diffuse"][whole].astype(np.float64)
+    diffuse, rings = (
+        picture.layers[part][whole].astype(np.float64) for part in ("diffuse", "interference")
+    )
     light = luminance(diffuse)
-    facing = np.maximum(sight.normal[whole] @ lamp, 0.0)
-    moved = [
-        np.abs(other.layers["diffuse"] - others[0].layers["diffuse"]).max() for other in others[1:]
-    ]
+    lambert = _correlation(light, np.maximum(sight.normal[whole] @ lamp, 0.0))
+    pale = _chroma(diffuse) / max(_chroma(rings), 1e-12)
+    moved = min(float(np.abs(other - lamps[0]).max()) for other in lamps[1:])
+    change = moved / max(float(lamps[0].max()), 1e-12)
     return [
-        Measurement(
-            "luminance against the cosine of the lamp's incidence (Lambert), correlation",
-            _correlation(light, facing),
-            "",
-            0.9,
-        ),
-        Measurement(
-            "arc of hue over the disc, chroma-weighted standard deviation",
-            _hue_spread_deg(diffuse),
-            "deg",
-            None,
-            10.0,
-        ),
-        Measurement(
-            "chroma over that of the interference component at equal luminance",
-            _relative_chroma(picture, whole),
-            "",
-            None,
-            0.5,
-        ),
-        Measurement(
-            "least change over the brightest, when the lamp moves",
-            float(min(moved) / light.max()),
-            "",
-            0.1,
-        ),
+        Measurement("correlation with the cosine towards the lamp (Lambert)", lambert, least=0.9),
+        Measurement("spread of hue over the disc", _hue_spread_deg(diffuse), "°", most=10.0),
+        Measurement("chroma over that of figure 10, equally bright", pale, most=0.5),
+        Measurement("least change when the lamp moves, over the brightest", change, least=0.1),
     ]
 
 
@@ -71,26 +55,17 @@ def exhibit(folder: Path, pictures: Pictures) -> Exhibit:
     path = folder / FILES[0]
     component, gain = alone(pictures.smooth, "diffuse")
     component.save(path)
+    layers = [picture.layers["diffuse"] for picture in pictures.lamps]
     lamp = direction_of(pictures.scene.lamps[0])
     return Exhibit(
         "11",
-        "拡散光成分",
-        "A diffuse image.",
+        [Plate(path)],
+        measure(pictures.smooth, layers, pictures.sight, lamp),
+        "nacreous render paper --set grain=0 -o layers.exr (layer diffuse)",
         [
-            Quotation(
-                "従って、拡散反射光を真珠の物体色を用いて計算し、干渉光との混合比率を変化させることによって、深み感を表現する。",
-                "Diffusely reflected light is therefore computed with the body colour of the pearl, and "
-                "depth is expressed by changing the ratio in which it is mixed with the interference "
-                "light.",
-                "4.1",
-            )
-        ],
-        [Plate(path, "A matt ball in one pale body colour, lit from the upper left, on black.")],
-        measure(pictures.smooth, pictures.lamps, pictures.sight, lamp),
-        "nacreous render paper --set grain=0 -o layers.exr, layer diffuse",
-        [
-            f"Light shown times {gain:g}. Body colour {pictures.pearl.body_colour} (ours).",
-            "Unlike figure 10 it moves with the lamp.",
+            f"The component is shown {gain:g} times as bright as in figure 14 (a). The body "
+            f"colour, {pictures.pearl.body_colour}, is (ours).",
+            "Unlike the component of figure 10, this one moves with the lamp.",
         ],
     )
 
@@ -108,11 +83,7 @@ def _hue_spread_deg(rgb: Array) -> float:
     return float(np.degrees(np.sqrt(-2 * np.log(np.clip(length, 1e-12, 1.0)))))
 
 
-def _relative_chroma(picture: Image, whole: NDArray[np.bool_]) -> float:
-    """Mean chroma of the diffuse over that of the interference component, both at luminance 0.4."""
-    chroma = []
-    for part in ("diffuse", "interference"):
-        rgb = picture.layers[part][whole].astype(np.float64)
-        even = rgb * (0.4 / np.maximum(luminance(rgb), 1e-6))[:, None]
-        chroma.append(float(colour.hvc_from_rgb(even)[..., 2].mean()))
-    return chroma[0] / max(chroma[1], 1e-12)
+def _chroma(rgb: Array) -> float:
+    """Mean Munsell chroma of colours [n, 3], all brought to one luminance."""
+    even = rgb * (_LUMINANCE / np.maximum(luminance(rgb), 1e-6))[:, None]
+    return float(colour.hvc_from_rgb(even)[..., 2].mean())

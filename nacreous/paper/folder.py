@@ -25,12 +25,12 @@ def whole(
 ) -> Iterator[Path]:
     """Fill the folder `path` with files so that either all of them appear in it or none.
 
-    Yields a temporary folder to be filled with files of the given `names`. At the end they are moved
-    into place; after any exception, Ctrl-C included, the temporary folder is removed
-    and `path` is as it was. `path` may be missing or empty or hold an earlier run by the same maker: only
-    files of these names, and among them the JSON file `record` whose "made_by" is `maker`. A folder
-    that was missing appears in one step; in one that was there the files are moved one by one, each
-    whole.
+    Yields a temporary folder to be filled with files of the given `names`. At the end they are
+    moved into place; after any exception, Ctrl-C included, the temporary folder is removed and
+    `path` is as it was. `path` may be missing or empty or hold an earlier run by the same maker:
+    only files of these names, and among them the JSON file `record` whose "made_by" is `maker`. A
+    folder that was missing appears in one step; in one that was there the files are moved one by
+    one, each whole.
 
     Raises `InputError` for any other folder, and where none can be written.
 

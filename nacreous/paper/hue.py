@@ -12,7 +12,6 @@ __all__ = [
     "FAMILIES",
     "families",
     "family_share",
-    "family_ticks",
     "profile",
     "ring_spread",
     "span_deg",
@@ -71,11 +70,11 @@ def ring_spread(layer: NDArray[np.float32], sight: Sight) -> float:
 def families(rgb: Array) -> list[str]:
     """Munsell's hue family of each colour [n, 3]; "N" for grey.
 
-    >>> families(np.array([[0.5, 0.1, 0.1], [0.1, 0.1, 0.5], [0.2, 0.2, 0.2]]))
+    >>> families(np.array([[0.5, 0.1, 0.1], [0.1, 0.3, 0.5], [0.2, 0.2, 0.2]]))
     ['R', 'PB', 'N']
     """
     notations = colour.munsell_notation(colour.hvc_from_rgb(rgb))
-    return [str(note).split()[0].lstrip("0123456789.") for note in notations]
+    return [_family(note) for note in notations]
 
 
 def family_share(rgb: Array, wanted: tuple[str, ...]) -> float:
@@ -85,7 +84,7 @@ def family_share(rgb: Array, wanted: tuple[str, ...]) -> float:
 
 
 def span_deg(rgb: Array) -> float:
-    """The arc of the hue circle, in degrees, that holds all colours [n, 3]: 360 less the widest gap."""
+    """The arc of the hue circle that holds all colours [n, 3]: 360 degrees less the widest gap."""
     hue, _, chroma = np.moveaxis(colour.hvc_from_rgb(rgb), -1, 0)
     angles = np.sort(np.degrees(hue[chroma >= _GREY_CHROMA]))
     if angles.size < 2:
@@ -94,15 +93,22 @@ def span_deg(rgb: Array) -> float:
     return float(360 - gaps.max())
 
 
-def family_ticks() -> list[tuple[float, str]]:
-    """The hue angle in degrees, -180 to 180, at which each family has its middle, such as 5R."""
-    angles = np.radians(np.arange(-180, 180, 0.5))
-    rings = np.stack([angles, np.full_like(angles, 5.0), np.full_like(angles, 6.0)], axis=1)
-    names = np.array(
-        [str(note).split()[0].lstrip("0123456789.") for note in colour.munsell_notation(rings)]
-    )
-    middles = []
-    for family in FAMILIES:
-        centre = np.angle(np.exp(1j * angles[names == family]).mean())
-        middles.append((float(np.degrees(centre)), family))
-    return middles
+def middles_deg() -> list[tuple[float, str]]:
+    """The hue angle, -180 to 180 degrees, in the middle of each family, such as 5R, and its name.
+
+    >>> [name for _, name in middles_deg()][:3]
+    ['R', 'YR', 'Y']
+    """
+    turn = np.radians(np.arange(-180, 180, 0.5))
+    circle = np.stack([turn, np.full_like(turn, 5.0), np.full_like(turn, 6.0)], axis=1)
+    names = np.array([_family(note) for note in colour.munsell_notation(circle)])
+    means = [np.exp(1j * turn[names == family]).mean() for family in FAMILIES]
+    return [
+        (float(np.degrees(np.angle(mean))), family)
+        for mean, family in zip(means, FAMILIES, strict=True)
+    ]
+
+
+def _family(notation: str) -> str:
+    """The letters of a notation's hue: 5.2PB 3/4 gives PB, N 5/ gives N."""
+    return str(notation).split()[0].lstrip("0123456789.")

@@ -67,7 +67,7 @@ def luminance(linear: NDArray[np.floating]) -> Array:
 
 
 def _reach_deg(share: Array, away_deg: Array, level: float) -> float:
-    """The angle from the peak at which the mean over a ring falls to `level`; NaN if it never does."""
+    """Angle from the peak at which the mean over a ring falls to `level`; NaN if never."""
     rings = np.round(away_deg / _RING_DEG)
     inside = np.isfinite(rings)
     ring = rings[inside].astype(int)

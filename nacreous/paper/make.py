@@ -59,9 +59,9 @@ def make(
 ) -> Paper:
     """Make figures 8 to 14 and the crops of figure 2, a page and a record, in the folder `path`.
 
-    The folder is made; it may be empty or hold an earlier run. report: called with the finished share.
-    All files are made or none. Same size, same bytes, on the same versions. Raises `InputError` for
-    a folder or a size that cannot be used.
+    The folder is made; it may be empty or hold an earlier run. report: called with the finished
+    share. All files are made or none. Same size, same bytes, on the same versions. Raises
+    `InputError` for a folder or a size that cannot be used.
     """
     least, most = SIZES_PX
     if isinstance(size_px, bool) or not isinstance(size_px, int) or not least <= size_px <= most:

@@ -37,27 +37,30 @@ class Measurement:
 
     @property
     def shown(self) -> str:
-        """The value as people read it, with its unit."""
-        return f"{_plain(self.value)} {self.unit}".rstrip()
+        """The value as people read it, with its unit.
+
+        >>> Measurement("angle", 40.8132, "°").shown
+        '40.81°'
+        """
+        return self._with_unit(_plain(self.value, 4))
 
     @property
     def criterion(self) -> str:
         """The range in words; empty where nothing is asked.
 
-        >>> Measurement("peak", 3.0, "deg", least=1.0, most=9.0).criterion
-        '1 to 9 deg'
-        >>> Measurement("difference", 0.0, most=0.0).criterion
+        >>> Measurement("peak", 3.0, "°", least=1.0, most=9.0).criterion
+        '1 to 9°'
+        >>> Measurement("values that differ", 0.0, least=0.0, most=0.0).criterion
         '0'
         """
-        unit = f" {self.unit}" if self.unit else ""
         if self.least is None and self.most is None:
             return ""
         if self.least is None:
-            # Where nothing can be negative, "at most 0" is a roundabout way to say 0.
-            return f"{'' if self.most == 0 else 'at most '}{_plain(self.most)}{unit}"
+            return self._with_unit(f"at most {_plain(self.most, 7)}")
         if self.most is None:
-            return f"at least {_plain(self.least)}{unit}"
-        return f"{_plain(self.least)} to {_plain(self.most)}{unit}"
+            return self._with_unit(f"at least {_plain(self.least, 7)}")
+        ends = list(dict.fromkeys((_plain(self.least, 7), _plain(self.most, 7))))
+        return self._with_unit(" to ".join(ends))
 
     def record(self) -> dict[str, float | str | bool | None]:
         """The measurement for machines; what is not a number becomes None."""
@@ -71,11 +74,17 @@ class Measurement:
             "holds": self.holds,
         }
 
+    def _with_unit(self, number: str) -> str:
+        """A degree's sign stands close, words apart."""
+        return f"{number}{'' if self.unit == '°' else ' '}{self.unit}".rstrip()
 
-def _plain(number: float | None) -> str:
+
+def _plain(number: float | None, digits: int) -> str:
     if number is None or number != number:
         return "not a number"
     if number and abs(number) < 1e-3:
         mantissa, exponent = f"{number:.1e}".split("e")
-        return f"{mantissa.removesuffix('.0')}e{int(exponent)}".replace("-", "\N{MINUS SIGN}")
-    return f"{number:.4g}".replace("-", "\N{MINUS SIGN}")
+        text = f"{mantissa.removesuffix('.0')}e{int(exponent)}"
+    else:
+        text = f"{number:.{digits}g}"
+    return text.replace("-", "−")

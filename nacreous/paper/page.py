@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["html"]
 
+#: For a picture of a few pixels, of which each shall be seen.
+_SMALL = ' class="small"'
 _STYLE = Path(__file__).with_name("page.css")
 
 
@@ -47,14 +49,15 @@ def _header(paper: Paper) -> str:
     )
     return f"""<header>
 <h1>The pearl of 1996, made again</h1>
-<p class="source"><span lang="ja">長田典子，宇佐美照夫，眞鍋佳嗣，井口征士：品質評価のためのビジュアルシミュレーションによる真珠の表現，1996年</span><br>
-N. Nagata, T. Usami, Y. Manabe and S. Inokuchi, <cite>Modeling and Rendering of Pearl for Quality
+<p class="source"><span lang="ja">長田典子，宇佐美照夫，眞鍋佳嗣，井口征士：
+品質評価のためのビジュアルシミュレーションによる真珠の表現，1996年</span><br>
+N. Nagata, T. Usami, Y. Manabe and S. Inokuchi: <cite>Modeling and Rendering of Pearl for Quality
 Evaluation with Visual Simulation</cite>, 1996.</p>
-<p>Each figure of the paper that can be made again stands here beside the sentence it must satisfy and
-the numbers measured on our own pictures and tables. The English of the quotations is ours; the captions
-are the paper’s. <em>(ours)</em> marks what the paper leaves open. The terms of the inspectors:
-depth <span lang="ja">深み感</span>, shininess <span lang="ja">輝き感</span>, grain
-<span lang="ja">きめ感</span>.</p>
+<p>Each figure of the paper that can be made again stands here beside the sentences it must satisfy
+and the numbers measured on our own pictures and tables. The English of the quotations is ours, the
+captions are the paper’s; (ours) marks what the paper leaves open. The three qualities by which
+inspectors judge are depth <span lang="ja">深み感</span>, shininess
+<span lang="ja">輝き感</span> and grain <span lang="ja">きめ感</span>.</p>
 <p class="summary">{_summary(paper)}</p>
 <nav aria-label="Figures">Figure {links}</nav>
 </header>"""
@@ -67,41 +70,40 @@ def _summary(paper: Paper) -> str:
         return f"All {len(asked)} criteria hold."
     # Each figure once, in order.
     figures = {_anchor(shown): shown.number for shown in missed}
-    links = ", ".join(
-        f'<a href="#{anchor}">{escape(number)}</a>' for anchor, number in figures.items()
-    )
+    links = ", ".join(f'<a href="#{at}">{escape(number)}</a>' for at, number in figures.items())
     held = len(asked) - len(missed)
     return f"{held} of {len(asked)} criteria hold; those that do not belong to figure {links}."
 
 
 def _section(shown: Exhibit) -> str:
-    large = "".join(_plate(plate) for plate in shown.plates if not plate.small)
-    small = "".join(_plate(plate) for plate in shown.plates if plate.small)
+    large = "".join(_plate(shown, plate) for plate in shown.plates if not plate.small)
+    small = "".join(_plate(shown, plate) for plate in shown.plates if plate.small)
     row = f'<div class="row">{small}</div>' if small else ""
     quotations = "".join(_quotation(quoted) for quoted in shown.quotations)
     remarks = "".join(f"<p>{escape(remark)}</p>" for remark in shown.remarks)
     return f"""<section id="{_anchor(shown)}">
-<h2>Figure {escape(shown.number)} <small><span lang="ja">{escape(shown.japanese)}</span> {escape(shown.english)}</small></h2>
+<h2>Figure {escape(shown.number)}
+<small><span lang="ja">{escape(shown.japanese)}</span> {escape(shown.english)}</small></h2>
 <div class="pictures">{large}{row}</div>
 <div class="text">
 {quotations}
 {_table(shown.measurements)}
 {remarks}
-<p class="again">Again: <code>{escape(shown.command)}</code></p>
+<p>Again: <code>{escape(shown.command)}</code></p>
 </div>
 </section>
 """
 
 
-def _plate(plate: Plate) -> str:
+def _plate(shown: Exhibit, plate: Plate) -> str:
     content = plate.path.read_bytes()
     width, height = struct.unpack(">II", content[16:24])  # a PNG's IHDR comes first
     data = base64.b64encode(content).decode("ascii")
     label = f"<figcaption>{escape(plate.label)}</figcaption>" if plate.label else ""
     return (
-        f"<figure{' class=small' if plate.small else ''}>"
+        f"<figure{_SMALL if plate.small else ''}>"
         f'<img src="data:image/png;base64,{data}" width="{width}" height="{height}" '
-        f'alt="{escape(plate.alt)}">{label}</figure>'
+        f'alt="{escape(shown.alt(plate))}">{label}</figure>'
     )
 
 
@@ -138,11 +140,12 @@ def _footer(paper: Paper) -> str:
         for name, text in paper.files.items()
     )
     return f"""<footer>
-<h2>Made by</h2>
-<p><code>nacreous paper FOLDER --size {settings["size"]}</code>, {settings["samples"]} samples a pixel,
-seed of the nacre {settings["seed"]}, seed of the texture {settings["texture_seed"]}; {escape(versions)}.
-The same seeds give the same pictures. All numbers are also in <code>measurements.json</code>, and every
-picture file carries the pearl, the scene, seeds and versions it was made with.</p>
+<h2>How it was made</h2>
+<p><code>nacreous paper FOLDER --size {settings["size"]}</code>, {settings["samples"]} samples a
+pixel, seed of the nacre {settings["seed"]}, seed of the texture {settings["texture_seed"]};
+{escape(versions)}. The same seeds give the same pictures. All numbers are also in
+<code>measurements.json</code>, and every picture file carries the pearl, the scene, the seeds and
+the versions it was made with.</p>
 {files}
 </footer>"""
 

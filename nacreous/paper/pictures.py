@@ -90,29 +90,37 @@ def take(size_px: int, report: Report) -> Pictures:
     """Render the preset `paper` for all figures; `report` is called with the finished share."""
     scene = Scene.load("paper")
     shots = _Shots(scene, size_px, report)
-    large = {figure: shots.take(overrides(figure), size_px, SAMPLES) for figure in "abcd"}
+    smooth, shallow, dull, grained = (
+        shots.take(overrides(part), size_px, SAMPLES) for part in "abcd"
+    )
     lamps = [
-        shots.take([("grain", 0)], size_px // 2, 1, of_scene)
+        shots.take(overrides("a"), size_px // 2, 1, of_scene)
         for of_scene in [[], *map(_lamp_at, LAMPS_DEG)]
     ]
     knobs = {
         knob: [
-            shots.take([("grain", 0), (knob, share)], max(32, size_px // 4), 4)
+            shots.take([*overrides("a"), (knob, share)], _thumbnail_px(size_px), 4)
             for share in KNOB_SHARES
         ]
         for knob in ("depth", "shininess", "grain")
     }
     close: list[Override] = [("camera.field_mm", PATCH_MM), ("camera.projection", "orthographic")]
-    patch = shots.take([], PATCH_PX, 1, close)
     return Pictures(
-        Pearl.load("paper"),
-        scene,
-        size_px,
-        *(large[figure] for figure in "abcd"),
-        lamps,
-        knobs,
-        patch,
+        pearl=Pearl.load("paper"),
+        scene=scene,
+        size_px=size_px,
+        smooth=smooth,
+        shallow=shallow,
+        dull=dull,
+        grained=grained,
+        lamps=lamps,
+        knobs=knobs,
+        patch=shots.take([], PATCH_PX, 1, close),
     )
+
+
+def _thumbnail_px(size_px: int) -> int:
+    return max(32, size_px // 4)
 
 
 def _lamp_at(place_deg: tuple[float, float]) -> list[Override]:
@@ -127,8 +135,9 @@ class _Shots:
         self._scene = scene
         self._report = report
         self._done = 0.0
-        small = 4 * (size_px // 2) ** 2 + 15 * 4 * max(32, size_px // 4) ** 2 + PATCH_PX**2
-        self._total = 4.0 * SAMPLES * size_px**2 + small
+        lamps = (1 + len(LAMPS_DEG)) * (size_px // 2) ** 2
+        knobs = 3 * len(KNOB_SHARES) * 4 * _thumbnail_px(size_px) ** 2
+        self._total = float(4 * SAMPLES * size_px**2 + lamps + knobs + PATCH_PX**2)
 
     def take(
         self,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -30,9 +32,9 @@ def contrast(
     whose mirrored line of sight meets the inner part of a square `near_mm` to `far_mm` away; the
     pearl stands on a corner, and squares whose two numbers add up to an even one are light.
 
-    The logarithm of luminance is fitted, by least squares, with a step between light and dark squares
-    on top of a smooth polynomial over the pearl, which takes up shading and the lamp's shadow. NaN
-    where too few pixels see the table.
+    The logarithm of luminance is fitted, by least squares, with a step between light and dark
+    squares on top of a smooth polynomial over the pearl, which takes up shading and the lamp's
+    shadow. NaN where too few pixels see the table.
     """
     distance_mm, x_mm, z_mm = sight.on_table()
     inner = _within(x_mm / check_mm) & _within(z_mm / check_mm)
@@ -53,7 +55,7 @@ def fading(linear: NDArray[np.floating], sight: Sight, check_mm: float) -> tuple
     """Mean distance in mm and contrast for each range of `REACHES_MM`."""
     distance_mm, _, _ = sight.on_table()
     middles, contrasts = [], []
-    for near_mm, far_mm in zip(REACHES_MM[:-1], REACHES_MM[1:], strict=True):
+    for near_mm, far_mm in pairwise(REACHES_MM):
         within = (near_mm <= distance_mm) & (distance_mm < far_mm) & (sight.view_deg < 80)
         middles.append(float(distance_mm[within].mean()) if within.any() else float("nan"))
         contrasts.append(contrast(linear, sight, check_mm, near_mm, far_mm))
