@@ -40,6 +40,11 @@ impl Progress {
         self.rows_done.load(Ordering::Relaxed)
     }
 
+    /// What turns true with the wish to stop.
+    pub(crate) fn stop_flag(&self) -> &AtomicBool {
+        &self.stop
+    }
+
     /// Asks the render to stop at the end of the row.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);

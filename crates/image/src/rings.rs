@@ -4,6 +4,7 @@ use nacreous_optics::{IlluminantModel, OpticsError};
 
 use crate::{
     light::Light,
+    picture::Progress,
     rgb::{self, Rgb},
 };
 
@@ -26,21 +27,24 @@ const STEPS_FOR_COHERENCE_NM: f64 = 5000.0;
 const MOST_STEPS: f64 = 4096.0;
 
 impl Rings {
-    /// Computes spectra by view angle and turns them into colours under the scene's light.
+    /// Computes spectra by view angle and turns them into colours under the scene's light, unless
+    /// `progress` says to stop.
     ///
     /// # Errors
-    /// What [`IlluminantModel::spectra`] refuses.
+    /// What [`IlluminantModel::spectra_unless`] refuses.
     pub fn new(
         stack: &LayerStack,
         model: &IlluminantModel,
         light: &Light,
+        progress: &Progress,
     ) -> Result<Self, OpticsError> {
         let reach_nm = model.coherence_nm.min(2e3 * stack.aragonite().n() * stack.total_um());
         let steps = (STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize;
         let view_rad: Vec<f64> =
             (0..=steps).map(|step| libm::acos(step as f64 / steps as f64)).collect();
         let wavelength_nm: Vec<f64> = (0..SAMPLES).map(|i| FIRST_NM + i as f64).collect();
-        let spectra = model.spectra(stack, &view_rad, &wavelength_nm)?;
+        let spectra =
+            model.spectra_unless(stack, &view_rad, &wavelength_nm, progress.stop_flag())?;
         let (rows, _) = spectra.as_chunks::<SAMPLES>();
         let mut colours: Vec<Rgb> = rows.iter().map(|row| light.rgb_inside(row)).collect();
         let luminance = mean_over_disc(&colours);

@@ -11,6 +11,9 @@ pub enum OpticsError {
         /// The allowed range in words.
         allowed: &'static str,
     },
+    /// Another thread asked to stop.
+    #[error("the work was stopped")]
+    Stopped,
     /// The illuminant model was asked about absorbing media.
     #[error(
         "{medium} has k = {k}; allowed: 0, for the model of 1996 knows no absorption inside a layer \

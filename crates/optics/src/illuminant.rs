@@ -1,4 +1,7 @@
-use std::f64::consts::FRAC_PI_2;
+use std::{
+    f64::consts::FRAC_PI_2,
+    sync::atomic::{AtomicBool, Ordering},
+};
 
 use nacreous_nacre::LayerStack;
 use num_complex::Complex64;
@@ -54,13 +57,32 @@ impl IlluminantModel {
         view_angle_rad: &[f64],
         wavelength_nm: &[f64],
     ) -> Result<Vec<f64>, OpticsError> {
+        self.spectra_unless(stack, view_angle_rad, wavelength_nm, &AtomicBool::new(false))
+    }
+
+    /// [`Self::spectra`], given up before the next angle once another thread sets `stop`.
+    ///
+    /// # Errors
+    /// [`OpticsError::Stopped`], and those of [`Self::spectra`].
+    pub fn spectra_unless(
+        &self,
+        stack: &LayerStack,
+        view_angle_rad: &[f64],
+        wavelength_nm: &[f64],
+        stop: &AtomicBool,
+    ) -> Result<Vec<f64>, OpticsError> {
         self.check(stack, view_angle_rad, wavelength_nm)?;
         let mut table = vec![0.0; view_angle_rad.len() * wavelength_nm.len()];
         if !table.is_empty() {
-            table
-                .par_chunks_mut(wavelength_nm.len())
-                .zip(view_angle_rad)
-                .for_each(|(row, &theta_0)| self.row(stack, theta_0, wavelength_nm, row));
+            table.par_chunks_mut(wavelength_nm.len()).zip(view_angle_rad).try_for_each(
+                |(row, &theta_0)| {
+                    if stop.load(Ordering::Relaxed) {
+                        return Err(OpticsError::Stopped);
+                    }
+                    self.row(stack, theta_0, wavelength_nm, row);
+                    Ok(())
+                },
+            )?;
         }
         Ok(table)
     }
@@ -184,7 +206,8 @@ impl Ray {
         let cos2 = |n: f64| 1.0 - (n0 / n * theta_0.sin()).powi(2);
         let snell = |n: f64| cos2(n).max(f64::MIN_POSITIVE).sqrt();
         let (cos_theta_1, cos_theta_2) = (snell(n1), snell(n2));
-        let surface = boundary(Complex64::from(n1), Complex64::from(n0), cos_theta_1);
+        // T1 is the same both ways; from outside it is exact at grazing, where theta_1 loses digits.
+        let surface = boundary(Complex64::from(n0), Complex64::from(n1), theta_0.cos());
         let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);
         Self {
             n1_cos_theta_1: n1 * cos_theta_1,

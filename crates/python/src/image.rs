@@ -37,7 +37,7 @@ impl Job<'_> {
     fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
         let look = &self.look;
         let pearl = Pearl {
-            rings: Rings::new(&self.stack, &self.model, &self.light)?,
+            rings: Rings::new(&self.stack, &self.model, &self.light, progress)?,
             mixing: look.mixing,
             body_colour: look.body_colour,
             irradiance: Irradiance::new(&self.surroundings),
