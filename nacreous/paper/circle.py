@@ -48,8 +48,8 @@ class Circle:
         return np.asarray(away_px / self.radius_px)
 
 
-#: Longest side, in pixels, of the picture in which circles are first tried.
-_COARSE_PX = 96
+#: Longest side, in pixels, of the picture in which circles are first tried, and its shortest.
+_COARSE_PX, _LEAST_PX = 96, 8
 _DIRECTIONS = 72
 #: An outline is believed when it is found in this share of the directions **(ours)**.
 _LEAST_FOUND = 0.6
@@ -67,10 +67,13 @@ def estimate(picture: NDArray[np.floating]) -> tuple[Circle, float]:
     0.6: then the picture shows no pearl, or several, or one that is cut off.
     """
     factor = max(1, math.ceil(max(picture.shape[:2]) / _COARSE_PX))
-    coarse = _best_circle(_steepness(_shade(reduced(picture, factor))))
-    found = Circle(coarse.x_px * factor, coarse.y_px * factor, coarse.radius_px * factor)
-    for reach in (0.10, 0.04, 0.04):
-        found, share = _fitted(picture, found, reach)
+    small = reduced(picture, factor)
+    share = 0.0
+    if min(small.shape[:2]) >= _LEAST_PX:
+        coarse = _best_circle(_steepness(_shade(small)))
+        found = Circle(coarse.x_px * factor, coarse.y_px * factor, coarse.radius_px * factor)
+        for reach in (0.10, 0.04, 0.04):
+            found, share = _fitted(picture, found, reach)
     if not share >= _LEAST_FOUND:
         raise InputError(
             f"no round outline of one pearl stands out (found in {share:.0%} of all directions, "
