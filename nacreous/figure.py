@@ -46,5 +46,6 @@ def figure(
         FigureCanvasAgg(drawing)
         axes = drawing.subplots(1, panels)
         yield axes
-        when = {"Date": None} if path.suffix == ".svg" else {"CreationDate": None}
-        drawing.savefig(path, metadata=None if path.suffix == ".png" else when)
+        # No date of making, which would differ from day to day.
+        undated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+        drawing.savefig(path, metadata=undated.get(path.suffix.lower()))

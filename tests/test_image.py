@@ -323,15 +323,27 @@ def test_a_panorama_is_turned_as_asked_and_mirrored_in_the_pearl(tmp_path: Path)
 # --- the three knobs
 
 
+def chroma_of(depth: float) -> float:
+    """Mean chroma of rings and body together."""
+    image = nc.render(Pearl(depth=depth, grain=0.0), "paper", 32, 4)
+    both = image.layers["interference"] + image.layers["diffuse"]
+    return float(nc.colour.hvc_from_rgb(both[covered(image)])[:, 2].mean())
+
+
 def test_depth_strengthens_the_colour_of_the_pearl() -> None:
-    """Paper 4.1, figures 10, 11, 14b: mean chroma of rings and body together."""
-    chroma = []
-    for depth in (0.0, 0.2, 0.4, 0.6, 0.75):
-        image = nc.render(Pearl(depth=depth, grain=0.0), "paper", 32, 4)
-        both = image.layers["interference"] + image.layers["diffuse"]
-        chroma.append(nc.colour.hvc_from_rgb(both[covered(image)])[:, 2].mean())
+    """Paper 4.1, figures 10, 11, 14b."""
+    chroma = [chroma_of(depth) for depth in (0.0, 0.2, 0.4, 0.6, 0.75)]
     assert np.all(np.diff(chroma) > 0.1 * chroma[0])
     assert chroma[-1] > 4 * chroma[0]
+
+
+@pytest.mark.xfail(
+    strict=True,
+    reason="knob.rs: with D under 0.025 thick summer layers join in and blur the rings",
+)
+def test_depth_strengthens_the_colour_up_to_its_end() -> None:
+    chroma = [chroma_of(depth) for depth in (0.75, 0.9, 1.0)]
+    assert np.all(np.diff(chroma) > 0)
 
 
 def test_without_depth_there_is_no_interference() -> None:
@@ -404,7 +416,7 @@ def test_grain_grows_with_its_knob() -> None:
         np.abs(nc.render(pearl(grain=grain), "paper", 48, 4).linear - plain.linear).mean()
         for grain in (0.25, 0.5, 1.0)
     ]
-    assert changes[0] > 1e-4
+    assert changes[0] > 2e-5
     assert np.all(np.diff(changes) > 0)
 
 
@@ -487,6 +499,7 @@ EXTREMES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "one thin layer": ({"nacre": Layers(thickness_nm=[1e-3])}, {}),
     "one thick layer": ({"nacre": Layers(thickness_nm=[1e5], protein_nm=200)}, {}),
     "no difference in index": ({"nacre": Layers(thickness_nm=[400], protein=1.53)}, {}),
+    "nacre of air": ({"nacre": Layers(thickness_nm=[400] * 9, aragonite=1, protein=1)}, {}),
     "dense nacre": ({"nacre": Layers(thickness_nm=[400] * 9, aragonite=10, protein=1)}, {}),
     "table none": ({}, {"table": NO_TABLE}),
     "cloth finer than a pixel": ({}, {"table": Table(kind="cloth", weave_mm=0.05)}),

@@ -373,9 +373,19 @@ def test_nothing_is_seen_at_grazing() -> None:
     assert np.all(grazing < 1e-6 * head_on)
 
 
-def test_matched_indices_show_nothing() -> None:
-    stack = nc.LayerStack([400.0] * 20, protein=ARAGONITE)
-    assert np.all(np.abs(illuminant(stack, VIEWS, LIGHTS)) < 1e-25)
+@pytest.mark.parametrize("n", [AIR, ARAGONITE])
+def test_matched_indices_show_nothing(n: float) -> None:
+    stack = nc.LayerStack([400.0] * 20, aragonite=n, protein=n)
+    views = [*VIEWS, math.pi / 2]
+    assert np.all(np.abs(illuminant(stack, views, LIGHTS)) < 1e-25)
+
+
+@pytest.mark.parametrize("n", [AIR, PROTEIN])
+def test_nacre_no_denser_than_air_is_finite_up_to_grazing(n: float) -> None:
+    stack = nc.LayerStack([400.0] * 20, aragonite=n, protein=AIR)
+    table = illuminant(stack, np.linspace(0, math.pi / 2, 19), LIGHTS)
+    assert np.all(np.isfinite(table))
+    assert np.all(table >= 0)
 
 
 def test_all_that_is_allowed_is_finite() -> None:

@@ -209,7 +209,7 @@ def test_a_misspelt_key_is_told_its_right_name(case: Any) -> None:
         (Scene, {"lamps": [{"position_mm": [0.0, 12.0, 16.0]}]}, "lamps.0.position_mm 20 mm"),
         (Scene, {"sky": {"kind": "panorama"}}, "sky.path sky.kind"),
         (Scene, {"sky": {"path": "a.hdr"}}, "sky.path sky.kind"),
-        (Scene, {"lamps": [{"azimuth_deg": 0, "elevation_deg": 0}] * 17}, "lamps 0 to 16"),
+        (Scene, {"lamps": [{"azimuth_deg": 0, "elevation_deg": 0}] * 257}, "lamps 0 to 256"),
         (Pearl, {"nacre": {"thickness_nm": []}}, "nacre.thickness_nm 1 to 5000"),
         (Pearl, {"nacre": {"thickness_nm": [400.0] * 5001}}, "nacre.thickness_nm 1 to 5000"),
     ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import datetime as dt
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -68,13 +69,19 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _pearl(name: str, settings: list[str]) -> Pearl:
+    """The pearl file, or a pearl of which only the nacre is given, by a preset."""
     from pathlib import Path
 
     from nacreous.spec import Pearl, override, preset
 
-    overrides = [(f"nacre.{key}", value) for key, value in map(override.parse, settings)]
-    if name in preset.names("nacre"):
-        return Pearl.check({"nacre": {"preset": name}}, f"preset {name}", Path(), overrides)
+    parsed = [override.parse(setting) for setting in settings]
+    overrides = [(f"nacre.{key.removeprefix('nacre.')}", value) for key, value in parsed]
+    path = Path(name)
+    if path.suffix.lower() != ".toml" and len(path.parts) == 1 and not path.is_file():
+        if name in preset.names("nacre"):
+            return Pearl.check({"nacre": {"preset": name}}, f"preset {name}", Path(), overrides)
+        if not path.exists() and name not in preset.names("pearl"):
+            preset.path("nacre", name)  # says which one was probably meant
     return Pearl.load(name, overrides)
 
 
@@ -100,8 +107,9 @@ def _depth_um(growth: Growth, grown: Diary) -> list[float]:
 
 
 def _write_table(path: Path, growth: Growth, grown: Diary) -> None:
+    form = "%m-%d" if _every_year(growth) else "%Y-%m-%d"
     rows = zip(grown.date, _depth_um(growth, grown), grown.thickness_nm, strict=True)
-    lines = [f"{date},{depth:.4f},{float(thickness)!r}" for date, depth, thickness in rows]
+    lines = [f"{date:{form}},{depth:.4f},{float(nm)!r}" for date, depth, nm in rows]
     path.write_text("date,depth_um,thickness_nm\n" + "\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -115,3 +123,20 @@ def _draw(path: Path, growth: Growth, grown: Diary) -> None:
         dated.plot(grown.date, grown.thickness_nm, ".", markersize=2.5)
         dated.set_xlabel("day on which it grew")
         dated.tick_params(axis="x", rotation=30)
+        if _every_year(growth):
+            dated.set_xticks(*_months(growth))
+
+
+def _months(growth: Growth) -> tuple[list[dt.date], list[str]]:
+    """Where months begin, and their names; a season within one month shows its ends."""
+    days = [growth.seeding_date + dt.timedelta(days=day) for day in range(growth.days)]
+    begins = [day for day in days if day.day == 1]
+    if len(begins) < 2:
+        begins = [days[0], days[-1]]
+        return begins, [f"{day:%b %d}" for day in begins]
+    return begins, [f"{day:%b}" for day in begins]
+
+
+def _every_year(growth: Growth) -> bool:
+    """Whether days are given as MM-DD; the year that dates then have is a placeholder."""
+    return len(growth.seeding) == len("MM-DD")

@@ -31,15 +31,20 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     parser.add_argument("pearl", help="a pearl file, or a preset's name")
     parser.add_argument("--scene", default="paper", help="a scene file, or a preset's name (paper)")
-    parser.add_argument("--size", type=int, default=512, help="pixels a side, 1 to 8192 (512)")
+    parser.add_argument("--size", type=_whole, default=512, help="pixels a side, 1 to 8192 (512)")
     parser.add_argument(
-        "--samples", type=int, default=16, help="samples a pixel, a square number up to 1024 (16)"
+        "--samples",
+        type=_whole,
+        default=16,
+        help="samples a pixel, a square number up to 1024 (16)",
     )
     parser.add_argument("-o", "--output", default="pearl.png", help=".png or .exr (pearl.png)")
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
     )
-    parser.add_argument("--bits", type=int, choices=(8, 16), default=8, help="a channel in PNG (8)")
+    parser.add_argument(
+        "--bits", type=_whole, choices=(8, 16), default=8, help="a channel in PNG (8)"
+    )
     parser.add_argument(
         "--space", choices=("srgb", "display-p3"), default="srgb", help="colour space of PNG (srgb)"
     )
@@ -50,6 +55,13 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         help="colours that the screen cannot show: bent softly, or cut (soft)",
     )
     parser.set_defaults(run=run)
+
+
+def _whole(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} is not a whole number") from None
 
 
 def run(args: argparse.Namespace) -> int:
@@ -71,15 +83,17 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _overrides(settings: list[str]) -> tuple[list[Override], list[Override]]:
-    """Each KEY=VALUE goes to the file that knows the key's first word, the pearl in doubt."""
+    """Each KEY=VALUE goes to the file that knows the key's first word best, the pearl in doubt."""
     from nacreous.spec import Pearl, Scene, override
+    from nacreous.spec.complaint import nearest
 
     of_pearl: list[Override] = []
     of_scene: list[Override] = []
+    words = [*Pearl.model_fields, *Scene.model_fields]
     for setting in settings:
         key, value = override.parse(setting)
-        first = key.partition(".")[0]
-        scenic = first in Scene.model_fields and first not in Pearl.model_fields
+        meant = nearest(key.partition(".")[0], words)
+        scenic = meant in Scene.model_fields and meant not in Pearl.model_fields
         (of_scene if scenic else of_pearl).append((key, value))
     return of_pearl, of_scene
 

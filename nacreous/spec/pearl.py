@@ -235,7 +235,7 @@ class Pearl(SpecFile):
         source="paper 4.2",
     )
     grain: float = quantity(
-        0.3,
+        0.5,
         "Knob: strength of the surface texture (kime).",
         least=0,
         most=1,

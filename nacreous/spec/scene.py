@@ -149,10 +149,10 @@ class Scene(SpecFile):
         source="CIE 015:2018",
     )
     camera: Camera = section(Camera, "The camera.")
-    lamps: Annotated[tuple[Lamp, ...], Field(max_length=16)] = key(
+    lamps: Annotated[tuple[Lamp, ...], Field(max_length=256)] = key(
         (),
         "The lamps, each headed [[lamps]].",
-        allowed="0 to 16 tables, each headed [[lamps]]",
+        allowed="0 to 256 tables, each headed [[lamps]]",
         source="**(ours)**",
         strict=False,
     )

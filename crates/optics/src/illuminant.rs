@@ -180,7 +180,9 @@ struct Ray {
 impl Ray {
     fn seen_at(stack: &LayerStack, theta_0: f64) -> Self {
         let (n0, n1, n2) = (stack.ambient().n(), stack.aragonite().n(), stack.protein().n());
-        let snell = |n: f64| (1.0 - (n0 / n * theta_0.sin()).powi(2)).max(0.0).sqrt();
+        // Not quite 0 at grazing, where a medium that is no denser than its neighbour gives 0 / 0.
+        let cos2 = |n: f64| 1.0 - (n0 / n * theta_0.sin()).powi(2);
+        let snell = |n: f64| cos2(n).max(f64::MIN_POSITIVE).sqrt();
         let (cos_theta_1, cos_theta_2) = (snell(n1), snell(n2));
         let surface = boundary(Complex64::from(n1), Complex64::from(n0), cos_theta_1);
         let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);

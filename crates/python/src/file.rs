@@ -4,11 +4,12 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use nacreous_colour::RgbSpace;
 use nacreous_image::file::exr::{self, Channels, Plane};
 use nacreous_image::file::panorama;
 use nacreous_image::file::photograph;
 use nacreous_image::file::picture::{LinearPicture, PictureFileError};
-use nacreous_image::file::png::{self, PngPixels, PngSpace};
+use nacreous_image::file::png::{self, PngPixels};
 use numpy::ndarray::{Array3, ArrayView3, CowArray, Ix3};
 use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyOSError;
@@ -28,14 +29,7 @@ pub fn write_png(
     space: &str,
     text: Text,
 ) -> PyResult<()> {
-    let space = match space {
-        "srgb" => PngSpace::Srgb,
-        "display-p3" => PngSpace::DisplayP3,
-        other => {
-            let message = format!("colour space {other:?}; allowed: \"srgb\", \"display-p3\"");
-            return Err(InputError::new_err(message));
-        }
-    };
+    let space: RgbSpace = space.parse().map_err(crate::refused)?;
     if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u8>>() {
         let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
         return py
@@ -55,7 +49,7 @@ fn encode_png(
     path: &Path,
     (width, height): (u32, u32),
     pixels: PngPixels<'_>,
-    space: PngSpace,
+    space: RgbSpace,
     text: &Text,
 ) -> PyResult<()> {
     let mut out = BufWriter::new(File::create(path).map_err(refused)?);

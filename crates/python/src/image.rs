@@ -1,156 +1,23 @@
 //! The door to the picture.
 
-use std::{sync::Arc, time::Duration};
+use std::time::Duration;
 
-use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    CHANNELS, Camera, Dome, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
-    Pearl, Place, Progress, Projection, Rgb, Rings, Sky, Source, Sphere, Surroundings, Table,
-    Walls, eight_bit,
+    CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
+    Pearl, Progress, Rings, Source, Sphere, Surroundings, eight_bit,
 };
 use nacreous_optics::IlluminantModel;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::{exceptions::PyRuntimeError, prelude::*, types::PyDict};
 
-use crate::{InputError, nacre::Stack, refused, texture::Texture};
-
-/// How the pearl looks: numbers as in a pearl file, knobs resolved.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct PearlSpec {
-    diameter_mm: f64,
-    body_colour: Rgb,
-    coherence_nm: f64,
-    threshold: f64,
-    diffuse_loss: f64,
-    mixing: f64,
-    facet_spread_rad: f64,
-    layer_reflectance: f64,
-    mirror_weight: f64,
-    falloff_mm: f64,
-    hue_weight: f64,
-    chroma_weight: f64,
-    value_weight: f64,
-}
-
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct CameraSpec {
-    /// None for parallel lines of sight.
-    distance_mm: Option<f64>,
-    elevation_rad: f64,
-    azimuth_rad: f64,
-    field_mm: f64,
-    exposure: f64,
-}
-
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct LampSpec {
-    /// Unit vector towards the lamp, or None where it has a position.
-    direction: Option<[f64; 3]>,
-    position_mm: [f64; 3],
-    angular_radius_rad: f64,
-    spectrum: Vec<f64>,
-    intensity: f64,
-}
-
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct TableSpec {
-    kind: String,
-    colour: Rgb,
-    second_colour: Rgb,
-    check_mm: f64,
-    weave_mm: f64,
-}
-
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct WallsSpec {
-    half_width_mm: f64,
-    height_mm: f64,
-    colour: Rgb,
-}
-
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct SkySpec<'py> {
-    horizon: Rgb,
-    zenith: Rgb,
-    /// None where the sky is a gradient.
-    panorama: Option<PyReadonlyArray3<'py, f32>>,
-    rotation_rad: f64,
-    intensity: f64,
-}
-
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct SceneSpec<'py> {
-    observer: String,
-    /// What shall look white; None for the lamps' own mixture.
-    white: Option<Vec<f64>>,
-    camera: CameraSpec,
-    lamps: Vec<LampSpec>,
-    table: Option<TableSpec>,
-    walls: Option<WallsSpec>,
-    sky: SkySpec<'py>,
-}
-
-impl CameraSpec {
-    fn camera(&self) -> Camera {
-        let projection = match self.distance_mm {
-            Some(distance_mm) => Projection::Perspective { distance_mm },
-            None => Projection::Orthographic,
-        };
-        Camera::new(projection, self.elevation_rad, self.azimuth_rad, self.field_mm)
-    }
-}
-
-impl LampSpec {
-    fn source(&self) -> PyResult<Source> {
-        let spectrum = Spectrum::from_values(&self.spectrum).map_err(refused)?;
-        Ok(Source { spectrum, intensity: self.intensity })
-    }
-
-    fn place(&self) -> Place {
-        match self.direction {
-            Some(direction) => Place::Direction(DVec3::from(direction)),
-            None => Place::Position(DVec3::from(self.position_mm)),
-        }
-    }
-}
-
-impl TableSpec {
-    fn table(&self) -> Table {
-        let (colour, second_colour) = (self.colour, self.second_colour);
-        match self.kind.as_str() {
-            "checker" => Table::Checker { colour, second_colour, check_mm: self.check_mm },
-            "cloth" => Table::Cloth { colour, weave_mm: self.weave_mm },
-            _ => Table::Plain(colour),
-        }
-    }
-}
-
-impl SkySpec<'_> {
-    fn sky(&self) -> Sky {
-        let scaled = |colour: Rgb| colour.map(|channel| channel * self.intensity);
-        match &self.panorama {
-            None => Sky::Gradient { horizon: scaled(self.horizon), zenith: scaled(self.zenith) },
-            Some(picture) => {
-                let picture = picture.as_array();
-                let (height, width, _) = picture.dim();
-                let pixels = picture.rows().into_iter().map(|p| [p[0], p[1], p[2]]).collect();
-                Sky::Panorama {
-                    picture: Arc::new(Dome::new(width, height, pixels)),
-                    rotation_rad: self.rotation_rad,
-                    intensity: self.intensity,
-                }
-            }
-        }
-    }
-}
+use crate::{
+    InputError,
+    nacre::Stack,
+    refused,
+    spec::{LampSpec, PearlSpec, SceneSpec, TableSpec, WallsSpec},
+    texture::Texture,
+};
 
 /// Everything that a render needs, in the types of the rooms.
 struct Job<'a> {
@@ -210,11 +77,7 @@ fn job<'a>(
         Ok(lamp.resolved_for(&facets))
     };
     let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
-    let walls = scene.walls.as_ref().map(|walls| Walls {
-        half_width_mm: walls.half_width_mm,
-        height_mm: walls.height_mm,
-        colour: walls.colour,
-    });
+    let walls = scene.walls.as_ref().map(WallsSpec::walls);
     let ball = Sphere { radius_mm: 0.5 * look.diameter_mm };
     let table = scene.table.as_ref().map(TableSpec::table);
     Ok(Job {

@@ -9,6 +9,7 @@ mod file;
 mod image;
 mod nacre;
 mod optics;
+mod spec;
 mod texture;
 
 pyo3::import_exception!(nacreous.problem, InputError);

@@ -217,11 +217,12 @@ mod tests {
 
     #[test]
     fn our_own_display_p3_picture_comes_back_in_srgb() {
-        use crate::file::png::{PngPixels, PngSpace, write_png};
+        use crate::file::png::{PngPixels, write_png};
+        use nacreous_colour::RgbSpace;
         let grey = [32_768_u16; 3];
         let mut file = Vec::new();
         let pixels = PngPixels::Sixteen(&grey);
-        write_png(&mut file, 1, 1, pixels, PngSpace::DisplayP3, &[]).unwrap();
+        write_png(&mut file, 1, 1, pixels, RgbSpace::DisplayP3, &[]).unwrap();
         for value in decode_photograph(&file).unwrap().rgb {
             assert!((value - 0.214_05).abs() < 5e-5, "{value}"); // grey is grey in both
         }

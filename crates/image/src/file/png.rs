@@ -9,27 +9,18 @@
 use std::io::{BufRead, Cursor, Seek, Write};
 use std::path::Path;
 
+use nacreous_colour::RgbSpace;
+
 use crate::file::picture::{
     PictureFileError, TEXT_BYTES_MAX, check_sample_count, check_text, guarded, read_bytes,
 };
 use crate::file::profile::icc_profile;
 
-/// The colour space of the pixels in a PNG.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum PngSpace {
-    /// IEC 61966-2-1: Rec. 709 primaries, D65 white.
-    Srgb,
-    /// The P3 primaries of SMPTE EG 432-1 with D65 white and the transfer function of sRGB.
-    DisplayP3,
-}
-
-impl PngSpace {
-    /// Primaries, transfer function, matrix (0: RGB) and full range, as ITU-T H.273 numbers them.
-    const fn cicp(self) -> [u8; 4] {
-        match self {
-            Self::Srgb => [1, 13, 0, 1],
-            Self::DisplayP3 => [12, 13, 0, 1],
-        }
+/// Primaries, transfer function, matrix (0: RGB) and full range, as ITU-T H.273 numbers them.
+const fn cicp(space: RgbSpace) -> [u8; 4] {
+    match space {
+        RgbSpace::Srgb => [1, 13, 0, 1],
+        RgbSpace::DisplayP3 => [12, 13, 0, 1],
     }
 }
 
@@ -51,10 +42,11 @@ pub enum PngPixels<'a> {
 /// A buffer that does not fit the size, a keyword that PNG cannot hold, and whatever `out` says.
 ///
 /// ```
-/// use nacreous_image::file::png::{PngPixels, PngSpace, png_text, write_png};
+/// use nacreous_colour::RgbSpace;
+/// use nacreous_image::file::png::{PngPixels, png_text, write_png};
 /// let text = vec![("Software".to_owned(), "nacreous".to_owned())];
 /// let mut file = Vec::new();
-/// write_png(&mut file, 1, 1, PngPixels::Eight(&[255, 240, 230]), PngSpace::Srgb, &text)?;
+/// write_png(&mut file, 1, 1, PngPixels::Eight(&[255, 240, 230]), RgbSpace::Srgb, &text)?;
 /// assert_eq!(png_text(std::io::Cursor::new(file))?, text);
 /// # Ok::<(), nacreous_image::file::picture::PictureFileError>(())
 /// ```
@@ -63,7 +55,7 @@ pub fn write_png(
     width: u32,
     height: u32,
     pixels: PngPixels<'_>,
-    space: PngSpace,
+    space: RgbSpace,
     text: &[(String, String)],
 ) -> Result<(), PictureFileError> {
     let (depth, given) = match pixels {
@@ -88,7 +80,7 @@ fn encode(
     out: &mut impl Write,
     info: png::Info<'_>,
     pixels: PngPixels<'_>,
-    space: PngSpace,
+    space: RgbSpace,
 ) -> Result<(), png::EncodingError> {
     let mut encoder = png::Encoder::with_info(out, info)?;
     encoder.set_filter(png::Filter::Adaptive);
@@ -98,7 +90,7 @@ fn encode(
     let level = if matches!(pixels, PngPixels::Eight(_)) { 3 } else { 1 };
     encoder.set_deflate_compression(png::DeflateCompression::Level(level));
     let mut writer = encoder.write_header()?;
-    writer.write_chunk(png::chunk::ChunkType(*b"cICP"), &space.cicp())?;
+    writer.write_chunk(png::chunk::ChunkType(*b"cICP"), &cicp(space))?;
     match pixels {
         PngPixels::Eight(samples) => writer.write_image_data(samples)?,
         PngPixels::Sixteen(samples) => {
@@ -163,7 +155,7 @@ mod tests {
         (0..37 * 23 * 3).map(|index: u32| (index * 40_503 % 65_536) as u16).collect()
     }
 
-    fn written(pixels: PngPixels<'_>, space: PngSpace, text: &[(&str, &str)]) -> Vec<u8> {
+    fn written(pixels: PngPixels<'_>, space: RgbSpace, text: &[(&str, &str)]) -> Vec<u8> {
         let text: Vec<_> =
             text.iter().map(|&(key, value)| (key.to_owned(), value.to_owned())).collect();
         let mut file = Vec::new();
@@ -178,18 +170,18 @@ mod tests {
     #[test]
     fn another_reader_gets_every_sample_of_8_and_16_bits() {
         let wide = samples();
-        let file = written(PngPixels::Sixteen(&wide), PngSpace::Srgb, &[]);
+        let file = written(PngPixels::Sixteen(&wide), RgbSpace::Srgb, &[]);
         let picture = image::load_from_memory(&file).unwrap();
         assert_eq!(picture.color(), image::ColorType::Rgb16);
         assert_eq!(picture.into_rgb16().into_raw(), wide);
         let narrow: Vec<u8> = wide.iter().map(|sample| (sample >> 8) as u8).collect();
-        let file = written(PngPixels::Eight(&narrow), PngSpace::DisplayP3, &[]);
+        let file = written(PngPixels::Eight(&narrow), RgbSpace::DisplayP3, &[]);
         assert_eq!(image::load_from_memory(&file).unwrap().into_rgb8().into_raw(), narrow);
     }
 
     #[test]
     fn the_colour_space_stands_in_cicp_and_iccp_ahead_of_the_pixels() {
-        for (space, primaries) in [(PngSpace::Srgb, 1), (PngSpace::DisplayP3, 12)] {
+        for (space, primaries) in [(RgbSpace::Srgb, 1), (RgbSpace::DisplayP3, 12)] {
             let file = written(PngPixels::Sixteen(&samples()), space, &[]);
             let cicp = place(&file, b"cICP").unwrap();
             assert_eq!(file[cicp + 4..cicp + 8], [primaries, 13, 0, 1]);
@@ -202,14 +194,14 @@ mod tests {
     #[test]
     fn equal_input_gives_equal_bytes() {
         let text = [("Software", "nacreous"), ("nacreous:seed", "7")];
-        let write = || written(PngPixels::Sixteen(&samples()), PngSpace::DisplayP3, &text);
+        let write = || written(PngPixels::Sixteen(&samples()), RgbSpace::DisplayP3, &text);
         assert_eq!(write(), write());
     }
 
     #[test]
     fn texts_come_back_in_order_and_in_any_script() {
         let text = [("nacreous:spec", "thickness = 450 # 真珠, µm\n"), ("Software", "")];
-        let file = written(PngPixels::Sixteen(&samples()), PngSpace::Srgb, &text);
+        let file = written(PngPixels::Sixteen(&samples()), RgbSpace::Srgb, &text);
         let read = png_text(Cursor::new(file)).unwrap();
         let read: Vec<_> = read.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
         assert_eq!(read, text);
@@ -221,7 +213,7 @@ mod tests {
             let text = [(keyword.to_owned(), value.to_owned())];
             let pixels = vec![0; given];
             let pixels = PngPixels::Eight(&pixels);
-            let outcome = write_png(&mut Vec::new(), 2, 2, pixels, PngSpace::Srgb, &text);
+            let outcome = write_png(&mut Vec::new(), 2, 2, pixels, RgbSpace::Srgb, &text);
             outcome.map_err(|problem| problem.to_string())
         };
         assert_eq!(attempt("spec", "x", 12), Ok(()));
@@ -244,7 +236,7 @@ mod tests {
             SIZE.0,
             SIZE.1,
             PngPixels::Sixteen(&samples()),
-            PngSpace::Srgb,
+            RgbSpace::Srgb,
             &[],
         );
         assert!(matches!(outcome, Err(PictureFileError::Unwritable(_))));

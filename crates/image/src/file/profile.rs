@@ -13,7 +13,7 @@ use moxcms::{
 };
 
 use crate::file::picture::PictureFileError;
-use crate::file::png::PngSpace;
+use nacreous_colour::RgbSpace;
 
 /// The white of sRGB and Display P3 (IEC 61966-2-1).
 const D65: XyY = XyY { x: 0.3127, y: 0.3290, yb: 1.0 };
@@ -24,10 +24,10 @@ const D50: Xyzd = Xyzd { x: 0.9642, y: 1.0, z: 0.8249 };
 ///
 /// # Errors
 /// None for the two spaces there are; the encoder's own, passed on.
-pub fn icc_profile(space: PngSpace) -> Result<Vec<u8>, PictureFileError> {
+pub fn icc_profile(space: RgbSpace) -> Result<Vec<u8>, PictureFileError> {
     let (primaries, name) = match space {
-        PngSpace::Srgb => (ColorPrimaries::BT_709, "sRGB IEC61966-2.1"),
-        PngSpace::DisplayP3 => (ColorPrimaries::SMPTE_432, "Display P3"),
+        RgbSpace::Srgb => (ColorPrimaries::BT_709, "sRGB IEC61966-2.1"),
+        RgbSpace::DisplayP3 => (ColorPrimaries::SMPTE_432, "Display P3"),
     };
     let mut bytes = rgb_profile(primaries, name)
         .encode()
@@ -160,7 +160,7 @@ fn to_linear_srgb(
 mod tests {
     use super::*;
 
-    fn colourants(space: PngSpace) -> [[f64; 3]; 3] {
+    fn colourants(space: RgbSpace) -> [[f64; 3]; 3] {
         let profile = ColorProfile::new_from_slice(&icc_profile(space).unwrap()).unwrap();
         [profile.red_colorant, profile.green_colorant, profile.blue_colorant]
             .map(|Xyzd { x, y, z }| [x, y, z])
@@ -173,7 +173,7 @@ mod tests {
         let published =
             [[0.4361, 0.2225, 0.0139], [0.3851, 0.7169, 0.0971], [0.1431, 0.0606, 0.7141]];
         for (own, other) in
-            colourants(PngSpace::Srgb).as_flattened().iter().zip(published.as_flattened())
+            colourants(RgbSpace::Srgb).as_flattened().iter().zip(published.as_flattened())
         {
             assert!((own - other).abs() < 2.5e-4, "{own} {other}");
         }
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn colourants_add_up_to_the_white_of_the_connection_space() {
-        for space in [PngSpace::Srgb, PngSpace::DisplayP3] {
+        for space in [RgbSpace::Srgb, RgbSpace::DisplayP3] {
             let [red, green, blue] = colourants(space);
             for (axis, white) in [D50.x, D50.y, D50.z].into_iter().enumerate() {
                 let sum = red[axis] + green[axis] + blue[axis];
@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_profile_of_srgb_gives_the_light_of_srgb() {
-        let profile = icc_profile(PngSpace::Srgb).unwrap();
+        let profile = icc_profile(RgbSpace::Srgb).unwrap();
         let samples: Vec<u16> =
             (0..=u16::MAX).step_by(5).flat_map(|own| [own, 65_535 - own, 999]).collect();
         let light = light_from_profile(&profile, Samples::Rgb(samples.clone())).unwrap();
@@ -212,7 +212,7 @@ mod tests {
         // CSS Color Module Level 4, sample conversions: color(display-p3 0.91749 0.20029 0.13856).
         let p3 =
             [0.917_488, 0.200_287, 0.138_561].map(|value: f64| (value * 65_535.0).round() as u16);
-        let profile = icc_profile(PngSpace::DisplayP3).unwrap();
+        let profile = icc_profile(RgbSpace::DisplayP3).unwrap();
         let light = light_from_profile(&profile, Samples::Rgb(p3.to_vec())).unwrap();
         for (own, other) in light.iter().zip([1.0, 0.0, 0.0]) {
             assert!((own - other).abs() < 2e-4, "{light:?}");

@@ -1,0 +1,155 @@
+//! Pearls and scenes as image.py hands them over: numbers, all checked there, into the rooms' types.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use nacreous_colour::Spectrum;
+use nacreous_image::{Camera, Dome, Place, Projection, Rgb, Sky, Source, Table, Walls};
+use numpy::PyReadonlyArray3;
+use pyo3::prelude::*;
+
+use crate::refused;
+
+/// How the pearl looks: numbers as in a pearl file, knobs resolved.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct PearlSpec {
+    pub diameter_mm: f64,
+    pub body_colour: Rgb,
+    pub coherence_nm: f64,
+    pub threshold: f64,
+    pub diffuse_loss: f64,
+    pub mixing: f64,
+    pub facet_spread_rad: f64,
+    pub layer_reflectance: f64,
+    pub mirror_weight: f64,
+    pub falloff_mm: f64,
+    pub hue_weight: f64,
+    pub chroma_weight: f64,
+    pub value_weight: f64,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct CameraSpec {
+    /// None for parallel lines of sight.
+    pub distance_mm: Option<f64>,
+    pub elevation_rad: f64,
+    pub azimuth_rad: f64,
+    pub field_mm: f64,
+    pub exposure: f64,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct LampSpec {
+    /// Unit vector towards the lamp, or None where it has a position.
+    pub direction: Option<[f64; 3]>,
+    pub position_mm: [f64; 3],
+    pub angular_radius_rad: f64,
+    pub spectrum: Vec<f64>,
+    pub intensity: f64,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct TableSpec {
+    pub kind: String,
+    pub colour: Rgb,
+    pub second_colour: Rgb,
+    pub check_mm: f64,
+    pub weave_mm: f64,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct WallsSpec {
+    pub half_width_mm: f64,
+    pub height_mm: f64,
+    pub colour: Rgb,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct SkySpec<'py> {
+    pub horizon: Rgb,
+    pub zenith: Rgb,
+    /// None where the sky is a gradient.
+    pub panorama: Option<PyReadonlyArray3<'py, f32>>,
+    pub rotation_rad: f64,
+    pub intensity: f64,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct SceneSpec<'py> {
+    pub observer: String,
+    /// What shall look white; None for the lamps' own mixture.
+    pub white: Option<Vec<f64>>,
+    pub camera: CameraSpec,
+    pub lamps: Vec<LampSpec>,
+    pub table: Option<TableSpec>,
+    pub walls: Option<WallsSpec>,
+    pub sky: SkySpec<'py>,
+}
+
+impl CameraSpec {
+    pub fn camera(&self) -> Camera {
+        let projection = match self.distance_mm {
+            Some(distance_mm) => Projection::Perspective { distance_mm },
+            None => Projection::Orthographic,
+        };
+        Camera::new(projection, self.elevation_rad, self.azimuth_rad, self.field_mm)
+    }
+}
+
+impl LampSpec {
+    pub fn source(&self) -> PyResult<Source> {
+        let spectrum = Spectrum::from_values(&self.spectrum).map_err(refused)?;
+        Ok(Source { spectrum, intensity: self.intensity })
+    }
+
+    pub fn place(&self) -> Place {
+        match self.direction {
+            Some(direction) => Place::Direction(DVec3::from(direction)),
+            None => Place::Position(DVec3::from(self.position_mm)),
+        }
+    }
+}
+
+impl TableSpec {
+    pub fn table(&self) -> Table {
+        let (colour, second_colour) = (self.colour, self.second_colour);
+        match self.kind.as_str() {
+            "checker" => Table::Checker { colour, second_colour, check_mm: self.check_mm },
+            "cloth" => Table::Cloth { colour, weave_mm: self.weave_mm },
+            _ => Table::Plain(colour),
+        }
+    }
+}
+
+impl WallsSpec {
+    pub fn walls(&self) -> Walls {
+        let (half_width_mm, height_mm) = (self.half_width_mm, self.height_mm);
+        Walls { half_width_mm, height_mm, colour: self.colour }
+    }
+}
+
+impl SkySpec<'_> {
+    pub fn sky(&self) -> Sky {
+        let scaled = |colour: Rgb| colour.map(|channel| channel * self.intensity);
+        match &self.panorama {
+            None => Sky::Gradient { horizon: scaled(self.horizon), zenith: scaled(self.zenith) },
+            Some(picture) => {
+                let picture = picture.as_array();
+                let (height, width, _) = picture.dim();
+                let pixels = picture.rows().into_iter().map(|p| [p[0], p[1], p[2]]).collect();
+                Sky::Panorama {
+                    picture: Arc::new(Dome::new(width, height, pixels)),
+                    rotation_rad: self.rotation_rad,
+                    intensity: self.intensity,
+                }
+            }
+        }
+    }
+}
