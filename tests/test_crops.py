@@ -112,10 +112,16 @@ def test_larger_pictures_have_their_crops_in_the_same_places(scale: int) -> None
 
 
 @pytest.mark.parametrize(
-    "circle", [Circle(100.0, 100.0, 60.0), Circle(81.3, 120.8, 47.6), Circle(150.2, 66.0, 30.0)]
+    "circle",
+    [
+        Circle(100.0, 100.0, 60.0),
+        Circle(81.3, 120.8, 47.6),
+        Circle(150.2, 66.0, 30.0),
+        Circle(433.3, 610.0, 411.0),
+    ],
 )
 def test_a_planted_outline_is_found_to_half_a_pixel(circle: Circle) -> None:
-    found, share = estimate(disc(circle, 200, 230))
+    found, share = estimate(disc(circle, *((200, 230) if circle.radius_px < 100 else (1100, 900))))
     assert share > 0.95
     assert abs(found.x_px - circle.x_px) < 0.5
     assert abs(found.y_px - circle.y_px) < 0.5

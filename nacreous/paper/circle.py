@@ -53,8 +53,12 @@ _COARSE_PX, _LEAST_PX = 96, 8
 _DIRECTIONS = 72
 #: An outline is believed when it is found in this share of the directions **(ours)**.
 _LEAST_FOUND = 0.6
-#: How far a point of the outline may lie from a true circle, in radii.
+#: How far a point of the outline may lie from a true circle, in radii; a pixel is always allowed.
 _ROUND = 0.02
+#: How far about the last circle the outline is looked for, in radii, time after time.
+_REACHES = (0.10, 0.04, 0.04)
+#: The least step of shade (1 is white) that counts as an edge, and the edges that make a circle.
+_LEAST_RISE, _LEAST_SEEN = 0.02, 8
 
 
 def estimate(picture: NDArray[np.floating]) -> tuple[Circle, float]:
@@ -72,8 +76,11 @@ def estimate(picture: NDArray[np.floating]) -> tuple[Circle, float]:
     if min(small.shape[:2]) >= _LEAST_PX:
         coarse = _best_circle(_steepness(_shade(small)))
         found = Circle(coarse.x_px * factor, coarse.y_px * factor, coarse.radius_px * factor)
-        for reach in (0.10, 0.04, 0.04):
-            found, share = _fitted(picture, found, reach)
+        for reach in _REACHES:
+            x, y, seen = _edge(picture, found, reach)
+            if seen.sum() >= _LEAST_SEEN:
+                found = _through(x[seen], y[seen], found)
+        share = _share_on(picture, found)
     if not share >= _LEAST_FOUND:
         raise InputError(
             f"no round outline of one pearl stands out (found in {share:.0%} of all directions, "
@@ -104,8 +111,8 @@ def _steepness(shade: Array) -> Array:
     turn = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
     along = np.cos(turn)[:, None, None, None] * across + np.sin(turn)[:, None, None, None] * down
     steep = np.linalg.norm(along, axis=-1)
-    # Beyond the steepest tenth, more contrast is not more of an edge: a black square must not win.
-    return np.asarray(np.minimum(1.0, steep / max(float(np.quantile(steep, 0.9)), 1e-6)))
+    # The root, so that all of a faint outline counts for more than a part of a strong one.
+    return np.asarray(np.sqrt(np.minimum(1.0, steep / max(float(np.quantile(steep, 0.99)), 1e-6))))
 
 
 def _best_circle(steepness: Array) -> Circle:
@@ -123,35 +130,48 @@ def _best_circle(steepness: Array) -> Circle:
         ):
             top, left = radius + int(below), radius + int(right)
             total += steepness[direction, top : top + height, left : left + width]
-        row, column = np.unravel_index(int(total.argmax()), total.shape)
+        row, column = (int(at) for at in np.unravel_index(total.argmax(), total.shape))
         if total[row, column] > best:
             best = float(total[row, column])
             found = Circle(column + radius + 0.5, row + radius + 0.5, radius + 0.5)
     return found
 
 
-def _fitted(picture: NDArray[np.floating], circle: Circle, reach: float) -> tuple[Circle, float]:
-    """A circle through the steepest places within `reach` of a first one, and their share."""
+def _edge(
+    picture: NDArray[np.floating], circle: Circle, reach: float
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """The steepest place near a circle in each direction: x, y, and whether there is one.
+
+    Near is within `reach`, in radii, inside and outside.
+    """
     turn = 2 * np.pi * np.arange(4 * _DIRECTIONS) / (4 * _DIRECTIONS)
     steps = max(9, 2 * math.ceil(2 * reach * circle.radius_px) + 1)
     radius = circle.radius_px * np.linspace(1 - reach, 1 + reach, steps)
     x = circle.x_px + np.cos(turn)[:, None] * radius
     y = circle.y_px + np.sin(turn)[:, None] * radius
-    rows, columns = np.floor(y).astype(int), np.floor(x).astype(int)
     height, width = picture.shape[:2]
-    inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
-    line = _shade(picture[np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)])
-    half = max(1, steps // 8)
+    # Beyond the border the picture goes on as it ends, without an edge.
+    rows = np.clip(np.floor(y).astype(int), 0, height - 1)
+    columns = np.clip(np.floor(x).astype(int), 0, width - 1)
+    line = _shade(picture[rows, columns])
+    half = max(1, steps // 16)
     rise = np.linalg.norm(line[:, 2 * half :] - line[:, : -2 * half], axis=-1)
-    steepest = rise.argmax(axis=1) + half
-    each = np.arange(len(turn))
-    usable = inside.all(axis=1) & (rise.max(axis=1) > 0.02)
-    edge_x, edge_y = x[each, steepest][usable], y[each, steepest][usable]
-    if usable.sum() < 8:
-        return circle, 0.0
-    fitted = _through(edge_x, edge_y, circle)
-    off = np.abs(np.hypot(edge_x - fitted.x_px, edge_y - fitted.y_px) / fitted.radius_px - 1)
-    return fitted, float((off < _ROUND).sum() / len(turn))
+    # A sharp edge is as steep all along the span of the difference: take its middle.
+    first = rise.argmax(axis=1)[:, None]
+    top = (rise >= 0.9 * rise.max(axis=1, keepdims=True)) & (
+        np.abs(np.arange(rise.shape[1]) - first) <= 2 * half
+    )
+    at = (top * radius[half:-half]).sum(axis=1) / top.sum(axis=1)
+    edge_x, edge_y = circle.x_px + np.cos(turn) * at, circle.y_px + np.sin(turn) * at
+    within = (0 <= edge_x) & (edge_x < width) & (0 <= edge_y) & (edge_y < height)
+    return edge_x, edge_y, within & (rise.max(axis=1) > _LEAST_RISE)
+
+
+def _share_on(picture: NDArray[np.floating], circle: Circle) -> float:
+    """Share of all directions in which the steepest place near a circle lies on it."""
+    x, y, seen = _edge(picture, circle, _REACHES[0])
+    off_px = np.abs(np.hypot(x - circle.x_px, y - circle.y_px) - circle.radius_px)
+    return float(np.mean(seen & (off_px < max(1.0, _ROUND * circle.radius_px))))
 
 
 def _through(x: Array, y: Array, first: Circle) -> Circle:
