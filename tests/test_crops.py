@@ -13,8 +13,9 @@ from PIL import Image as Pillow
 from nacreous import _core, cli, render
 from nacreous.file import read_photograph, read_png_text
 from nacreous.paper import cutting
-from nacreous.paper.circle import Circle, estimate
+from nacreous.paper.circle import Circle
 from nacreous.paper.crop import seven
+from nacreous.paper.outline import estimate
 from nacreous.problem import InputError
 from nacreous.spec import Camera, Pearl, Scene
 
@@ -149,13 +150,14 @@ def board(rows: int, columns: int) -> np.ndarray:
     "picture",
     [
         np.full((120, 120, 3), 0.5),
-        np.random.default_rng(7).random((120, 150, 3)),
+        np.random.default_rng(0).random((120, 150, 3)),
+        np.random.default_rng(1).random((160, 150, 3)),
         board(120, 160),
         disc(Circle(10.0, 60.0, 50.0), 120, 120),
         np.zeros((1, 1, 3)),
         np.ones((3, 500, 3)),
     ],
-    ids=["grey", "noise", "board", "cut off", "one pixel", "strip"],
+    ids=["grey", "noise", "more noise", "board", "cut off", "one pixel", "strip"],
 )
 def test_no_pearl_is_said_and_not_guessed(picture: np.ndarray) -> None:
     with pytest.raises(InputError, match="give it with --centre X Y --radius R"):
