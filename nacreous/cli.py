@@ -28,6 +28,7 @@ COMMANDS = (render, grow, paper, crops, presets, schema)
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
+  nacreous paper out             the paper's figures again, measured, on one page
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them
   nacreous schema pearl          every key of a pearl file, for editors

@@ -1,4 +1,4 @@
-"""The pearl's outline in a picture: given, computed from the recipe in the file, or estimated."""
+"""A pearl's outline in a picture."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.problem import InputError
 from nacreous.spec import Camera
 
-__all__ = ["Circle", "estimate", "reduced"]
+__all__ = ["Circle"]
 
 Array = NDArray[np.float64]
 
@@ -46,124 +45,3 @@ class Circle:
         rows, columns = np.ogrid[: shape[0], : shape[1]]
         away_px = np.hypot(columns + 0.5 - self.x_px, rows + 0.5 - self.y_px)
         return np.asarray(away_px / self.radius_px)
-
-
-#: Longest side, in pixels, of the picture in which circles are first tried.
-_COARSE_PX = 96
-_DIRECTIONS = 72
-#: An outline is believed when it is found in this share of the directions **(ours)**.
-_LEAST_FOUND = 0.6
-#: How far a point of the outline may lie from a true circle, in radii.
-_ROUND = 0.02
-
-
-def estimate(picture: NDArray[np.floating]) -> tuple[Circle, float]:
-    """The outline of one round pearl in linear RGB [row, column, 3], and how sure it is.
-
-    An estimate **(ours)**: of all circles that lie within the picture and have a radius of at
-    least an eighth of its shorter side, the one along which colour changes most steadily from
-    inside to outside; then a circle fitted to the steepest places near it. The share, 0 to 1, says
-    in how many directions an edge was found within 2 % of the circle. Raises `InputError` under
-    0.6: then the picture shows no pearl, or several, or one that is cut off.
-    """
-    factor = max(1, math.ceil(max(picture.shape[:2]) / _COARSE_PX))
-    coarse = _best_circle(_steepness(_shade(reduced(picture, factor))))
-    found = Circle(coarse.x_px * factor, coarse.y_px * factor, coarse.radius_px * factor)
-    for reach in (0.10, 0.04, 0.04):
-        found, share = _fitted(picture, found, reach)
-    if not share >= _LEAST_FOUND:
-        raise InputError(
-            f"no round outline of one pearl stands out (found in {share:.0%} of all directions, "
-            f"wanted: {_LEAST_FOUND:.0%}); give it with --centre X Y --radius R"
-        )
-    return found, share
-
-
-def reduced(picture: NDArray[np.floating], factor: int) -> Array:
-    """Means over blocks of factor x factor pixels [row, column, rgb]; a rest is left out."""
-    rows, columns = (side // factor for side in picture.shape[:2])
-    # Row by row of blocks, as the picture may fill half of the memory.
-    bands = (picture[factor * row : factor * (row + 1), : factor * columns] for row in range(rows))
-    means = [band.reshape(factor, columns, factor, 3).mean((0, 2), np.float64) for band in bands]
-    return np.array(means).reshape(rows, columns, 3)
-
-
-def _shade(linear: NDArray[np.floating]) -> Array:
-    """Light on a scale of about equal visibility."""
-    return np.asarray(np.sqrt(np.maximum(linear, 0.0), dtype=np.float64))
-
-
-def _steepness(shade: Array) -> Array:
-    """How steeply colour changes along each direction, [direction, row, column], 1 at the most."""
-    padded = np.pad(shade, ((1, 1), (1, 1), (0, 0)), mode="edge")
-    across = padded[1:-1, 2:] - padded[1:-1, :-2]
-    down = padded[2:, 1:-1] - padded[:-2, 1:-1]
-    turn = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
-    along = np.cos(turn)[:, None, None, None] * across + np.sin(turn)[:, None, None, None] * down
-    steep = np.linalg.norm(along, axis=-1)
-    # Beyond the steepest tenth, more contrast is not more of an edge: a black square must not win.
-    return np.asarray(np.minimum(1.0, steep / max(float(np.quantile(steep, 0.9)), 1e-6)))
-
-
-def _best_circle(steepness: Array) -> Circle:
-    """The circle with the greatest mean steepness, by trying all of them."""
-    rows, columns = steepness.shape[1:]
-    turn = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
-    shorter = min(rows, columns)
-    best, found = -1.0, Circle(0.5 * columns, 0.5 * rows, 0.25 * shorter)
-    for radius in range(max(3, shorter // 8), shorter // 2):
-        # Centres from which the whole circle lies within the picture.
-        height, width = rows - 2 * radius, columns - 2 * radius
-        total = np.zeros((height, width))
-        for direction, (right, below) in enumerate(
-            zip(np.rint(radius * np.cos(turn)), np.rint(radius * np.sin(turn)), strict=True)
-        ):
-            top, left = radius + int(below), radius + int(right)
-            total += steepness[direction, top : top + height, left : left + width]
-        row, column = np.unravel_index(int(total.argmax()), total.shape)
-        if total[row, column] > best:
-            best = float(total[row, column])
-            found = Circle(column + radius + 0.5, row + radius + 0.5, radius + 0.5)
-    return found
-
-
-def _fitted(picture: NDArray[np.floating], circle: Circle, reach: float) -> tuple[Circle, float]:
-    """A circle through the steepest places within `reach` of a first one, and their share."""
-    turn = 2 * np.pi * np.arange(4 * _DIRECTIONS) / (4 * _DIRECTIONS)
-    steps = max(9, 2 * math.ceil(2 * reach * circle.radius_px) + 1)
-    radius = circle.radius_px * np.linspace(1 - reach, 1 + reach, steps)
-    x = circle.x_px + np.cos(turn)[:, None] * radius
-    y = circle.y_px + np.sin(turn)[:, None] * radius
-    rows, columns = np.floor(y).astype(int), np.floor(x).astype(int)
-    height, width = picture.shape[:2]
-    inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
-    line = _shade(picture[np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)])
-    half = max(1, steps // 8)
-    rise = np.linalg.norm(line[:, 2 * half :] - line[:, : -2 * half], axis=-1)
-    steepest = rise.argmax(axis=1) + half
-    each = np.arange(len(turn))
-    usable = inside.all(axis=1) & (rise.max(axis=1) > 0.02)
-    edge_x, edge_y = x[each, steepest][usable], y[each, steepest][usable]
-    if usable.sum() < 8:
-        return circle, 0.0
-    fitted = _through(edge_x, edge_y, circle)
-    off = np.abs(np.hypot(edge_x - fitted.x_px, edge_y - fitted.y_px) / fitted.radius_px - 1)
-    return fitted, float((off < _ROUND).sum() / len(turn))
-
-
-def _through(x: Array, y: Array, first: Circle) -> Circle:
-    """The circle of least squared distance to the points, outliers left out (Gauss-Newton)."""
-    circle = first
-    for _ in range(12):
-        right, below = x - circle.x_px, y - circle.y_px
-        away = np.hypot(right, below)
-        residual = away - circle.radius_px
-        kept = np.abs(residual) <= 2.5 * np.median(np.abs(residual)) + 1e-9
-        slope = np.stack([right / away, below / away, np.ones_like(away)], axis=1)[kept]
-        step = np.linalg.lstsq(slope, residual[kept], rcond=None)[0]
-        circle = Circle(
-            circle.x_px + float(step[0]),
-            circle.y_px + float(step[1]),
-            circle.radius_px + float(step[2]),
-        )
-    return circle

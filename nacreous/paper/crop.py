@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.paper.circle import Circle, reduced
+from nacreous.paper.circle import Circle
 from nacreous.paper.lamp_image import luminance
+from nacreous.paper.outline import reduced
 from nacreous.problem import InputError
 
 __all__ = ["COUNT", "Crop", "cut", "seven"]

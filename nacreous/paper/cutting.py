@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from nacreous import _core, file
 from nacreous.paper import folder
-from nacreous.paper.circle import Circle, estimate
+from nacreous.paper.circle import Circle
 from nacreous.paper.crop import COUNT, Crop, cut, seven
+from nacreous.paper.outline import estimate
 from nacreous.problem import InputError
 from nacreous.spec import Pearl, Scene
 
@@ -60,7 +61,7 @@ def cut_file(
     """Cut the seven crops of a PNG, JPEG or TIFF, and write them and a record, or nothing.
 
     given: the pearl's outline. Left out, it comes from the recipe of a picture that nacreous
-    rendered, or is estimated (`circle.estimate`). Pixels keep their values where the file is sRGB
+    rendered, or is estimated (`outline.estimate`). Pixels keep their values where the file is sRGB
     and has no more than `bits` bits. Raises `InputError` for a picture or a folder that cannot
     be used.
     """

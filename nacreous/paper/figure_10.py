@@ -33,7 +33,7 @@ def measure(layers: list[NDArray[np.float32]], sight: Sight) -> list[Measurement
     """
     profiles = [hue.profile(layer, sight)[1] for layer in layers]
     hues = [hue.hue_deg(rgb) for rgb in profiles]
-    apart = max(float(np.nanmax(np.abs(other - hues[0]))) for other in hues[1:])
+    apart = max(_largest(np.abs(other - hues[0])) for other in hues[1:])
     uneven = max(hue.ring_spread(layer, sight) for layer in layers)
     disc = layers[0][np.isfinite(sight.cos_view)].astype(np.float64)
     met = float(len(_route(profiles[0])))
@@ -71,6 +71,12 @@ def exhibit(folder: Path, pictures: Pictures) -> Exhibit:
             f"Munsell notation from the centre (0) to the rim (1), where each hue begins: {way}.",
         ],
     )
+
+
+def _largest(values: Array) -> float:
+    """The largest, where there is any: grey has no hue."""
+    known = values[np.isfinite(values)]
+    return float(known.max()) if known.size else float("nan")
 
 
 def _route(rgb: Array) -> list[int]:

@@ -13,7 +13,7 @@ from nacreous.paper.component import beside, chroma, lab
 from nacreous.paper.exhibit import Exhibit, Plate
 from nacreous.paper.lamp_image import LampImage
 from nacreous.paper.measurement import Measurement
-from nacreous.paper.pictures import KNOB_SHARES, SAMPLES, WEAK, Pictures, overrides
+from nacreous.paper.pictures import CLOSE_UP_MM, KNOB_SHARES, SAMPLES, WEAK, Pictures, overrides
 from nacreous.paper.sight import Sight, direction_of
 from nacreous.paper.table_image import contrast
 from nacreous.spec import Scene
@@ -127,7 +127,8 @@ def _plates(folder: Path, part: str, picture: Image, pictures: Pictures) -> list
     strip = folder / f"figure-14{part}-{knob}.png"
     beside(pictures.knobs[knob], knob, KNOB_SHARES).save(strip)
     steps = ", ".join(f"{share:g}" for share in KNOB_SHARES)
-    return [Plate(path), Plate(strip, f"{knob} {steps}")]
+    close = f"; the middle {CLOSE_UP_MM:g} mm" if knob == "grain" else ""
+    return [Plate(path), Plate(strip, f"{knob} {steps}{close}")]
 
 
 def _command(part: str, size_px: int) -> str:

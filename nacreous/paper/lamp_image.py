@@ -19,7 +19,7 @@ _RING_DEG = 0.5
 
 @dataclass(frozen=True)
 class LampImage:
-    """The lamp's image as a bell around the brightest pixel of the mirrored component.
+    """The lamp's image as a bell in the mirrored component.
 
     Angles are those of the surface's normal: a mirror that leans by 1 degree turns light by 2.
     """
@@ -27,11 +27,11 @@ class LampImage:
     peak: float
     """Luminance above the floor; a white matt surface facing the lamp has 1, times the exposure."""
     half_width_deg: float
-    """From the peak to where half of it is left."""
+    """From the middle to where half of the peak is left."""
     edge_deg: float
     """From where 9 tenths of the peak are left to where 1 tenth is."""
     away_deg: Array
-    """Angle of each pixel's normal from that of the peak, [row, column]."""
+    """Angle of each pixel's normal from that of the image's middle, [row, column]."""
     share: Array
     """Luminance above the floor over the peak's, [row, column]; 0 outside the pearl."""
 
@@ -43,11 +43,12 @@ class LampImage:
         """
         light = np.where(np.isfinite(sight.cos_view), luminance(mirror), np.nan)
         floor = float(np.nanmedian(light))
-        row, column = np.unravel_index(int(np.nanargmax(light)), light.shape)
-        peak = float(light[row, column]) - floor
-        cosine = sight.normal @ sight.normal[row, column]
-        away_deg = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+        peak = float(np.nanmax(light)) - floor
         share = np.nan_to_num((light - floor) / max(peak, 1e-12))
+        # The middle of what is at least half as bright, as an image may be flat on top.
+        middle = sight.normal[share >= 0.5].sum(axis=0) if peak > 0 else np.array([0.0, 0.0, 1.0])
+        cosine = sight.normal @ (middle / np.linalg.norm(middle))
+        away_deg = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
         reach = {level: _reach_deg(share, away_deg, level) for level in (0.9, 0.5, 0.1)}
         return cls(peak, reach[0.5], reach[0.1] - reach[0.9], away_deg, share)
 
@@ -67,7 +68,7 @@ def luminance(linear: NDArray[np.floating]) -> Array:
 
 
 def _reach_deg(share: Array, away_deg: Array, level: float) -> float:
-    """Angle from the peak at which the mean over a ring falls to `level`; NaN if never."""
+    """Angle from the middle at which the mean over a ring falls to `level`; NaN if never."""
     rings = np.round(away_deg / _RING_DEG)
     inside = np.isfinite(rings)
     ring = rings[inside].astype(int)

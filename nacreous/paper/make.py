@@ -32,7 +32,7 @@ __all__ = ["FILES", "MAKER", "SIZES_PX", "Paper", "make"]
 
 MAKER = "nacreous paper"
 PAGE, RECORD = "index.html", "measurements.json"
-#: The sizes at which crops and rings hold enough pixels, and memory stays under 2 GB.
+#: The sizes at which crops and rings hold enough pixels, and memory stays under 4 GB.
 SIZES_PX = (64, 2048)
 
 _FIGURES = (figure_8, figure_9, figure_10, figure_11, figure_12, figure_13, figure_14, figure_2)

@@ -12,6 +12,7 @@ from nacreous.spec import Pearl, Scene
 from nacreous.spec.override import Override
 
 __all__ = [
+    "CLOSE_UP_MM",
     "KNOB_SHARES",
     "LAMPS_DEG",
     "PATCH_MM",
@@ -35,6 +36,8 @@ LAMPS_DEG = ((60.0, 20.0), (150.0, 30.0), (0.0, 85.0))
 #: Side of the paper's patches (4.3), and of what such a patch sees of our pearl **(ours)**.
 PATCH_PX = 64
 PATCH_MM = 1.92
+#: Width of the small pictures that show the grain **(ours)**.
+CLOSE_UP_MM = 4.0
 
 
 @dataclass(frozen=True)
@@ -97,12 +100,18 @@ def take(size_px: int, report: Report) -> Pictures:
         shots.take(overrides("a"), size_px // 2, 1, of_scene)
         for of_scene in [[], *map(_lamp_at, LAMPS_DEG)]
     ]
+    # Grain is too fine for a small picture of the whole pearl.
+    fields: dict[str, list[Override]] = {
+        "depth": [],
+        "shininess": [],
+        "grain": [("camera.field_mm", CLOSE_UP_MM)],
+    }
     knobs = {
         knob: [
-            shots.take([*overrides("a"), (knob, share)], _thumbnail_px(size_px), 4)
+            shots.take([*overrides("a"), (knob, share)], _thumbnail_px(size_px), 4, field)
             for share in KNOB_SHARES
         ]
-        for knob in ("depth", "shininess", "grain")
+        for knob, field in fields.items()
     }
     close: list[Override] = [("camera.field_mm", PATCH_MM), ("camera.projection", "orthographic")]
     return Pictures(
@@ -120,7 +129,7 @@ def take(size_px: int, report: Report) -> Pictures:
 
 
 def _thumbnail_px(size_px: int) -> int:
-    return max(32, size_px // 4)
+    return max(64, size_px // 4)
 
 
 def _lamp_at(place_deg: tuple[float, float]) -> list[Override]:
