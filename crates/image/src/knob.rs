@@ -10,7 +10,7 @@
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameters {
     /// D of equation (4): share of light scattered at each layer. Less of it, and more layers take
-    /// part, so the interference colours gain saturation.
+    /// part.
     pub diffuse_loss: f64,
     /// Share of interference against body colour in the mixture.
     pub mixing: f64,
@@ -30,8 +30,9 @@ impl Parameters {
     /// Each knob goes from 0 (none) to 1 (the most).
     pub fn new(depth: f64, shininess: f64, grain: f64) -> Self {
         Self {
-            // From 0.2, where a few layers are seen, down to 0.005, where a hundred are.
-            diffuse_loss: geometric(0.2, 0.005, depth),
+            // From 0.2, where a few layers are seen, to 0.03, where the even layers of the last weeks
+            // are. With still less, the thick layers of the summer shine through and blur the rings.
+            diffuse_loss: geometric(0.2, 0.03, depth),
             // Pale in the middle of the scale, where most pearls are; half interference at its end.
             mixing: 0.5 * libm::pow(depth, 1.5),
             // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).

@@ -16,15 +16,14 @@ pub enum Table {
     },
     /// Woven cloth: threads over and under, a stand-in without measured data.
     Cloth {
-        /// Colour of the thread's crown.
+        /// Colour of the threads\' crowns.
         colour: Rgb,
+        /// Colour between the threads.
+        second_colour: Rgb,
         /// From thread to thread.
         weave_mm: f64,
     },
 }
-
-/// How much darker the cloth is between its threads.
-const BETWEEN_THREADS: f64 = 0.35;
 
 impl Table {
     /// Share of light sent back at (x, z), averaged over a footprint `footprint_mm` across, stretched
@@ -40,11 +39,10 @@ impl Table {
                     * square_wave(z / check_mm, deep_mm / check_mm);
                 rgb::mix(colour, second_colour, 0.5 - 0.5 * product)
             }
-            Self::Cloth { colour, weave_mm } => {
+            Self::Cloth { colour, second_colour, weave_mm } => {
                 let fine = 1.0 / (1.0 + (2.0 * deep_mm / weave_mm).powi(2));
-                let dark =
-                    BETWEEN_THREADS * (0.5 + fine * (weave(x / weave_mm, z / weave_mm) - 0.5));
-                rgb::scaled(colour, 1.0 - dark)
+                let between = 0.5 + fine * (weave(x / weave_mm, z / weave_mm) - 0.5);
+                rgb::mix(colour, second_colour, between)
             }
         }
     }

@@ -122,7 +122,7 @@ impl TableSpec {
         let (colour, second_colour) = (self.colour, self.second_colour);
         match self.kind.as_str() {
             "checker" => Table::Checker { colour, second_colour, check_mm: self.check_mm },
-            "cloth" => Table::Cloth { colour, weave_mm: self.weave_mm },
+            "cloth" => Table::Cloth { colour, second_colour, weave_mm: self.weave_mm },
             _ => Table::Plain(colour),
         }
     }
