@@ -35,7 +35,8 @@ impl Rings {
         model: &IlluminantModel,
         light: &Light,
     ) -> Result<Self, OpticsError> {
-        let reach_nm = model.coherence_nm.min(2e3 * stack.aragonite().n() * stack.total_um());
+        let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
+        let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
         let steps = (STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize;
         let view_rad: Vec<f64> =
             (0..=steps).map(|step| libm::acos(step as f64 / steps as f64)).collect();

@@ -1,6 +1,9 @@
 /// A question that optics cannot answer: which quantity, its value, what is allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum OpticsError {
+    /// A medium has no index, or not one, where it was asked.
+    #[error(transparent)]
+    Medium(#[from] nacreous_nacre::NacreError),
     /// A quantity lies outside its range.
     #[error("{quantity} is {value}; allowed: {allowed}")]
     OutOfRange {

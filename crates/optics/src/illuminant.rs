@@ -54,13 +54,13 @@ impl IlluminantModel {
         view_angle_rad: &[f64],
         wavelength_nm: &[f64],
     ) -> Result<Vec<f64>, OpticsError> {
-        self.check(stack, view_angle_rad, wavelength_nm)?;
+        let indices = self.check(stack, view_angle_rad, wavelength_nm)?;
         let mut table = vec![0.0; view_angle_rad.len() * wavelength_nm.len()];
         if !table.is_empty() {
             table
                 .par_chunks_mut(wavelength_nm.len())
                 .zip(view_angle_rad)
-                .for_each(|(row, &theta_0)| self.row(stack, theta_0, wavelength_nm, row));
+                .for_each(|(row, &theta_0)| self.row(stack, indices, theta_0, wavelength_nm, row));
         }
         Ok(table)
     }
@@ -70,7 +70,7 @@ impl IlluminantModel {
         stack: &LayerStack,
         view_angle_rad: &[f64],
         wavelength_nm: &[f64],
-    ) -> Result<(), OpticsError> {
+    ) -> Result<Indices, OpticsError> {
         within("coherence_nm", self.coherence_nm, 0.0..=1e9, "0 to 1e9 nm")?;
         within("threshold", self.threshold, 0.0..=1.0, "0 to 1")?;
         within("diffuse_loss", self.diffuse_loss, 0.0..=1.0, "0 to 1")?;
@@ -80,24 +80,20 @@ impl IlluminantModel {
         for &wavelength in wavelength_nm {
             within("wavelength_nm", wavelength, 1.0..=1e6, "1 to 1000000 nm")?;
         }
-        let ambient = stack.ambient();
-        let inside = [("aragonite", stack.aragonite()), ("protein", stack.protein())];
-        for (medium, index) in [("ambient", ambient)].into_iter().chain(inside) {
-            if !index.is_lossless() {
-                return Err(OpticsError::Absorbing { medium, k: index.k() });
-            }
-            if index.n() < ambient.n() {
-                let (n, ambient) = (index.n(), ambient.n());
-                return Err(OpticsError::TotalReflection { medium, n, ambient });
-            }
-        }
-        Ok(())
+        Indices::of(stack)
     }
 
     /// One view angle. The step numbers are those of section 3 of docs/model.md.
-    fn row(&self, stack: &LayerStack, theta_0: f64, wavelength_nm: &[f64], row: &mut [f64]) {
+    fn row(
+        &self,
+        stack: &LayerStack,
+        indices: Indices,
+        theta_0: f64,
+        wavelength_nm: &[f64],
+        row: &mut [f64],
+    ) {
         // Steps 1 and 2: Snell and Fresnel.
-        let ray = Ray::seen_at(stack, theta_0);
+        let ray = Ray::seen_at(indices, stack.protein_nm(), theta_0);
         // Step 4: path below the surface, so that xi between two layers is a difference of two of these.
         let path_nm: Vec<f64> = stack
             .thickness_nm()
@@ -167,6 +163,37 @@ impl IlluminantModel {
     }
 }
 
+/// n0, n1, n2 of the paper: real, constant, and none below n0.
+#[derive(Clone, Copy)]
+struct Indices([f64; 3]);
+
+impl Indices {
+    fn of(stack: &LayerStack) -> Result<Self, OpticsError> {
+        let ambient_n = stack.ambient().index("ambient")?.n();
+        let media = [
+            ("ambient", stack.ambient()),
+            ("aragonite", stack.aragonite()),
+            ("protein", stack.protein()),
+        ];
+        let mut indices = [0.0; 3];
+        for ((medium, of), slot) in media.into_iter().zip(&mut indices) {
+            let index = of.index(medium)?;
+            if !index.is_lossless() {
+                return Err(OpticsError::Absorbing { medium, k: index.k() });
+            }
+            if index.n() < ambient_n {
+                return Err(OpticsError::TotalReflection {
+                    medium,
+                    n: index.n(),
+                    ambient: ambient_n,
+                });
+            }
+            *slot = index.n();
+        }
+        Ok(Self(indices))
+    }
+}
+
 /// What does not change along one line of sight.
 struct Ray {
     n1_cos_theta_1: f64,
@@ -178,15 +205,14 @@ struct Ray {
 }
 
 impl Ray {
-    fn seen_at(stack: &LayerStack, theta_0: f64) -> Self {
-        let (n0, n1, n2) = (stack.ambient().n(), stack.aragonite().n(), stack.protein().n());
+    fn seen_at(Indices([n0, n1, n2]): Indices, protein_nm: f64, theta_0: f64) -> Self {
         let snell = |n: f64| (1.0 - (n0 / n * theta_0.sin()).powi(2)).max(0.0).sqrt();
         let (cos_theta_1, cos_theta_2) = (snell(n1), snell(n2));
         let surface = boundary(Complex64::from(n1), Complex64::from(n0), cos_theta_1);
         let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);
         Self {
             n1_cos_theta_1: n1 * cos_theta_1,
-            protein_path_nm: 2.0 * n2 * stack.protein_nm() * cos_theta_2,
+            protein_path_nm: 2.0 * n2 * protein_nm * cos_theta_2,
             t1: surface.T().max(0.0),
             r2_s: inner.r_s.re,
             r2_p: inner.r_p.re,

@@ -69,7 +69,7 @@ fn job<'a>(
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
     let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
-    let index = stack.0.aragonite().n();
+    let index = stack.0.aragonite().index("aragonite").map_err(refused)?.n();
     let facets = Facets::new(look.facet_spread_rad, index, look.layer_reflectance);
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
