@@ -156,10 +156,10 @@ impl Table {
             let quantity = quantity.to_owned();
             return Err(NacreError::NotMeasured { quantity, wavelength_nm, first_nm, last_nm });
         }
-        let above = nm.partition_point(|&at| at < wavelength_nm);
-        if nm[above] == wavelength_nm {
-            return Ok(self.principal[above]); // to the last bit
-        }
+        let above = match nm.binary_search_by(|at| at.total_cmp(&wavelength_nm)) {
+            Ok(measured) => return Ok(self.principal[measured]), // to the last bit
+            Err(above) => above,
+        };
         let share = (wavelength_nm - nm[above - 1]) / (nm[above] - nm[above - 1]);
         let (low, high) = (self.principal[above - 1], self.principal[above]);
         Ok(Principal {

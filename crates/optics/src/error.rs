@@ -14,6 +14,15 @@ pub enum OpticsError {
         /// The allowed range in words.
         allowed: &'static str,
     },
+    /// No such polarisation.
+    #[error("polarisation is '{0}'; allowed: s, p, unpolarised")]
+    Polarisation(String),
+    /// No such precision.
+    #[error("precision is '{0}'; allowed: double, single")]
+    Precision(String),
+    /// Light of two speeds would come in.
+    #[error("the index of ambient changes with direction; allowed: an isotropic medium")]
+    AnisotropicAmbient,
     /// The illuminant model was asked about absorbing media.
     #[error(
         "{medium} has k = {k}; allowed: 0, for the model of 1996 knows no absorption inside a layer \
