@@ -1,4 +1,4 @@
-"""What light does in nacre: Fresnel's equations and the illuminant model of 1996.
+"""What light does in nacre: Fresnel's equations, exact stacks, the illuminant model of 1996.
 
 Conventions: waves run as exp(i(kx - wt)), so n + ik with k > 0 absorbs; angles in rad from the
 normal; tables are [angle, wavelength].
@@ -12,10 +12,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous.nacre import LayerStack, array_of, index_of, number_of, row_of, said
+from nacreous.nacre import LayerStack
+from nacreous.number import array_of, index_of, number_of, row_of, said
 from nacreous.problem import InputError
 
-__all__ = ["Fresnel", "fresnel", "illuminant"]
+__all__ = [
+    "Energies",
+    "Fresnel",
+    "absorptance",
+    "energies",
+    "fresnel",
+    "illuminant",
+    "reflectance",
+    "transmittance",
+]
 
 
 @dataclass(frozen=True)
@@ -69,6 +79,105 @@ def fresnel(n_i: complex, n_t: complex, angle_rad: ArrayLike) -> Fresnel:
     return Fresnel(r_s, r_p, t_s, t_p, R_s, R_p, T_s, T_p)
 
 
+@dataclass(frozen=True)
+class Energies:
+    """Shares of the incoming energy, each float64 [angle, wavelength]; R + T + A = 1.
+
+    R comes back, T arrives just inside the substrate, A stays in the layers. (In an absorbing
+    ambient the incoming and the reflected wave exchange energy, and the sum is not 1.)
+    """
+
+    R: NDArray[np.float64]
+    T: NDArray[np.float64]
+    A: NDArray[np.float64]
+
+
+def energies(
+    stack: LayerStack,
+    angle_rad: ArrayLike,
+    wavelength_nm: ArrayLike,
+    polarisation: str = "unpolarised",
+    precision: str = "double",
+) -> Energies:
+    """Exact reflectance, transmittance and absorptance of a stack, in one pass.
+
+    All reflections inside the stack are added with their phases, by 2x2 transfer matrices; see
+    docs/optics.md. angle_rad: incidence, 0 to pi/2. wavelength_nm: 1 to 1e6, in vacuum. The table
+    has at most 2^27 values. polarisation: "s", "p" or "unpolarised".
+    precision: "double", right to about 1e-12; "single", about twice as fast and right to 1e-4 for
+    nacre of 400 layers (an rms of 1e-5), for lossless layers (others are computed in double).
+
+    Media may be absorbing, dispersive, metals, uniaxial with their axis along the normal; the
+    ambient isotropic; n from 0.001. Other threads run meanwhile, and Ctrl-C interrupts.
+    Raises `InputError` for what is out of range.
+
+    >>> from nacreous.nacre import LayerStack
+    >>> nacre = LayerStack([380.0] * 100, 20.0, "aragonite", "chitin", 1.0, "aragonite")
+    >>> light = energies(nacre, [0.0, 0.5], [450.0, 550.0, 650.0])
+    >>> bool(abs(light.R + light.T - 1).max() < 1e-12)
+    True
+    """
+    if not isinstance(stack, LayerStack):
+        raise InputError(f"stack is {said(stack)}; allowed: a LayerStack")
+    for name, value in (("polarisation", polarisation), ("precision", precision)):
+        if not isinstance(value, str):
+            raise InputError(f"{name} is {said(value)}; allowed: a name")
+    angle, wavelength = row_of("angle_rad", angle_rad), row_of("wavelength_nm", wavelength_nm)
+    known = stack.at(wavelength)
+    return Energies(*_core.energies(known, angle, wavelength, polarisation, precision))
+
+
+def reflectance(
+    stack: LayerStack,
+    angle_rad: ArrayLike,
+    wavelength_nm: ArrayLike,
+    polarisation: str = "unpolarised",
+    precision: str = "double",
+) -> NDArray[np.float64]:
+    """Share of the energy that comes back, exact, float64 [angle, wavelength]; as `energies`.
+
+    >>> from nacreous.nacre import LayerStack
+    >>> bare = LayerStack([400.0], 0.0, aragonite=1.53, substrate=1.53)
+    >>> round(float(reflectance(bare, 0.0, 550.0)[0, 0]), 4)
+    0.0439
+    """
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision).R
+
+
+def transmittance(
+    stack: LayerStack,
+    angle_rad: ArrayLike,
+    wavelength_nm: ArrayLike,
+    polarisation: str = "unpolarised",
+    precision: str = "double",
+) -> NDArray[np.float64]:
+    """Share of the energy that arrives just inside the substrate, exact; as `energies`.
+
+    >>> from nacreous.nacre import LayerStack
+    >>> bare = LayerStack([400.0], 0.0, aragonite=1.53, substrate=1.53)
+    >>> round(float(transmittance(bare, 0.0, 550.0)[0, 0]), 4)
+    0.9561
+    """
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision).T
+
+
+def absorptance(
+    stack: LayerStack,
+    angle_rad: ArrayLike,
+    wavelength_nm: ArrayLike,
+    polarisation: str = "unpolarised",
+    precision: str = "double",
+) -> NDArray[np.float64]:
+    """Share of the energy that stays in the layers, exact; as `energies`.
+
+    >>> from nacreous.nacre import LayerStack
+    >>> lossless = LayerStack([400.0] * 50)
+    >>> float(absorptance(lossless, 0.3, 550.0)[0, 0])
+    0.0
+    """
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision).A
+
+
 def illuminant(
     stack: LayerStack,
     angle_rad: ArrayLike,
@@ -87,7 +196,7 @@ def illuminant(
 
     Relative: the intensity sent up from under a layer counts as 1 and all start layers are added,
     so energy is not conserved; see docs/model.md. Does not depend on where a lamp is. Media must
-    be lossless, and the nacre denser than its surroundings; `InputError` otherwise.
+    be lossless constants, and the nacre denser than its surroundings; `InputError` otherwise.
 
     >>> from nacreous.nacre import LayerStack
     >>> table = illuminant(LayerStack([420.0] * 100), [0.0, 0.5], [450.0, 550.0, 650.0])
@@ -96,10 +205,11 @@ def illuminant(
     """
     if not isinstance(stack, LayerStack):
         raise InputError(f"stack is {said(stack)}; allowed: a LayerStack")
+    wavelength = row_of("wavelength_nm", wavelength_nm)
     return _core.illuminant(
-        stack._core,
+        stack.at(wavelength),
         row_of("angle_rad", angle_rad),
-        row_of("wavelength_nm", wavelength_nm),
+        wavelength,
         number_of("coherence_nm", coherence_nm),
         number_of("threshold", threshold),
         number_of("diffuse_loss", diffuse_loss),

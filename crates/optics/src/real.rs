@@ -72,7 +72,7 @@ impl Real for f32 {
     const SPLIT: bool = true;
     // The angle is right to 2.6e-8, less than the rounding.
     const PAIR: &'static [(Self, Self)] =
-        &[(1.583_977_7, 0.344_715_15), (-4.395_994_4, -3.475_010_3), (1.0, std::f32::consts::PI)];
+        &[(1.583_977_7, 0.344_715_15), (-4.395_994, -3.475_010_3), (1.0, std::f32::consts::PI)];
 
     #[inline(always)]
     fn near(x: f64) -> Self {

@@ -1,7 +1,5 @@
 //! The door to the picture.
 
-use std::time::Duration;
-
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
     CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
@@ -17,6 +15,7 @@ use crate::{
     refused,
     spec::{LampSpec, PearlSpec, SceneSpec, TableSpec, WallsSpec},
     texture::Texture,
+    watched::watched,
 };
 
 /// Everything that a render needs, in the types of the rooms.
@@ -98,9 +97,6 @@ fn job<'a>(
     })
 }
 
-/// How often a waiting Python looks for the end, for Ctrl-C, and reports progress.
-const LOOK_UP: Duration = Duration::from_millis(5);
-
 /// Linear light [row, column, channel] in the parts that `parts()` names, times the exposure.
 ///
 /// `pearl` and `scene` are mappings as image.py makes them. `report(rows_done)` is called now and then;
@@ -128,37 +124,18 @@ pub fn render<'py>(
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
     let job = job(pearl.extract()?, &scene, stack, texture, size_px, samples_side)?;
-    let mut pixels = watched(py, report, |progress| job.run(progress))?;
+    let progress = Progress::default();
+    let look_up = || report.map_or(Ok(()), |say| say.call1((progress.rows_done(),)).map(drop));
+    let rendered = watched(py, look_up, || progress.stop(), || job.run(&progress))?;
+    let broken =
+        || PyRuntimeError::new_err("the render ended without a picture; please report this");
+    let mut pixels = rendered.map_err(refused)?.ok_or_else(broken)?;
     scale_light(&mut pixels, exposure);
     pixels.into_pyarray(py).reshape([size_px, size_px, CHANNELS])
 }
 
 /// 32 x 32 samples a pixel.
 const MAX_SAMPLES_SIDE: usize = 32;
-
-/// Runs `work` on another thread while this one lets Python live.
-fn watched<'py>(
-    py: Python<'py>,
-    report: Option<&Bound<'py, PyAny>>,
-    work: impl FnOnce(&Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> + Send,
-) -> PyResult<Vec<f32>> {
-    let progress = Progress::default();
-    std::thread::scope(|scope| {
-        let worker = scope.spawn(|| work(&progress));
-        while !worker.is_finished() {
-            py.detach(|| std::thread::sleep(LOOK_UP));
-            let reported =
-                report.map_or(Ok(()), |report| report.call1((progress.rows_done(),)).map(drop));
-            if let Err(error) = py.check_signals().and(reported) {
-                progress.stop();
-                return Err(error);
-            }
-        }
-        let broken = "the render ended without a picture; please report this";
-        let result = worker.join().map_err(|_| PyRuntimeError::new_err(broken))?;
-        result.map_err(refused)?.ok_or_else(|| PyRuntimeError::new_err(broken))
-    })
-}
 
 /// Light is multiplied by the exposure; texture and coverage are no light.
 fn scale_light(pixels: &mut [f32], exposure: f32) {
