@@ -57,7 +57,7 @@ def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_png_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
 
 # nacre
-Medium: TypeAlias = (
+_Medium: TypeAlias = (
     complex
     | tuple[complex, complex]
     | str
@@ -70,10 +70,10 @@ class Stack:
         cls,
         thickness_nm: NDArray[np.float64],
         protein_nm: float,
-        aragonite: Medium,
-        protein: Medium,
-        ambient: Medium,
-        substrate: Medium,
+        aragonite: _Medium,
+        protein: _Medium,
+        ambient: _Medium,
+        substrate: _Medium,
     ) -> Stack: ...
     def total_um(self) -> float: ...
     def outer(self, depth_um: float) -> tuple[int, float, float]: ...

@@ -80,7 +80,7 @@ Medium: TypeAlias = (
 )
 
 
-def medium_of(name: str, medium: object) -> _core.Medium:
+def medium_of(name: str, medium: object) -> _core._Medium:
     """A medium as the door takes it; a function stands as 1 until its wavelengths are known."""
     if isinstance(medium, str):
         return medium
@@ -101,7 +101,7 @@ def medium_of(name: str, medium: object) -> _core.Medium:
         ) from None
 
 
-def sampled(name: str, medium: Medium, wavelength_nm: NDArray[np.float64]) -> _core.Medium:
+def sampled(name: str, medium: Medium, wavelength_nm: NDArray[np.float64]) -> _core._Medium:
     """A medium at these wavelengths; a function is called here, once."""
     if isinstance(medium, (str, IndexTable)) or not callable(medium):
         return medium_of(name, medium)

@@ -204,7 +204,7 @@ def test_energy_is_conserved_and_shares_are_shares(
     stack = nc.LayerStack(thickness_nm, protein_nm, aragonite, protein, ambient, substrate)
     light = energies(stack, angle_rad, wavelength_nm, polarisation)
     R, T, A = (float(share[0, 0]) for share in (light.R, light.T, light.A))
-    assert R + T + A == pytest.approx(1, abs=1e-9)
+    assert pytest.approx(1, abs=1e-9) == R + T + A
     for share in (R, T, A):
         assert -1e-12 <= share <= 1 + 1e-9
 

@@ -1,5 +1,6 @@
 use std::f64::consts::FRAC_PI_2;
 
+use multiversion::multiversion;
 use nacreous_nacre::LayerStack;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -107,7 +108,7 @@ impl IlluminantModel {
         let mut sums = vec![([0.0; LANES], [0.0; LANES]); path_nm.len() + 1];
         for (lanes, out) in wavelength_nm.chunks(LANES).zip(row.chunks_mut(LANES)) {
             let block = std::array::from_fn(|i| lanes[i.min(lanes.len() - 1)]);
-            let intensity = self.block(&ray, &path_nm, &ends, &block, &mut sums);
+            let intensity = interference(self, &ray, &path_nm, &ends, &block, &mut sums);
             out.copy_from_slice(&intensity[..lanes.len()]);
         }
     }
@@ -126,40 +127,6 @@ impl IlluminantModel {
                 end
             })
             .collect()
-    }
-
-    /// Steps 3 to 7 for `LANES` wavelengths at once.
-    fn block(
-        &self,
-        ray: &Ray,
-        path_nm: &[f64],
-        ends: &[usize],
-        wavelength_nm: &[f64; LANES],
-        sums: &mut [([f64; LANES], [f64; LANES])],
-    ) -> [f64; LANES] {
-        let (mut s, mut p) = (
-            Beam::new(ray.r2_s, ray, wavelength_nm, self.diffuse_loss),
-            Beam::new(ray.r2_p, ray, wavelength_nm, self.diffuse_loss),
-        );
-        let per_nm = wavelength_nm.map(f64::recip);
-        let mut summed = 0;
-        for (l, &end) in ends.iter().enumerate() {
-            // Step 5: P_k, the running sum of exp(i xi_1k), as far as this window reaches.
-            while summed < end {
-                let (before, after) = sums.split_at_mut(summed + 1);
-                running_sum(&before[summed], path_nm[summed], &per_nm, &mut after[0]);
-                summed += 1;
-            }
-            let window = squared_difference(&sums[end], &sums[l]);
-            // Step 6: add the intensity of this start layer, then let the light go one layer deeper.
-            let s_goes_on = s.add_and_descend(&window, self.threshold);
-            let p_goes_on = p.add_and_descend(&window, self.threshold);
-            if !(s_goes_on || p_goes_on) {
-                break;
-            }
-        }
-        // Step 7, for natural light.
-        std::array::from_fn(|i| 0.5 * ray.t1 * (s.intensity[i] + p.intensity[i]))
     }
 }
 
@@ -234,6 +201,7 @@ impl Beam {
     /// Step 3: the waves from top and bottom of a protein layer, r2 of opposite signs, so
     /// |a|^2 = |r2 (1 - exp(i delta))|^2 = (2 r2 sin(delta / 2))^2, exact for the thinnest layer too.
     /// All protein layers are alike, hence one a for all.
+    #[inline(always)]
     fn new(r2: f64, ray: &Ray, wavelength_nm: &[f64; LANES], diffuse_loss: f64) -> Self {
         let echo = wavelength_nm.map(|wavelength| {
             let (_, sin_half_delta) = cos_sin(0.5 * ray.protein_path_nm / wavelength);
@@ -244,6 +212,7 @@ impl Beam {
     }
 
     /// False once no wavelength has light above the threshold any more.
+    #[inline(always)]
     fn add_and_descend(&mut self, window: &[f64; LANES], threshold: f64) -> bool {
         for i in 0..LANES {
             self.intensity[i] += self.light[i] * self.echo[i] * window[i];
@@ -254,7 +223,46 @@ impl Beam {
     }
 }
 
+/// Steps 3 to 7 for `LANES` wavelengths at once. Wider vectors change no bit: nothing is fused here.
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
+    "x86_64+avx2+fma"
+))]
+fn interference(
+    model: &IlluminantModel,
+    ray: &Ray,
+    path_nm: &[f64],
+    ends: &[usize],
+    wavelength_nm: &[f64; LANES],
+    sums: &mut [([f64; LANES], [f64; LANES])],
+) -> [f64; LANES] {
+    let (mut s, mut p) = (
+        Beam::new(ray.r2_s, ray, wavelength_nm, model.diffuse_loss),
+        Beam::new(ray.r2_p, ray, wavelength_nm, model.diffuse_loss),
+    );
+    let per_nm = wavelength_nm.map(f64::recip);
+    let mut summed = 0;
+    for (l, &end) in ends.iter().enumerate() {
+        // Step 5: P_k, the running sum of exp(i xi_1k), as far as this window reaches.
+        while summed < end {
+            let (before, after) = sums.split_at_mut(summed + 1);
+            running_sum(&before[summed], path_nm[summed], &per_nm, &mut after[0]);
+            summed += 1;
+        }
+        let window = squared_difference(&sums[end], &sums[l]);
+        // Step 6: add the intensity of this start layer, then let the light go one layer deeper.
+        let s_goes_on = s.add_and_descend(&window, model.threshold);
+        let p_goes_on = p.add_and_descend(&window, model.threshold);
+        if !(s_goes_on || p_goes_on) {
+            break;
+        }
+    }
+    // Step 7, for natural light.
+    std::array::from_fn(|i| 0.5 * ray.t1 * (s.intensity[i] + p.intensity[i]))
+}
+
 /// The next running sum: one more wave, delayed by `path_nm`.
+#[inline(always)]
 fn running_sum(
     (re, im): &([f64; LANES], [f64; LANES]),
     path_nm: f64,
@@ -268,6 +276,7 @@ fn running_sum(
     }
 }
 
+#[inline(always)]
 fn squared_difference(
     (re_a, im_a): &([f64; LANES], [f64; LANES]),
     (re_b, im_b): &([f64; LANES], [f64; LANES]),

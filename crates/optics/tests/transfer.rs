@@ -67,12 +67,12 @@ fn all_the_peers_stacks_agree_to_1e_12() {
 #[test]
 fn a_quarter_wave_stack_has_its_closed_form() {
     let (n_0, n_h, n_l, n_s) = (1.0, 1.683, 1.43, 1.53);
-    for pairs in [1, 5, 40] {
+    for pairs in [1_u8, 5, 40] {
         let quarter_nm = |n: f64| 550.0 / (4.0 * n);
-        let layers = vec![quarter_nm(n_h); pairs];
+        let layers = vec![quarter_nm(n_h); usize::from(pairs)];
         let stack =
             LayerStack::new(layers, quarter_nm(n_l), real(n_h), real(n_l), real(n_0), real(n_s));
-        let y = (n_h / n_l).powi(2 * pairs as i32) * n_s;
+        let y = (n_h / n_l).powi(2 * i32::from(pairs)) * n_s;
         let exact = ((n_0 - y) / (n_0 + y)).powi(2);
         for plane in [Polarisation::S, Polarisation::P, Polarisation::Unpolarised] {
             let [r, t, a] = one(stack.as_ref().unwrap(), 0.0, 550.0, plane);
