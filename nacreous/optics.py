@@ -6,21 +6,28 @@ normal; tables are [angle, wavelength].
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous.nacre import LayerStack
+from nacreous.nacre import LayerStack, grow
 from nacreous.number import array_of, index_of, number_of, row_of, said
 from nacreous.problem import InputError
 
+if TYPE_CHECKING:
+    from nacreous.spec import Growth
+
 __all__ = [
     "Energies",
+    "Ensemble",
     "Fresnel",
     "absorptance",
     "energies",
+    "ensemble",
     "fresnel",
     "illuminant",
     "reflectance",
@@ -176,6 +183,72 @@ def absorptance(
     0.0
     """
     return energies(stack, angle_rad, wavelength_nm, polarisation, precision).A
+
+
+@dataclass(frozen=True)
+class Ensemble:
+    """What an eye sees of many columns of tablets side by side, each float64 [angle, wavelength].
+
+    R, T: means over the columns. R_spread, T_spread: standard deviations from column to column.
+    columns: how many. A mean is known to R_error or T_error, the standard deviation of itself.
+    """
+
+    R: NDArray[np.float64]
+    T: NDArray[np.float64]
+    R_spread: NDArray[np.float64]
+    T_spread: NDArray[np.float64]
+    columns: int
+
+    @property
+    def R_error(self) -> NDArray[np.float64]:  # noqa: N802, as R
+        """Standard error of R: four times the columns halve it."""
+        return self.R_spread / math.sqrt(self.columns)
+
+    @property
+    def T_error(self) -> NDArray[np.float64]:  # noqa: N802, as T
+        """Standard error of T."""
+        return self.T_spread / math.sqrt(self.columns)
+
+
+def ensemble(
+    growth: str | Growth,
+    angle_rad: ArrayLike,
+    wavelength_nm: ArrayLike,
+    columns: int = 64,
+    seed: int = 1,
+    polarisation: str = "unpolarised",
+    precision: str = "double",
+) -> Ensemble:
+    """Mean and spread of R and T over stacks that grew alike, each on its own: disordered nacre.
+
+    growth: a nacre preset's name or a `Growth`, as for `nc.grow`. columns: how many stacks, 2 to
+    10000; they have the seeds seed, seed + 1, ... and nothing else in common, so light from
+    different columns is added by energy **(ours)**. The rest as `energies`.
+
+    Same seed, same answer. Raises `InputError` for what is out of range.
+
+    >>> nacre = ensemble("akoya-rg", [0.0, 0.5], [450.0, 550.0, 650.0], columns=8, seed=7)
+    >>> nacre.R.shape
+    (2, 3)
+    """
+    whole = (("columns", columns, 2, 10_000), ("seed", seed, 0, 2**63))
+    for name, value, least, most in whole:
+        if not isinstance(value, (int, np.integer)) or isinstance(value, bool):
+            raise InputError(f"{name} is {said(value)}; allowed: a whole number")
+        if not least <= value <= most:
+            raise InputError(f"{name} is {said(value)}; allowed: {least} to {most}")
+    mean = np.zeros(())
+    squares = np.zeros(())
+    for column in range(columns):
+        stack = grow(growth, seed=int(seed) + column)
+        light = energies(stack, angle_rad, wavelength_nm, polarisation, precision)
+        shares = np.stack([light.R, light.T])
+        # Welford 1962: no difference of large sums.
+        step = shares - mean
+        mean = mean + step / (column + 1)
+        squares = squares + step * (shares - mean)
+    spread = np.sqrt(squares / (columns - 1))
+    return Ensemble(mean[0], mean[1], spread[0], spread[1], int(columns))
 
 
 def illuminant(

@@ -264,6 +264,46 @@ def test_single_precision_is_right_to_1e_4_and_1e_5_rms() -> None:
         assert np.sqrt(np.mean((single - double) ** 2)) < 1e-5
 
 
+# --- ensembles
+
+
+def test_an_ensemble_is_the_mean_and_spread_of_its_columns() -> None:
+    found = nc.optics.ensemble("akoya-rg", [0.0, 0.6], NM[::20], columns=5, seed=3)
+    stacks = [nc.grow("akoya-rg", seed=seed) for seed in range(3, 8)]
+    R = [reflectance(stack, [0.0, 0.6], NM[::20]) for stack in stacks]
+    T = [transmittance(stack, [0.0, 0.6], NM[::20]) for stack in stacks]
+    np.testing.assert_allclose(found.R, np.mean(R, axis=0), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(found.T, np.mean(T, axis=0), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(found.R_spread, np.std(R, axis=0, ddof=1), rtol=1e-9)
+    np.testing.assert_allclose(found.T_spread, np.std(T, axis=0, ddof=1), rtol=1e-9)
+
+
+def test_an_ensemble_converges_as_its_error_says() -> None:
+    """Two ensembles that share no column differ by their errors, no more and no less."""
+    first, second = (
+        nc.optics.ensemble("paper", [0.0, 0.7], NM[::10], columns=48, seed=seed)
+        for seed in (100, 900)
+    )
+    off = (first.R - second.R) / np.hypot(first.R_error, second.R_error)
+    assert 0.6 < np.sqrt(np.mean(off**2)) < 1.5
+    again = nc.optics.ensemble("paper", [0.0, 0.7], NM[::10], columns=48, seed=100)
+    np.testing.assert_array_equal(first.R, again.R)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"columns": 1}, "columns is 1; allowed: 2 to 10000"),
+        ({"columns": 2.5}, "columns is 2.5; allowed: a whole number"),
+        ({"seed": -1}, "seed is -1; allowed: 0 to 9223372036854775808"),
+        ({"growth": 3}, "growth is 3; allowed: a nacre preset's name or a Growth"),
+    ],
+)
+def test_an_ensemble_says_what_is_wrong(given: dict[str, Any], message: str) -> None:
+    whole = {"growth": "paper", "angle_rad": 0.0, "wavelength_nm": 500.0, **given}
+    assert refusal(lambda: nc.optics.ensemble(**whole)) == message
+
+
 # --- media
 
 
