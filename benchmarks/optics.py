@@ -20,6 +20,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
@@ -35,7 +36,7 @@ Job = tuple[list[float], list[float], list[float]]
 
 
 def job(bilayers: int, angles: int = 90, wavelengths: int = 401) -> Job:
-    """(thickness_nm, angle_rad, wavelength_nm), the same in every process; a part is spread evenly."""
+    """(thickness_nm, angle_rad, wavelength_nm), the same in every process; parts spread evenly."""
     state, thickness_nm = 1, []
     for _ in range(bilayers):
         total = 0.0
@@ -67,7 +68,7 @@ def least_s(work: Callable[[], object], runs: int = RUNS) -> float:
 
 
 def ours() -> dict[str, float]:
-    """ns per evaluation, and what else one process can say; run with one thread."""
+    """Nanoseconds per evaluation, and what else one process can say; run with one thread."""
     import numpy as np
 
     import nacreous as nc
@@ -82,11 +83,10 @@ def ours() -> dict[str, float]:
             ("lossless, single", 1.53, 1.43, "single"),
         ):
             stack = nc.LayerStack(part[0], 20.0, aragonite, protein)
-            angle, nm, how = part[1], part[2], precision
-            work = lambda s=stack, a=angle, w=nm, h=how: nc.optics.energies(s, a, w, precision=h)
+            work = partial(nc.optics.energies, stack, *part[1:], precision=precision)
             found[f"{name}, {bilayers}"] = least_s(work) / evaluations(part) * 1e9
         stack = nc.LayerStack(part[0])
-        work = lambda s=stack, a=part[1], w=part[2]: nc.optics.illuminant(s, a, w)
+        work = partial(nc.optics.illuminant, stack, *part[1:])
         found[f"illuminant model, {bilayers}"] = least_s(work) / evaluations(part) * 1e9
     square = np.random.default_rng(0).random((1200, 1200))
     found["peak"] = 1200**3 / least_s(lambda: square @ square) / 1e9  # multiply-adds per ns
@@ -200,7 +200,7 @@ PARTS = {
 
 
 def peer(name: str) -> dict[str, float]:
-    """ns per evaluation with 400 bilayers, mean reflectance; in the peer's environment."""
+    """Nanoseconds per evaluation with 400 bilayers, mean reflectance; in the peer's environment."""
     work = globals()[f"peer_{name.replace('-', '_')}"]
     part = job(400, *PARTS[name])
     mean = work(part)
@@ -251,8 +251,8 @@ def page(found: dict[str, float], walls: dict[str, float], peers: list[str]) -> 
         [
             "## Exact optics",
             "",
-            "Processor time in ns per layer x wavelength x angle x polarisation, one thread, best of "
-            f"{RUNS};",
+            "Processor time in ns per layer x wavelength x angle x polarisation, one thread, "
+            f"best of {RUNS};",
             "401 wavelengths, 90 angles, both polarisations, by number of bilayers "
             "(`python benchmarks/optics.py --peers`;",
             f"{processor()}, Python {platform.python_version()}):",
@@ -263,12 +263,13 @@ def page(found: dict[str, float], walls: dict[str, float], peers: list[str]) -> 
             "",
             f"The job of 400 bilayers takes {walls['1'] * 1e3:.1f} ms on one thread, "
             f"{walls['2'] * 1e3:.1f} ms on two: {walls['1'] / walls['2']:.2f} times as fast.",
-            f"Its {OPERATIONS:.1f} multiply-adds per evaluation are {share:.0%} of what NumPy's matrix "
-            f"product reaches on the same core ({found['peak']:.1f} per ns).",
+            f"Its {OPERATIONS:.1f} multiply-adds per evaluation are {share:.0%} of what NumPy's "
+            f"matrix product reaches on the same core ({found['peak']:.1f} per ns).",
             "",
             *(
                 [
-                    "Others on the same job of 400 bilayers (a part of it where they are slow), one thread:",
+                    "Others on the same job of 400 bilayers (a part of it where they are slow), "
+                    "one thread:",
                     "",
                     "| package | ns | times ours |",
                     "|---|---|---|",

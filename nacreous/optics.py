@@ -111,7 +111,7 @@ def energies(
     All reflections inside the stack are added with their phases, by 2x2 transfer matrices; see
     docs/optics.md. angle_rad: incidence, 0 to pi/2. wavelength_nm: 1 to 1e6, in vacuum. The table
     has at most 2^27 values. polarisation: "s", "p" or "unpolarised".
-    precision: "double", right to about 1e-12; "single", about twice as fast and right to 1e-4 for
+    precision: "double", right to about 1e-12; "single", faster and right to 2e-4 for
     nacre of 400 layers (an rms of 1e-5), for lossless layers (others are computed in double).
 
     Media may be absorbing, dispersive, metals, uniaxial with their axis along the normal; the
@@ -231,7 +231,7 @@ def ensemble(
     >>> nacre.R.shape
     (2, 3)
     """
-    whole = (("columns", columns, 2, 10_000), ("seed", seed, 0, 2**63))
+    whole = (("columns", columns, 2, 10_000), ("seed", seed, 0, 2**62))
     for name, value, least, most in whole:
         if not isinstance(value, (int, np.integer)) or isinstance(value, bool):
             raise InputError(f"{name} is {said(value)}; allowed: a whole number")
