@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from os import PathLike
-from typing import Any, final
+from typing import Any, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,16 +57,23 @@ def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_png_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
 
 # nacre
+_Medium: TypeAlias = (
+    complex
+    | tuple[complex, complex]
+    | str
+    | tuple[NDArray[np.float64], NDArray[np.complex128], NDArray[np.complex128]]
+)
+
 @final
 class Stack:
     def __new__(
         cls,
         thickness_nm: NDArray[np.float64],
         protein_nm: float,
-        aragonite: complex,
-        protein: complex,
-        ambient: complex,
-        substrate: complex,
+        aragonite: _Medium,
+        protein: _Medium,
+        ambient: _Medium,
+        substrate: _Medium,
     ) -> Stack: ...
     def total_um(self) -> float: ...
     def outer(self, depth_um: float) -> tuple[int, float, float]: ...
@@ -84,8 +91,16 @@ def grow(
     layers_noise: float,
     seed: int,
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
+def media() -> list[str]: ...
 
 # optics
+def energies(
+    stack: Stack,
+    angle_rad: NDArray[np.float64],
+    wavelength_nm: NDArray[np.float64],
+    polarisation: str,
+    precision: str,
+) -> list[NDArray[np.float64]]: ...
 def fresnel(
     n_i: complex, n_t: complex, angle_rad: NDArray[np.float64]
 ) -> tuple[list[NDArray[np.complex128]], list[NDArray[np.float64]]]: ...

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous import _core, colour, file, texture
-from nacreous.nacre import said, stack_of
+from nacreous.nacre import stack_of
+from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.spec import Growth, Pearl, Scene
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import datetime as dt
-import reprlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
+from nacreous.medium import Medium, medium_of, sampled
+from nacreous.number import number_of, row_of, said
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -26,8 +27,11 @@ class LayerStack:
     thickness_nm: aragonite layers in nm, from the surface inward; 1 to 5000 values, each above 0,
     up to 1e6.
     protein_nm: thickness of every protein layer, 0 to 1e6 nm.
-    aragonite, protein, ambient, substrate: refractive indices n, or complex n + ik, of layers,
-    surroundings and core; 0 < n <= 100 and 0 <= k <= 100, where k > 0 absorbs.
+    aragonite, protein, ambient, substrate: media of layers, surroundings and core. Each is an
+    index n or complex n + ik (0 < n <= 100, 0 <= k <= 100, k > 0 absorbs); a pair (n_o, n_e) of
+    them for a uniaxial medium with its axis along the normal; an `IndexTable`; a function that
+    takes wavelengths in nm, a float64 array, and returns indices or such a pair; or a name that
+    `nc.medium.NAMES` lists, such as "aragonite".
 
     Defaults are the paper's (section 3.2). Raises `InputError` that names the bad quantity.
 
@@ -53,17 +57,17 @@ class LayerStack:
         self,
         thickness_nm: ArrayLike,
         protein_nm: float = 20.0,
-        aragonite: complex = 1.53,
-        protein: complex = 1.43,
-        ambient: complex = 1.0,
-        substrate: complex = 1.53,
+        aragonite: Medium = 1.53,
+        protein: Medium = 1.43,
+        ambient: Medium = 1.0,
+        substrate: Medium = 1.53,
     ) -> None:
         self.protein_nm = number_of("protein_nm", protein_nm)
         self.aragonite, self.protein = aragonite, protein
         self.ambient, self.substrate = ambient, substrate
-        indices = (index_of(name, getattr(self, name)) for name in _MEDIA)
         layers = row_of("thickness_nm", thickness_nm)
-        self._core = _core.Stack(layers, self.protein_nm, *indices)
+        media = (medium_of(name, getattr(self, name)) for name in _MEDIA)
+        self._core = _core.Stack(layers, self.protein_nm, *media)
         # Copied only now that it is known to be short enough.
         self.thickness_nm: NDArray[np.float64] = layers.copy()
         self.thickness_nm.flags.writeable = False
@@ -87,6 +91,14 @@ class LayerStack:
         """Equal stacks have equal hashes."""
         return hash((self.thickness_nm.tobytes(), self.protein_nm, self.aragonite, self.protein))
 
+    def at(self, wavelength_nm: NDArray[np.float64]) -> _core.Stack:
+        """The compiled stack, with the media that are functions known at these wavelengths."""
+        media = [getattr(self, name) for name in _MEDIA]
+        if wavelength_nm.size == 0 or not any(callable(medium) for medium in media):
+            return self._core
+        known = (sampled(name, getattr(self, name), wavelength_nm) for name in _MEDIA)
+        return _core.Stack(self.thickness_nm, self.protein_nm, *known)
+
     @property
     def total_um(self) -> float:
         """Thickness of the whole nacre in um, protein included."""
@@ -108,53 +120,6 @@ class LayerStack:
 
 
 _MEDIA = ("aragonite", "protein", "ambient", "substrate")
-
-
-def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """A one-dimensional float64 array of the values, or one clear message."""
-    row = np.atleast_1d(array_of(name, values))
-    if row.ndim > 1:
-        raise InputError(f"{name} has {row.ndim} dimensions; allowed: 1")
-    return row
-
-
-def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """A float64 array of the values, in their shape, or one clear message."""
-    try:
-        array = np.asarray(values)
-    except (TypeError, ValueError):  # lists of different lengths
-        array = np.array(None)
-    if array.dtype.kind not in "iuf":  # text, truth values and complex numbers would be converted
-        raise InputError(f"{name} is {said(values)}; allowed: numbers")
-    return np.require(array, np.float64, "A")
-
-
-def number_of(name: str, value: object) -> float:
-    """A finite or infinite float, or one clear message."""
-    if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
-        try:
-            return float(value)
-        except OverflowError:  # a whole number of hundreds of digits
-            pass
-    raise InputError(f"{name} is {said(value)}; allowed: a number")
-
-
-def index_of(name: str, value: object) -> complex:
-    """A complex index, or one clear message."""
-    if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):
-        try:
-            return complex(value)
-        except OverflowError:
-            pass
-    raise InputError(f"{name} is {said(value)}; allowed: a number n or a complex number n + ik")
-
-
-def said(value: object) -> str:
-    """A value as Python writes it, on one line and never long."""
-    try:
-        return " ".join(reprlib.repr(value).split())
-    except ValueError:  # a whole number of more digits than Python agrees to print
-        return "a number of thousands of digits"
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from nacreous.nacre import diary, stack_of
 from nacreous.spec import Growth, Layers, Pearl
 
 ABOVE_0 = "allowed: above 0, up to 1000000 nm"
-ASIDE = "allowed: a number n or a complex number n + ik"
+ASIDE = "allowed: n, n + ik, (n_o, n_e), IndexTable, function, name"
 
 
 def refusal(act: Any) -> str:
@@ -63,8 +63,10 @@ def refusal(act: Any) -> str:
         ({"protein": complex(1.43, math.inf)}, "protein: k is inf; allowed: 0 to 100"),
         ({"ambient": 0}, "ambient: n is 0; allowed: above 0, up to 100"),
         ({"substrate": 0}, "substrate: n is 0; allowed: above 0, up to 100"),
-        ({"aragonite": (1.683, 1.53)}, f"aragonite is (1.683, 1.53); {ASIDE}"),
-        ({"aragonite": "1.53"}, f"aragonite is '1.53'; {ASIDE}"),
+        ({"aragonite": (1.683, 1.53, 1)}, f"aragonite is (1.683, 1.53, 1); {ASIDE}"),
+        ({"aragonite": (1.683, "x")}, "aragonite: n_e is 'x'; allowed: a number n or a complex"),
+        ({"aragonite": (1.683, -1)}, "aragonite: n is -1; allowed: above 0, up to 100"),
+        ({"aragonite": "granite"}, "aragonite is 'granite'; allowed: aragonite, aragonite-iso"),
         ({"aragonite": True}, f"aragonite is True; {ASIDE}"),
         ({"aragonite": 10**400}, "aragonite is 1000000"),
     ],

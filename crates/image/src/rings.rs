@@ -27,7 +27,7 @@ const STEPS_FOR_COHERENCE_NM: f64 = 5000.0;
 const MOST_STEPS: f64 = 4096.0;
 
 impl Rings {
-    /// Computes spectra by view angle and turns them into colours under the scene's light, unless
+    /// Computes spectra by view angle and turns them into colours under the scene's light; `None` once
     /// `progress` says to stop.
     ///
     /// # Errors
@@ -37,14 +37,17 @@ impl Rings {
         model: &IlluminantModel,
         light: &Light,
         progress: &Progress,
-    ) -> Result<Self, OpticsError> {
-        let reach_nm = model.coherence_nm.min(2e3 * stack.aragonite().n() * stack.total_um());
+    ) -> Result<Option<Self>, OpticsError> {
+        let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
+        let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
         let steps = (STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize;
         let view_rad: Vec<f64> =
             (0..=steps).map(|step| libm::acos(step as f64 / steps as f64)).collect();
         let wavelength_nm: Vec<f64> = (0..SAMPLES).map(|i| FIRST_NM + i as f64).collect();
-        let spectra =
-            model.spectra_unless(stack, &view_rad, &wavelength_nm, progress.stop_flag())?;
+        let stop = progress.stop_flag();
+        let Some(spectra) = model.spectra_unless(stack, &view_rad, &wavelength_nm, stop)? else {
+            return Ok(None);
+        };
         let (rows, _) = spectra.as_chunks::<SAMPLES>();
         let mut colours: Vec<Rgb> = rows.iter().map(|row| light.rgb_inside(row)).collect();
         let luminance = mean_over_disc(&colours);
@@ -52,7 +55,7 @@ impl Rings {
         for colour in &mut colours {
             *colour = rgb::scaled(*colour, scale);
         }
-        Ok(Self { colours })
+        Ok(Some(Self { colours }))
     }
 
     /// Linear RGB at a view angle, given by its cosine (0 at the rim, 1 in the middle).

@@ -59,7 +59,7 @@ impl Set {
             Lamp::new(place, 0.05, brightness).resolved_for(&facets)
         });
         let ball = Sphere { radius_mm: RADIUS_MM };
-        let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap();
+        let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();
         let even = Sky::Gradient { horizon: [sky; 3], zenith: [sky; 3] };
         let surroundings = Surroundings::new(table, None, even, lamps.collect(), ball);
         Self { surroundings, rings, facets }
@@ -155,7 +155,7 @@ fn a_mirrored_table_fades_with_distance() {
 #[test]
 fn steps_between_rings_are_far_below_what_can_be_seen() {
     let light = light(&[source(1.0)], 0.0);
-    let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap();
+    let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();
     let white = RgbSpace::Srgb.white_xyz();
     let wavelength_nm: Vec<f64> = (380..=780).map(f64::from).collect();
     let lab = |rgb| lab_from_xyz(RgbSpace::Srgb.xyz_from_rgb(rgb), white);
@@ -203,7 +203,7 @@ fn a_stopped_render_gives_no_picture() {
 fn without_coherence_the_rings_have_one_hue() {
     let light = light(&[source(1.0)], 0.0);
     let model = IlluminantModel { coherence_nm: 0.0, ..MODEL };
-    let rings = Rings::new(&december(), &model, &light, &Progress::default()).unwrap();
+    let rings = Rings::new(&december(), &model, &light, &Progress::default()).unwrap().unwrap();
     let ratio = |cosine: f64| {
         let [red, _, blue] = rings.colour(cosine);
         red / blue

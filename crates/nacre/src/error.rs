@@ -27,6 +27,52 @@ pub enum NacreError {
         /// The smaller of the winter's and the summer's thickness.
         thinnest_nm: f64,
     },
+    /// A table of indices whose columns do not fit together.
+    #[error(
+        "{quantity} has {indices} indices for {wavelengths} wavelengths; allowed: as many, at least 1"
+    )]
+    TableShape {
+        /// Which medium.
+        quantity: String,
+        /// How many wavelengths were given.
+        wavelengths: usize,
+        /// How many indices.
+        indices: usize,
+    },
+    /// A table of indices whose wavelengths do not rise.
+    #[error("{quantity}: wavelength_nm has {nm} after {last_nm}; allowed: rising values")]
+    TableOrder {
+        /// Which medium.
+        quantity: String,
+        /// A wavelength.
+        last_nm: f64,
+        /// The one that follows it in the table.
+        nm: f64,
+    },
+    /// A medium was asked about a wavelength at which nothing is known of it.
+    #[error(
+        "wavelength_nm is {wavelength_nm}; allowed with this {quantity}: {first_nm} to {last_nm} nm"
+    )]
+    NotMeasured {
+        /// Which medium.
+        quantity: String,
+        /// What was asked.
+        wavelength_nm: f64,
+        /// Shortest known wavelength.
+        first_nm: f64,
+        /// Longest known wavelength.
+        last_nm: f64,
+    },
+    /// A model that needs one index was given a medium with many.
+    #[error(
+        "the index of {quantity} changes with {fault}; allowed in this model: one constant index"
+    )]
+    NotConstant {
+        /// Which medium.
+        quantity: &'static str,
+        /// With what its index changes.
+        fault: &'static str,
+    },
 }
 
 /// The one check of a number at this door: inside `range`, or an error that says what is `allowed`.

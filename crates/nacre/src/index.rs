@@ -20,6 +20,11 @@ pub struct Index {
 }
 
 impl Index {
+    /// Aragonite as the paper has it, section 3.2: the value along its c axis.
+    pub const PAPER_ARAGONITE: Self = Self { n: 1.53, k: 0.0 };
+    /// The protein between the layers as the paper has it.
+    pub const PAPER_PROTEIN: Self = Self { n: 1.43, k: 0.0 };
+
     /// # Errors
     /// [`NacreError::OutOfRange`], naming `medium`, unless 0 < n <= 100 and 0 <= k <= 100. Metals stay
     /// below 30; the bound keeps overflow out of the formulas.
@@ -47,5 +52,11 @@ impl Index {
     /// Whether light passes the medium without absorption.
     pub fn is_lossless(self) -> bool {
         self.k == 0.0
+    }
+
+    /// The way from this index to another, in a straight line: 0 is here, 1 is there.
+    pub(crate) fn mixed(self, other: Self, share: f64) -> Self {
+        let between = |from: f64, to: f64| from + share * (to - from);
+        Self { n: between(self.n, other.n), k: between(self.k, other.k) }
     }
 }

@@ -1,4 +1,4 @@
-use crate::{Index, NacreError, error::within};
+use crate::{Medium, NacreError, error::within};
 
 /// The most layers a stack may have. The thickest nacre known to us, a keshi, has 2615.
 pub const MAX_LAYERS: usize = 5000;
@@ -9,7 +9,7 @@ const MAX_THICKNESS_NM: f64 = 1e6;
 /// Aragonite layers from the surface inward, each followed by a protein layer, then the substrate.
 ///
 /// A value of this type is always valid: 1 to [`MAX_LAYERS`] layers, every thickness positive and
-/// finite, every index as [`Index`] promises.
+/// finite, every medium as [`Medium`] promises.
 ///
 /// ```
 /// use nacreous_nacre::{Index, LayerStack};
@@ -23,10 +23,10 @@ const MAX_THICKNESS_NM: f64 = 1e6;
 pub struct LayerStack {
     thickness_nm: Vec<f64>,
     protein_nm: f64,
-    aragonite: Index,
-    protein: Index,
-    ambient: Index,
-    substrate: Index,
+    aragonite: Medium,
+    protein: Medium,
+    ambient: Medium,
+    substrate: Medium,
 }
 
 /// The aragonite layers of a stack down to some depth, in two numbers.
@@ -49,10 +49,10 @@ impl LayerStack {
     pub fn new(
         thickness_nm: Vec<f64>,
         protein_nm: f64,
-        aragonite: Index,
-        protein: Index,
-        ambient: Index,
-        substrate: Index,
+        aragonite: impl Into<Medium>,
+        protein: impl Into<Medium>,
+        ambient: impl Into<Medium>,
+        substrate: impl Into<Medium>,
     ) -> Result<Self, NacreError> {
         if !(1..=MAX_LAYERS).contains(&thickness_nm.len()) {
             return Err(NacreError::LayerCount(thickness_nm.len()));
@@ -67,7 +67,14 @@ impl LayerStack {
             }
         }
         within("protein_nm", protein_nm, 0.0..=MAX_THICKNESS_NM, "0 to 1000000 nm")?;
-        Ok(Self { thickness_nm, protein_nm, aragonite, protein, ambient, substrate })
+        Ok(Self {
+            thickness_nm,
+            protein_nm,
+            aragonite: aragonite.into(),
+            protein: protein.into(),
+            ambient: ambient.into(),
+            substrate: substrate.into(),
+        })
     }
 
     /// Thickness of the aragonite layers, surface first.
@@ -80,24 +87,24 @@ impl LayerStack {
         self.protein_nm
     }
 
-    /// Index of the aragonite layers, n1 of the paper.
-    pub fn aragonite(&self) -> Index {
-        self.aragonite
+    /// Medium of the aragonite layers, index n1 of the paper.
+    pub fn aragonite(&self) -> &Medium {
+        &self.aragonite
     }
 
-    /// Index of the protein layers, n2 of the paper.
-    pub fn protein(&self) -> Index {
-        self.protein
+    /// Medium of the protein layers, index n2 of the paper.
+    pub fn protein(&self) -> &Medium {
+        &self.protein
     }
 
-    /// Index of what surrounds the pearl, n0 of the paper.
-    pub fn ambient(&self) -> Index {
-        self.ambient
+    /// What surrounds the pearl, index n0 of the paper.
+    pub fn ambient(&self) -> &Medium {
+        &self.ambient
     }
 
-    /// Index of what lies under the innermost layer.
-    pub fn substrate(&self) -> Index {
-        self.substrate
+    /// What lies under the innermost layer.
+    pub fn substrate(&self) -> &Medium {
+        &self.substrate
     }
 
     /// Thickness of the whole nacre, protein included.

@@ -28,7 +28,7 @@ const fn taylor(first: usize) -> [f64; TERMS] {
 }
 
 /// (cos, sin) of 2 pi `cycles`, to 2e-15, for |cycles| < 1e9.
-#[inline]
+#[inline(always)]
 pub(crate) fn cos_sin(cycles: f64) -> (f64, f64) {
     let f = cycles - ((cycles + ROUND) - ROUND);
     let f2 = f * f;

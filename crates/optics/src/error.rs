@@ -1,6 +1,9 @@
 /// A question that optics cannot answer: which quantity, its value, what is allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum OpticsError {
+    /// A medium has no index, or not one, where it was asked.
+    #[error(transparent)]
+    Medium(#[from] nacreous_nacre::NacreError),
     /// A quantity lies outside its range.
     #[error("{quantity} is {value}; allowed: {allowed}")]
     OutOfRange {
@@ -11,9 +14,15 @@ pub enum OpticsError {
         /// The allowed range in words.
         allowed: &'static str,
     },
-    /// Another thread asked to stop.
-    #[error("the work was stopped")]
-    Stopped,
+    /// No such polarisation.
+    #[error("polarisation is '{0}'; allowed: s, p, unpolarised")]
+    Polarisation(String),
+    /// No such precision.
+    #[error("precision is '{0}'; allowed: double, single")]
+    Precision(String),
+    /// Light of two speeds would come in.
+    #[error("the index of ambient changes with direction; allowed: an isotropic medium")]
+    AnisotropicAmbient,
     /// The illuminant model was asked about absorbing media.
     #[error(
         "{medium} has k = {k}; allowed: 0, for the model of 1996 knows no absorption inside a layer \

@@ -3,6 +3,7 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
 };
 
+use multiversion::multiversion;
 use nacreous_nacre::LayerStack;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -57,34 +58,35 @@ impl IlluminantModel {
         view_angle_rad: &[f64],
         wavelength_nm: &[f64],
     ) -> Result<Vec<f64>, OpticsError> {
-        self.spectra_unless(stack, view_angle_rad, wavelength_nm, &AtomicBool::new(false))
+        let found =
+            self.spectra_unless(stack, view_angle_rad, wavelength_nm, &AtomicBool::new(false))?;
+        // Nobody else holds that flag, so nobody can have stopped the work.
+        Ok(found.unwrap_or_default())
     }
 
-    /// [`Self::spectra`], given up before the next angle once another thread sets `stop`.
+    /// [`Self::spectra`], or `None` once another thread has set `stop`.
     ///
     /// # Errors
-    /// [`OpticsError::Stopped`], and those of [`Self::spectra`].
+    /// Those of [`Self::spectra`].
     pub fn spectra_unless(
         &self,
         stack: &LayerStack,
         view_angle_rad: &[f64],
         wavelength_nm: &[f64],
         stop: &AtomicBool,
-    ) -> Result<Vec<f64>, OpticsError> {
-        self.check(stack, view_angle_rad, wavelength_nm)?;
+    ) -> Result<Option<Vec<f64>>, OpticsError> {
+        let indices = self.check(stack, view_angle_rad, wavelength_nm)?;
         let mut table = vec![0.0; view_angle_rad.len() * wavelength_nm.len()];
         if !table.is_empty() {
-            table.par_chunks_mut(wavelength_nm.len()).zip(view_angle_rad).try_for_each(
+            table.par_chunks_mut(wavelength_nm.len()).zip(view_angle_rad).for_each(
                 |(row, &theta_0)| {
-                    if stop.load(Ordering::Relaxed) {
-                        return Err(OpticsError::Stopped);
+                    if !stop.load(Ordering::Relaxed) {
+                        self.row(stack, indices, theta_0, wavelength_nm, row);
                     }
-                    self.row(stack, theta_0, wavelength_nm, row);
-                    Ok(())
                 },
-            )?;
+            );
         }
-        Ok(table)
+        Ok((!stop.load(Ordering::Relaxed)).then_some(table))
     }
 
     fn check(
@@ -92,7 +94,7 @@ impl IlluminantModel {
         stack: &LayerStack,
         view_angle_rad: &[f64],
         wavelength_nm: &[f64],
-    ) -> Result<(), OpticsError> {
+    ) -> Result<Indices, OpticsError> {
         within("coherence_nm", self.coherence_nm, 0.0..=1e9, "0 to 1e9 nm")?;
         within("threshold", self.threshold, 0.0..=1.0, "0 to 1")?;
         within("diffuse_loss", self.diffuse_loss, 0.0..=1.0, "0 to 1")?;
@@ -102,24 +104,20 @@ impl IlluminantModel {
         for &wavelength in wavelength_nm {
             within("wavelength_nm", wavelength, 1.0..=1e6, "1 to 1000000 nm")?;
         }
-        let ambient = stack.ambient();
-        let inside = [("aragonite", stack.aragonite()), ("protein", stack.protein())];
-        for (medium, index) in [("ambient", ambient)].into_iter().chain(inside) {
-            if !index.is_lossless() {
-                return Err(OpticsError::Absorbing { medium, k: index.k() });
-            }
-            if index.n() < ambient.n() {
-                let (n, ambient) = (index.n(), ambient.n());
-                return Err(OpticsError::TotalReflection { medium, n, ambient });
-            }
-        }
-        Ok(())
+        Indices::of(stack)
     }
 
     /// One view angle. The step numbers are those of section 3 of docs/model.md.
-    fn row(&self, stack: &LayerStack, theta_0: f64, wavelength_nm: &[f64], row: &mut [f64]) {
+    fn row(
+        &self,
+        stack: &LayerStack,
+        indices: Indices,
+        theta_0: f64,
+        wavelength_nm: &[f64],
+        row: &mut [f64],
+    ) {
         // Steps 1 and 2: Snell and Fresnel.
-        let ray = Ray::seen_at(stack, theta_0);
+        let ray = Ray::seen_at(indices, stack.protein_nm(), theta_0);
         // Step 4: path below the surface, so that xi between two layers is a difference of two of these.
         let path_nm: Vec<f64> = stack
             .thickness_nm()
@@ -133,7 +131,7 @@ impl IlluminantModel {
         let mut sums = vec![([0.0; LANES], [0.0; LANES]); path_nm.len() + 1];
         for (lanes, out) in wavelength_nm.chunks(LANES).zip(row.chunks_mut(LANES)) {
             let block = std::array::from_fn(|i| lanes[i.min(lanes.len() - 1)]);
-            let intensity = self.block(&ray, &path_nm, &ends, &block, &mut sums);
+            let intensity = interference(self, &ray, &path_nm, &ends, &block, &mut sums);
             out.copy_from_slice(&intensity[..lanes.len()]);
         }
     }
@@ -153,39 +151,36 @@ impl IlluminantModel {
             })
             .collect()
     }
+}
 
-    /// Steps 3 to 7 for `LANES` wavelengths at once.
-    fn block(
-        &self,
-        ray: &Ray,
-        path_nm: &[f64],
-        ends: &[usize],
-        wavelength_nm: &[f64; LANES],
-        sums: &mut [([f64; LANES], [f64; LANES])],
-    ) -> [f64; LANES] {
-        let (mut s, mut p) = (
-            Beam::new(ray.r2_s, ray, wavelength_nm, self.diffuse_loss),
-            Beam::new(ray.r2_p, ray, wavelength_nm, self.diffuse_loss),
-        );
-        let per_nm = wavelength_nm.map(f64::recip);
-        let mut summed = 0;
-        for (l, &end) in ends.iter().enumerate() {
-            // Step 5: P_k, the running sum of exp(i xi_1k), as far as this window reaches.
-            while summed < end {
-                let (before, after) = sums.split_at_mut(summed + 1);
-                running_sum(&before[summed], path_nm[summed], &per_nm, &mut after[0]);
-                summed += 1;
+/// n0, n1, n2 of the paper: real, constant, and none below n0.
+#[derive(Clone, Copy)]
+struct Indices([f64; 3]);
+
+impl Indices {
+    fn of(stack: &LayerStack) -> Result<Self, OpticsError> {
+        let ambient_n = stack.ambient().index("ambient")?.n();
+        let media = [
+            ("ambient", stack.ambient()),
+            ("aragonite", stack.aragonite()),
+            ("protein", stack.protein()),
+        ];
+        let mut indices = [0.0; 3];
+        for ((medium, of), slot) in media.into_iter().zip(&mut indices) {
+            let index = of.index(medium)?;
+            if !index.is_lossless() {
+                return Err(OpticsError::Absorbing { medium, k: index.k() });
             }
-            let window = squared_difference(&sums[end], &sums[l]);
-            // Step 6: add the intensity of this start layer, then let the light go one layer deeper.
-            let s_goes_on = s.add_and_descend(&window, self.threshold);
-            let p_goes_on = p.add_and_descend(&window, self.threshold);
-            if !(s_goes_on || p_goes_on) {
-                break;
+            if index.n() < ambient_n {
+                return Err(OpticsError::TotalReflection {
+                    medium,
+                    n: index.n(),
+                    ambient: ambient_n,
+                });
             }
+            *slot = index.n();
         }
-        // Step 7, for natural light.
-        std::array::from_fn(|i| 0.5 * ray.t1 * (s.intensity[i] + p.intensity[i]))
+        Ok(Self(indices))
     }
 }
 
@@ -200,8 +195,7 @@ struct Ray {
 }
 
 impl Ray {
-    fn seen_at(stack: &LayerStack, theta_0: f64) -> Self {
-        let (n0, n1, n2) = (stack.ambient().n(), stack.aragonite().n(), stack.protein().n());
+    fn seen_at(Indices([n0, n1, n2]): Indices, protein_nm: f64, theta_0: f64) -> Self {
         // Not quite 0 at grazing, where a medium that is no denser than its neighbour gives 0 / 0.
         let cos2 = |n: f64| 1.0 - (n0 / n * theta_0.sin()).powi(2);
         let snell = |n: f64| cos2(n).max(f64::MIN_POSITIVE).sqrt();
@@ -211,7 +205,7 @@ impl Ray {
         let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);
         Self {
             n1_cos_theta_1: n1 * cos_theta_1,
-            protein_path_nm: 2.0 * n2 * stack.protein_nm() * cos_theta_2,
+            protein_path_nm: 2.0 * n2 * protein_nm * cos_theta_2,
             t1: surface.T().max(0.0),
             r2_s: inner.r_s.re,
             r2_p: inner.r_p.re,
@@ -233,6 +227,7 @@ impl Beam {
     /// Step 3: the waves from top and bottom of a protein layer, r2 of opposite signs, so
     /// |a|^2 = |r2 (1 - exp(i delta))|^2 = (2 r2 sin(delta / 2))^2, exact for the thinnest layer too.
     /// All protein layers are alike, hence one a for all.
+    #[inline(always)]
     fn new(r2: f64, ray: &Ray, wavelength_nm: &[f64; LANES], diffuse_loss: f64) -> Self {
         let echo = wavelength_nm.map(|wavelength| {
             let (_, sin_half_delta) = cos_sin(0.5 * ray.protein_path_nm / wavelength);
@@ -243,6 +238,7 @@ impl Beam {
     }
 
     /// False once no wavelength has light above the threshold any more.
+    #[inline(always)]
     fn add_and_descend(&mut self, window: &[f64; LANES], threshold: f64) -> bool {
         for i in 0..LANES {
             self.intensity[i] += self.light[i] * self.echo[i] * window[i];
@@ -253,7 +249,46 @@ impl Beam {
     }
 }
 
+/// Steps 3 to 7 for `LANES` wavelengths at once. Wider vectors change no bit: nothing is fused here.
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
+    "x86_64+avx2+fma"
+))]
+fn interference(
+    model: &IlluminantModel,
+    ray: &Ray,
+    path_nm: &[f64],
+    ends: &[usize],
+    wavelength_nm: &[f64; LANES],
+    sums: &mut [([f64; LANES], [f64; LANES])],
+) -> [f64; LANES] {
+    let (mut s, mut p) = (
+        Beam::new(ray.r2_s, ray, wavelength_nm, model.diffuse_loss),
+        Beam::new(ray.r2_p, ray, wavelength_nm, model.diffuse_loss),
+    );
+    let per_nm = wavelength_nm.map(f64::recip);
+    let mut summed = 0;
+    for (l, &end) in ends.iter().enumerate() {
+        // Step 5: P_k, the running sum of exp(i xi_1k), as far as this window reaches.
+        while summed < end {
+            let (before, after) = sums.split_at_mut(summed + 1);
+            running_sum(&before[summed], path_nm[summed], &per_nm, &mut after[0]);
+            summed += 1;
+        }
+        let window = squared_difference(&sums[end], &sums[l]);
+        // Step 6: add the intensity of this start layer, then let the light go one layer deeper.
+        let s_goes_on = s.add_and_descend(&window, model.threshold);
+        let p_goes_on = p.add_and_descend(&window, model.threshold);
+        if !(s_goes_on || p_goes_on) {
+            break;
+        }
+    }
+    // Step 7, for natural light.
+    std::array::from_fn(|i| 0.5 * ray.t1 * (s.intensity[i] + p.intensity[i]))
+}
+
 /// The next running sum: one more wave, delayed by `path_nm`.
+#[inline(always)]
 fn running_sum(
     (re, im): &([f64; LANES], [f64; LANES]),
     path_nm: f64,
@@ -267,6 +302,7 @@ fn running_sum(
     }
 }
 
+#[inline(always)]
 fn squared_difference(
     (re_a, im_a): &([f64; LANES], [f64; LANES]),
     (re_b, im_b): &([f64; LANES], [f64; LANES]),

@@ -1,7 +1,5 @@
 //! The door to the picture.
 
-use std::time::Duration;
-
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
     CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
@@ -9,7 +7,7 @@ use nacreous_image::{
 };
 use nacreous_optics::IlluminantModel;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
-use pyo3::{exceptions::PyRuntimeError, prelude::*, types::PyDict};
+use pyo3::{prelude::*, types::PyDict};
 
 use crate::{
     InputError,
@@ -17,6 +15,7 @@ use crate::{
     refused,
     spec::{LampSpec, PearlSpec, SceneSpec, TableSpec, WallsSpec},
     texture::Texture,
+    watched::{broken_off, watched},
 };
 
 /// Everything that a render needs, in the types of the rooms.
@@ -36,8 +35,11 @@ struct Job<'a> {
 impl Job<'_> {
     fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
         let look = &self.look;
+        let Some(rings) = Rings::new(&self.stack, &self.model, &self.light, progress)? else {
+            return Ok(None);
+        };
         let pearl = Pearl {
-            rings: Rings::new(&self.stack, &self.model, &self.light, progress)?,
+            rings,
             mixing: look.mixing,
             body_colour: look.body_colour,
             irradiance: Irradiance::new(&self.surroundings),
@@ -69,7 +71,7 @@ fn job<'a>(
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
     let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
-    let index = stack.0.aragonite().n();
+    let index = stack.0.aragonite().index("aragonite").map_err(refused)?.n();
     let facets = Facets::new(look.facet_spread_rad, index, look.layer_reflectance);
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
@@ -98,9 +100,6 @@ fn job<'a>(
     })
 }
 
-/// How often a waiting Python looks for the end, for Ctrl-C, and reports progress.
-const LOOK_UP: Duration = Duration::from_millis(5);
-
 /// Linear light [row, column, channel] in the parts that `parts()` names, times the exposure.
 ///
 /// `pearl` and `scene` are mappings as image.py makes them. `report(rows_done)` is called now and then;
@@ -128,37 +127,16 @@ pub fn render<'py>(
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
     let job = job(pearl.extract()?, &scene, stack, texture, size_px, samples_side)?;
-    let mut pixels = watched(py, report, |progress| job.run(progress))?;
+    let progress = Progress::default();
+    let look_up = || report.map_or(Ok(()), |say| say.call1((progress.rows_done(),)).map(drop));
+    let rendered = watched(py, look_up, || progress.stop(), || job.run(&progress))?;
+    let mut pixels = rendered.map_err(refused)?.ok_or_else(broken_off)?;
     scale_light(&mut pixels, exposure);
     pixels.into_pyarray(py).reshape([size_px, size_px, CHANNELS])
 }
 
 /// 32 x 32 samples a pixel.
 const MAX_SAMPLES_SIDE: usize = 32;
-
-/// Runs `work` on another thread while this one lets Python live.
-fn watched<'py>(
-    py: Python<'py>,
-    report: Option<&Bound<'py, PyAny>>,
-    work: impl FnOnce(&Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> + Send,
-) -> PyResult<Vec<f32>> {
-    let progress = Progress::default();
-    std::thread::scope(|scope| {
-        let worker = scope.spawn(|| work(&progress));
-        while !worker.is_finished() {
-            py.detach(|| std::thread::sleep(LOOK_UP));
-            let reported =
-                report.map_or(Ok(()), |report| report.call1((progress.rows_done(),)).map(drop));
-            if let Err(error) = py.check_signals().and(reported) {
-                progress.stop();
-                return Err(error);
-            }
-        }
-        let broken = "the render ended without a picture; please report this";
-        let result = worker.join().map_err(|_| PyRuntimeError::new_err(broken))?;
-        result.map_err(refused)?.ok_or_else(|| PyRuntimeError::new_err(broken))
-    })
-}
 
 /// Light is multiplied by the exposure; texture and coverage are no light.
 fn scale_light(pixels: &mut [f32], exposure: f32) {

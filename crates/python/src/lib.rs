@@ -11,6 +11,7 @@ mod nacre;
 mod optics;
 mod spec;
 mod texture;
+mod watched;
 
 pyo3::import_exception!(nacreous.problem, InputError);
 
@@ -36,9 +37,9 @@ mod _core {
     #[pymodule_export]
     const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
     #[pymodule_export]
-    use super::nacre::{Stack, grow};
+    use super::nacre::{Stack, grow, media};
     #[pymodule_export]
-    use super::optics::{fresnel, illuminant};
+    use super::optics::{energies, fresnel, illuminant};
     #[pymodule_export]
     use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
 }

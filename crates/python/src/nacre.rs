@@ -1,18 +1,60 @@
 //! The door to nacre.
 
-use nacreous_nacre::{Growth, Index, LayerStack, MAX_LAYERS, NacreError, Season};
+use nacreous_nacre::{Growth, Index, LayerStack, MAX_LAYERS, Medium, NacreError, Season};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::refused;
+use crate::{InputError, refused};
 
 /// Aragonite layers from the surface inward, each followed by a protein layer, then the substrate.
 #[pyclass(frozen, name = "Stack", module = "nacreous._core")]
 pub struct Stack(pub LayerStack);
 
-fn index(medium: &str, value: Complex64) -> PyResult<Index> {
-    Index::new(medium, value.re, value.im).map_err(refused)
+/// A medium as `nacreous/medium.py` hands it over.
+#[derive(FromPyObject)]
+pub enum MediumSpec<'py> {
+    /// One that `media()` names.
+    Name(String),
+    /// n + ik.
+    Constant(Complex64),
+    /// Ordinary, extraordinary.
+    Uniaxial(Complex64, Complex64),
+    /// wavelength_nm, ordinary, extraordinary.
+    Table(
+        PyReadonlyArray1<'py, f64>,
+        PyReadonlyArray1<'py, Complex64>,
+        PyReadonlyArray1<'py, Complex64>,
+    ),
+}
+
+impl MediumSpec<'_> {
+    fn medium(&self, quantity: &str) -> PyResult<Medium> {
+        let index = |n: &Complex64| Index::new(quantity, n.re, n.im).map_err(refused);
+        match self {
+            Self::Name(name) => Medium::named(name).ok_or_else(|| {
+                let (name, names) = (name.chars().take(40).collect::<String>(), Medium::NAMES);
+                let allowed = names.join(", ");
+                InputError::new_err(format!("{quantity} is '{name}'; allowed: {allowed}"))
+            }),
+            Self::Constant(n) => Ok(index(n)?.into()),
+            Self::Uniaxial(ordinary, extraordinary) => {
+                Ok(Medium::uniaxial(index(ordinary)?, index(extraordinary)?))
+            }
+            Self::Table(wavelength_nm, ordinary, extraordinary) => {
+                let wavelength_nm = wavelength_nm.as_array().to_vec();
+                let ordinary = ordinary.as_array().to_vec();
+                let extraordinary = extraordinary.as_array().to_vec();
+                Medium::table(quantity, wavelength_nm, &ordinary, &extraordinary).map_err(refused)
+            }
+        }
+    }
+}
+
+/// The names of the media that are known by name.
+#[pyfunction]
+pub fn media() -> Vec<&'static str> {
+    Medium::NAMES.to_vec()
 }
 
 #[pymethods]
@@ -21,10 +63,10 @@ impl Stack {
     fn new(
         thickness_nm: PyReadonlyArray1<'_, f64>,
         protein_nm: f64,
-        aragonite: Complex64,
-        protein: Complex64,
-        ambient: Complex64,
-        substrate: Complex64,
+        aragonite: MediumSpec<'_>,
+        protein: MediumSpec<'_>,
+        ambient: MediumSpec<'_>,
+        substrate: MediumSpec<'_>,
     ) -> PyResult<Self> {
         // Before the copy, which for a billion layers takes 8 GB.
         let layers = thickness_nm.len()?;
@@ -34,10 +76,10 @@ impl Stack {
         LayerStack::new(
             thickness_nm.as_array().to_vec(),
             protein_nm,
-            index("aragonite", aragonite)?,
-            index("protein", protein)?,
-            index("ambient", ambient)?,
-            index("substrate", substrate)?,
+            aragonite.medium("aragonite")?,
+            protein.medium("protein")?,
+            ambient.medium("ambient")?,
+            substrate.medium("substrate")?,
         )
         .map(Self)
         .map_err(refused)

@@ -1,12 +1,19 @@
 //! The door to optics.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use nacreous_nacre::Index;
-use nacreous_optics::{Fresnel, IlluminantModel};
+use nacreous_optics::{Fresnel, IlluminantModel, TransferModel};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::{InputError, nacre::Stack, refused};
+use crate::{
+    InputError,
+    nacre::Stack,
+    refused,
+    watched::{broken_off, watched},
+};
 
 type Amplitudes<'py> = Bound<'py, PyArray1<Complex64>>;
 type Energies<'py> = Bound<'py, PyArray1<f64>>;
@@ -48,16 +55,50 @@ pub fn illuminant<'py>(
     diffuse_loss: f64,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let model = IlluminantModel { coherence_nm, threshold, diffuse_loss };
+    let shape = shape(&angle_rad, &wavelength_nm)?;
+    let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
+    let stop = AtomicBool::new(false);
+    let work = || model.spectra_unless(&stack.0, &angle, &wavelength, &stop);
+    let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
+    found.map_err(refused)?.ok_or_else(broken_off)?.into_pyarray(py).reshape(shape)
+}
+
+/// R, T and A [angle, wavelength] of the whole stack, exact.
+#[pyfunction]
+pub fn energies<'py>(
+    py: Python<'py>,
+    stack: &Stack,
+    angle_rad: PyReadonlyArray1<'_, f64>,
+    wavelength_nm: PyReadonlyArray1<'_, f64>,
+    polarisation: &str,
+    precision: &str,
+) -> PyResult<[Bound<'py, PyArray2<f64>>; 3]> {
+    let model = TransferModel {
+        polarisation: polarisation.parse().map_err(refused)?,
+        precision: precision.parse().map_err(refused)?,
+    };
+    let shape = shape(&angle_rad, &wavelength_nm)?;
+    let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
+    let stop = AtomicBool::new(false);
+    let work = || model.energies(&stack.0, &angle, &wavelength, &stop);
+    let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
+    let energies = found.map_err(refused)?.ok_or_else(broken_off)?;
+    let table = |share: Vec<f64>| share.into_pyarray(py).reshape(shape);
+    Ok([table(energies.reflectance)?, table(energies.transmittance)?, table(energies.absorptance)?])
+}
+
+/// Of a table that memory can hold: a GB, for more than there is would end the whole process.
+fn shape(
+    angle_rad: &PyReadonlyArray1<'_, f64>,
+    wavelength_nm: &PyReadonlyArray1<'_, f64>,
+) -> PyResult<[usize; 2]> {
     let (rows, columns) = (angle_rad.len()?, wavelength_nm.len()?);
     if rows.saturating_mul(columns) > MAX_VALUES {
         let message =
             format!("the table has {rows} x {columns} values; allowed: up to {MAX_VALUES}");
         return Err(InputError::new_err(message));
     }
-    let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
-    let table = py.detach(|| model.spectra(&stack.0, &angle, &wavelength)).map_err(refused)?;
-    table.into_pyarray(py).reshape([rows, columns])
+    Ok([rows, columns])
 }
 
-/// 1 GB; more memory than there is would end the whole process.
 const MAX_VALUES: usize = 1 << 27;

@@ -1,0 +1,157 @@
+//! A plane wave inside one medium: how it runs along the normal, and its admittance.
+
+use nacreous_nacre::{Medium, NacreError, Principal};
+use num_complex::Complex64;
+
+use crate::OpticsError;
+
+/// How light swings: across the plane of incidence, in it, or both alike.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Polarisation {
+    /// Electric field across the plane of incidence.
+    S,
+    /// Electric field in the plane of incidence.
+    P,
+    /// Natural light, the mean of both.
+    #[default]
+    Unpolarised,
+}
+
+impl std::str::FromStr for Polarisation {
+    type Err = OpticsError;
+
+    fn from_str(name: &str) -> Result<Self, OpticsError> {
+        match name {
+            "s" => Ok(Self::S),
+            "p" => Ok(Self::P),
+            "unpolarised" => Ok(Self::Unpolarised),
+            other => Err(OpticsError::Polarisation(other.chars().take(40).collect())),
+        }
+    }
+}
+
+/// One of the two polarisations that a boundary does not mix.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Plane {
+    S,
+    P,
+}
+
+/// A medium at each wavelength of a table: its indices (ordinary, extraordinary).
+pub(crate) struct Indices {
+    pub(crate) ordinary: Vec<Complex64>,
+    pub(crate) extraordinary: Vec<Complex64>,
+}
+
+/// Below this, fields in units of an admittance overflow; no medium has so small an index.
+const LEAST_N: f64 = 1e-3;
+
+impl Indices {
+    pub(crate) fn of(
+        name: &str,
+        medium: &Medium,
+        wavelength_nm: &[f64],
+    ) -> Result<Self, OpticsError> {
+        let at = |&nm: &f64| {
+            let Principal { ordinary, extraordinary } = medium.at(name, nm)?;
+            for index in [ordinary, extraordinary] {
+                if index.n() < LEAST_N {
+                    let (quantity, value) = (format!("{name}: n"), index.n());
+                    let allowed = "0.001 to 100 for exact optics";
+                    return Err(NacreError::OutOfRange { quantity, value, allowed }.into());
+                }
+            }
+            Ok((ordinary.complex(), extraordinary.complex()))
+        };
+        let indices = wavelength_nm.iter().map(at).collect::<Result<Vec<_>, OpticsError>>()?;
+        let (ordinary, extraordinary) = indices.into_iter().unzip();
+        Ok(Self { ordinary, extraordinary })
+    }
+
+    pub(crate) fn is_isotropic(&self) -> bool {
+        self.ordinary == self.extraordinary
+    }
+}
+
+/// A wave in one medium, for one polarisation, angle and wavelength.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wave {
+    /// Component of the wave vector along the normal, in units of that in vacuum.
+    pub(crate) along: Complex64,
+    /// Tangential magnetic over electric field, in units of that in vacuum.
+    pub(crate) admittance: Complex64,
+}
+
+impl Wave {
+    /// The wave that comes in through the ambient.
+    pub(crate) fn incident(plane: Plane, ambient: Complex64, cos_angle: f64) -> Self {
+        let along = ambient * cos_angle;
+        let admittance = if plane == Plane::S { along } else { ambient / cos_angle };
+        Self { along, admittance }
+    }
+
+    /// What becomes of a wave with `incident_along` in the `ambient` inside another medium, uniaxial
+    /// with its axis along the normal: along = sqrt(n_o^2 - s^2) in s and n_o sqrt(1 - s^2 / n_e^2) in p,
+    /// s = n_ambient sin; on the branch that decays, or runs away, from the boundary.
+    ///
+    /// Written with n^2 - n_ambient^2 + along^2 and not n^2 - s^2, so that equal media stay invisible up
+    /// to grazing.
+    pub(crate) fn refracted(
+        plane: Plane,
+        (ordinary, extraordinary): (Complex64, Complex64),
+        ambient: Complex64,
+        incident_along: Complex64,
+    ) -> Self {
+        let beside = |n: Complex64| {
+            away(root((n - ambient) * (n + ambient) + incident_along * incident_along))
+        };
+        match plane {
+            Plane::S => {
+                let along = beside(ordinary);
+                Self { along, admittance: along }
+            }
+            Plane::P if ordinary == extraordinary => {
+                let along = beside(ordinary);
+                Self { along, admittance: ordinary * ordinary / along }
+            }
+            Plane::P => {
+                let along = away(ordinary / extraordinary * beside(extraordinary));
+                Self { along, admittance: ordinary * ordinary / along }
+            }
+        }
+    }
+}
+
+fn away(along: Complex64) -> Complex64 {
+    if along.im < 0.0 || (along.im == 0.0 && along.re < 0.0) { -along } else { along }
+}
+
+/// The square root, never quite 0: a layer's matrix is even in it and bounded, but written with 1 / root.
+/// At the very angle of total reflection the phase is thereby wrong by 1e-12 of a radian per
+/// wavelength of thickness, and its square is all that counts.
+fn root(square: Complex64) -> Complex64 {
+    let size = (square.re * square.re + square.im * square.im).sqrt();
+    if size < 1e-24 {
+        return Complex64::new(1e-12, 0.0);
+    }
+    let large = (0.5 * (size + square.re.abs())).sqrt();
+    let small = 0.5 * square.im / large;
+    if square.re >= 0.0 { Complex64::new(large, small) } else { Complex64::new(small, large) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_squares_to_its_square() {
+        for (re, im) in
+            [(2.0, 3.0), (-2.0, 3.0), (-2.0, -3.0), (4.0, 0.0), (-4.0, 0.0), (0.0, 1e-9)]
+        {
+            let square = Complex64::new(re, im);
+            let root = away(root(square));
+            assert!((root * root - square).norm() <= 4e-16 * square.norm());
+            assert!(root.im >= 0.0);
+        }
+    }
+}

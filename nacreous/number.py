@@ -1,0 +1,57 @@
+"""Numbers from outside, checked once: what they are, or one clear message."""
+
+from __future__ import annotations
+
+import reprlib
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nacreous.problem import InputError
+
+
+def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """A one-dimensional float64 array of the values, or one clear message."""
+    row = np.atleast_1d(array_of(name, values))
+    if row.ndim > 1:
+        raise InputError(f"{name} has {row.ndim} dimensions; allowed: 1")
+    return row
+
+
+def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """A float64 array of the values, in their shape, or one clear message."""
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError):  # lists of different lengths
+        array = np.array(None)
+    if array.dtype.kind not in "iuf":  # text, truth values and complex numbers would be converted
+        raise InputError(f"{name} is {said(values)}; allowed: numbers")
+    return np.require(array, np.float64, "A")
+
+
+def number_of(name: str, value: object) -> float:
+    """A finite or infinite float, or one clear message."""
+    if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
+        try:
+            return float(value)
+        except OverflowError:  # a whole number of hundreds of digits
+            pass
+    raise InputError(f"{name} is {said(value)}; allowed: a number")
+
+
+def index_of(name: str, value: object) -> complex:
+    """A complex index, or one clear message."""
+    if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):
+        try:
+            return complex(value)
+        except OverflowError:
+            pass
+    raise InputError(f"{name} is {said(value)}; allowed: a number n or a complex number n + ik")
+
+
+def said(value: object) -> str:
+    """A value as Python writes it, on one line and never long."""
+    try:
+        return " ".join(reprlib.repr(value).split())
+    except ValueError:  # a whole number of more digits than Python agrees to print
+        return "a number of thousands of digits"
