@@ -269,7 +269,7 @@ def page(found: dict[str, float], walls: dict[str, float], peers: list[str]) -> 
             *(
                 [
                     "Others on the same job of 400 bilayers (a part of it where they are slow), "
-                    "one thread:",
+                    "one thread, best of 3:",
                     "",
                     "| package | ns | times ours |",
                     "|---|---|---|",
