@@ -17,7 +17,7 @@ pub fn energies(
     polarisation: &str,
 ) -> Result<Array, JsError> {
     let found = exact(stack, angle_rad, wavelength_nm, polarisation, Precision::Double)?;
-    Ok(shares(&found).map(|share| Float64Array::from(share)).iter().collect())
+    Ok(shares(&found).map(Float64Array::from).iter().collect())
 }
 
 /// The same in single precision: faster, and right to 2e-4 (1e-5 rms) for 400 bilayers.
