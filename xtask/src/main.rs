@@ -1,8 +1,8 @@
 //! `cargo xtask wasm` builds `target/wasm/`: `nacreous.js`, an ES module for browsers and Node.js,
 //! `nacreous_bg.wasm` beside it, and its TypeScript declarations.
 //!
-//! It installs nothing. Where Rust's WebAssembly target is missing it prints the line that installs it
-//! and ends with status 2.
+//! It installs nothing. Where Rust's WebAssembly target is missing it prints the line that installs
+//! it and ends with status 2.
 
 use std::path::Path;
 use std::process::{Command, ExitCode};

@@ -1,8 +1,8 @@
 //! The door to the browser: converts types and errors, decides nothing.
 //!
-//! Numbers come and go as Float64Array (Float32Array where single precision is asked for); tables are
-//! `[angle, wavelength]`, flat and row-major. What a room refuses is thrown as an Error with the room's
-//! one-line message.
+//! Numbers come and go as Float64Array (Float32Array in single precision); tables are
+//! `[angle, wavelength]`, flat and row-major. What a room refuses is thrown as an Error with the
+//! room's one-line message.
 #![allow(clippy::needless_pass_by_value)] // arrays from JavaScript are handed over
 
 mod nacre;

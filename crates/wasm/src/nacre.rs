@@ -6,22 +6,25 @@ use wasm_bindgen::prelude::*;
 
 use crate::refused;
 
+#[wasm_bindgen(typescript_custom_section)]
+const MEDIUM: &str = "/** A name, a number n, or [n, k] or [n_o, k_o, n_e, k_e]. */
+export type Medium = string | number | Float64Array;";
+
 /// Aragonite layers from the surface inward, each followed by a protein layer, then the substrate.
 #[wasm_bindgen]
 pub struct Stack(pub(crate) LayerStack);
 
 #[wasm_bindgen]
 impl Stack {
-    /// Thicknesses in nm, surface first; a medium is a name, a number n, or a Float64Array of n and k,
-    /// or of n_o, k_o, n_e, k_e.
+    /// Thicknesses in nm, surface first; 1 to 5000 aragonite layers.
     #[wasm_bindgen(constructor)]
     pub fn new(
         thickness_nm: Vec<f64>,
         protein_nm: f64,
-        #[wasm_bindgen(unchecked_param_type = "string | number | Float64Array")] aragonite: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "string | number | Float64Array")] protein: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "string | number | Float64Array")] ambient: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "string | number | Float64Array")] substrate: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Medium")] aragonite: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Medium")] protein: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Medium")] ambient: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Medium")] substrate: JsValue,
     ) -> Result<Self, JsError> {
         LayerStack::new(
             thickness_nm,
