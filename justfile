@@ -35,7 +35,7 @@ figures: setup
 
 # Run every test and every check
 [group("trust")]
-test: _rust-tools check test-rust test-python
+test: _rust-tools check test-rust test-python _test-wasm
 
 # Run the Rust tests, the examples in its documentation included
 [group("trust")]
@@ -66,6 +66,12 @@ check: _rust-tools setup
 bench: setup
     for benchmark in benchmarks/*.py; do python "$benchmark"; done
 
+# Measure the browser's rooms in Node.js, on one thread
+[group("trust")]
+bench-wasm: _wasm-tools
+    cargo xtask wasm
+    node benchmarks/optics.mjs
+
 # Prepare .venv and build the compiled rooms into it; at once when nothing changed
 [group("build")]
 [script]
@@ -83,10 +89,20 @@ setup:
         echo "$sources" >.venv/built-from
     fi
 
+# Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
+[group("build")]
+wasm: _rust-tools _wasm-tools
+    cargo xtask wasm
+    node --test --test-reporter=spec tests/wasm.test.mjs
+    cargo fmt --manifest-path xtask/Cargo.toml --check
+    cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings
+    cargo clippy --manifest-path xtask/Cargo.toml --target-dir target/xtask -- -D warnings
+
 # Put all code into the house format, and mend what ruff can mend
 [group("build")]
 format: setup
     cargo fmt --all
+    cargo fmt --manifest-path xtask/Cargo.toml
     ruff check --fix
     ruff format
 
@@ -112,3 +128,23 @@ _rust-tools:
             exit 1
         fi
     done >&2
+
+# Before xtask, which checks too but takes a minute to compile.
+[script]
+_wasm-tools:
+    libraries=$(rustc --print target-libdir --target wasm32-unknown-unknown)
+    if [ ! -d "$libraries" ]; then
+        echo "Rust's WebAssembly target is missing:   rustup target add wasm32-unknown-unknown"
+        exit 2
+    elif ! command -v node >/dev/null; then
+        echo "Node.js is missing:   sudo apt install nodejs npm"
+        exit 2
+    fi >&2
+
+[script]
+_test-wasm:
+    if missing=$(just _wasm-tools 2>&1); then
+        just wasm
+    else
+        echo "WebAssembly was left out of the tests. $missing" | head -n 1
+    fi

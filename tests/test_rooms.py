@@ -13,6 +13,7 @@ MAY_KNOW = {
     "nacreous-colour": set(),
     "nacreous-image": {"nacreous-nacre", "nacreous-optics", "nacreous-colour"},
     "nacreous-python": {"nacreous-nacre", "nacreous-optics", "nacreous-colour", "nacreous-image"},
+    "nacreous-wasm": {"nacreous-nacre", "nacreous-optics"},
 }
 
 
