@@ -3,6 +3,7 @@ use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
 
 use crate::{
+    ByAngle,
     light::Light,
     rgb::{self, Rgb},
 };
@@ -13,10 +14,7 @@ use crate::{
 /// the light inside; the illuminant model states no absolute scale, and depth mixes the rings with the
 /// body colour.
 #[derive(Debug, Clone)]
-pub struct Rings {
-    /// By cosine of the view angle, evenly from 0 to 1.
-    colours: Vec<Rgb>,
-}
+pub struct Rings(ByAngle);
 
 /// Steps in the cosine of the view angle at the paper's coherence length. Between two of them the phase
 /// of the longest path difference turns by 0.12 rad at most, so a straight line between them errs by
@@ -38,26 +36,19 @@ impl Rings {
         let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
         let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
         let steps = (STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize;
-        let view_rad: Vec<f64> =
-            (0..=steps).map(|step| libm::acos(step as f64 / steps as f64)).collect();
+        let view_rad: Vec<f64> = ByAngle::cosines(steps).map(libm::acos).collect();
         let wavelength_nm: Vec<f64> = (0..SAMPLES).map(|i| FIRST_NM + i as f64).collect();
         let spectra = model.spectra(stack, &view_rad, &wavelength_nm)?;
         let (rows, _) = spectra.as_chunks::<SAMPLES>();
-        let mut colours: Vec<Rgb> = rows.iter().map(|row| light.rgb_inside(row)).collect();
+        let colours: Vec<Rgb> = rows.iter().map(|row| light.rgb_inside(row)).collect();
         let luminance = mean_over_disc(&colours);
         let scale = if luminance > 0.0 { light.amount() / luminance } else { 0.0 };
-        for colour in &mut colours {
-            *colour = rgb::scaled(*colour, scale);
-        }
-        Ok(Self { colours })
+        Ok(Self(ByAngle::new(colours).scaled(scale)))
     }
 
     /// Linear RGB at a view angle, given by its cosine (0 at the rim, 1 in the middle).
     pub fn colour(&self, cos_view: f64) -> Rgb {
-        let last = self.colours.len() - 1;
-        let x = cos_view.clamp(0.0, 1.0) * last as f64;
-        let i = (x as usize).min(last - 1);
-        rgb::mix(self.colours[i], self.colours[i + 1], x - i as f64)
+        self.0.at(cos_view)
     }
 }
 
