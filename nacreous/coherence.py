@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 #: Half the line, in units of 1 / coherence length; what lies beyond is 1e-8 of its top.
 _REACH = 1.72
 #: Nodes in wavenumber are halved until no value changes by more.
-_TOLERANCE = 1e-6
+_TOLERANCE = 1e-4
 #: Spectra times angles: 64 MB a table.
 _MOST_VALUES = 1 << 23
 

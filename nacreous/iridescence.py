@@ -17,16 +17,13 @@ __all__ = ["ByAngle", "exact", "illuminant"]
 
 @dataclass(frozen=True)
 class ByAngle:
-    """Colours by angle, on a grid so fine that straight lines stay within CIEDE2000 0.2.
+    """Colours by angle, on a grid so fine that straight lines between its nodes will do.
 
     xyz: float64 [cosine, 3], relative to white with Y = 1, for cosines of the angle spaced evenly
     from 0 (grazing, the rim of a ball) to 1 (the normal, its middle).
     """
 
     xyz: NDArray[np.float64]
-
-    def __post_init__(self) -> None:
-        self.xyz.flags.writeable = False
 
     @property
     def angle_rad(self) -> NDArray[np.float64]:
@@ -41,7 +38,8 @@ class ByAngle:
         place = np.cos(angle).clip(0.0, 1.0) * (len(self.xyz) - 1)
         low = np.minimum(place.astype(np.intp), len(self.xyz) - 2)
         share = (place - low)[..., None]
-        return self.xyz[low] + (self.xyz[low + 1] - self.xyz[low]) * share
+        found: NDArray[np.float64] = self.xyz[low] * (1 - share) + self.xyz[low + 1] * share
+        return found
 
 
 def exact(
@@ -82,6 +80,8 @@ def illuminant(
     """The colours of nacre lit from within by `light`, by the view angle (paper, section 3).
 
     As `nc.optics.illuminant`, which has no scale of its own: here the brightest angle has Y = 1.
+    Its colours jump where one layer more begins to interfere, by CIEDE2000 0.5 in real nacre and
+    by 5 where all layers are equal; between jumps straight lines stay within 0.2.
 
     >>> rings = illuminant(LayerStack([420.0] * 100))
     >>> float(rings.xyz[:, 1].max())

@@ -123,7 +123,9 @@ def test_ensembles_take_a_coherence_length():
 def test_what_cannot_be_is_refused():
     stack = nc.LayerStack([420.0] * 10, 20.0, "aragonite")
     for bad in (0.0, -1.0, math.nan, math.inf, 2e9):
-        assert "coherence_nm is" in refusal(lambda: energies(stack, 0.0, NM, coherence_nm=bad))
+        assert "coherence_nm is" in refusal(
+            lambda bad=bad: energies(stack, 0.0, NM, coherence_nm=bad)
+        )
     short = refusal(lambda: energies(stack, 0.0, 550.0, coherence_nm=1000.0))
     assert short == "coherence_nm is 1000; allowed at 550 nm: from 1100 nm, two waves"
     # The line reaches beyond what is measured.

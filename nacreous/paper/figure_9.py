@@ -56,36 +56,13 @@ def measure(light: Array, index: float, changed: int) -> list[Measurement]:
     unlike = float(np.sqrt(np.mean((far / far.mean() - near / near.mean()) ** 2)))
     away, lamps = f"from (a) to (b), {VIEW_DEG[0]}° to {VIEW_DEG[1]}°", len(LAMPS_DEG) + 1
     return [
-        Measurement(
-            "contrast (max − min) / (max + min) at (a); flat light has 0",
-            _contrast(near),
-            least=0.2,
-        ),
+        Measurement("contrast (max − min) / (max + min) at (a); flat light has 0", _contrast(near), least=0.2),
         Measurement("contrast at (b)", _contrast(far), least=0.2),
         Measurement("difference of (a) and (b), rms over mean", unlike, least=0.1),
-        Measurement(
-            f"change of the fringes' wavelengths {away}",
-            100 * math.expm1(shifts.sum()),
-            "%",
-            most=-5.0,
-        ),
-        Measurement(
-            "its largest step on the way: never to longer wavelengths",
-            100 * float(shifts.max()),
-            "%",
-            most=0.0,
-        ),
-        Measurement(
-            "the whole change over that of cos θ1 in equation (3)",
-            float(shifts.sum() / law),
-            least=0.9,
-            most=1.1,
-        ),
-        Measurement(
-            f"values that change in the interference component, {lamps} lamp directions",
-            changed,
-            most=0.0,
-        ),
+        Measurement(f"change of the fringes' wavelengths {away}", 100 * math.expm1(shifts.sum()), "%", most=-5.0),
+        Measurement("its largest step on the way: never to longer wavelengths", 100 * float(shifts.max()), "%", most=0.0),
+        Measurement("the whole change over that of cos θ1 in equation (3)", float(shifts.sum() / law), least=0.9, most=1.1),
+        Measurement(f"values that change in the interference component, {lamps} lamp directions", changed, most=0.0),
     ]
 
 
@@ -98,9 +75,7 @@ def fringe_shifts(light: Array) -> Array:
     """
     even = np.linspace(math.log(380.0), math.log(780.0), _LOG_STEPS)
     rows = light[VIEW_DEG[0] : VIEW_DEG[1] + 1 : 2]
-    waves = np.stack(
-        [np.interp(even, np.log(colour.WAVELENGTH_NM), row / row.mean() - 1) for row in rows]
-    )
+    waves = np.stack([np.interp(even, np.log(colour.WAVELENGTH_NM), row / row.mean() - 1) for row in rows])
     spectra = np.fft.rfft(waves * np.hanning(_LOG_STEPS), 4 * _LOG_STEPS)
     agreement = np.fft.irfft(spectra[1:] * np.conj(spectra[:-1]))
     step = float(even[1] - even[0])

@@ -66,8 +66,12 @@ impl Iridescence {
 }
 
 /// The colours of nacre lit from within, XYZ by the view angle, the brightest with Y = 1: the model has no
-/// scale of its own. The grid is as [`Iridescence::new`]'s, its wavelengths 1 nm apart: waves that
-/// interfere differ by the coherence length at most, so there are no finer fringes.
+/// scale of its own.
+///
+/// The steps are half as long as those of [`crate::Rings`]. The model ends each interference after a
+/// whole layer, so that its colours jump, by CIEDE2000 0.5 in real nacre and by 5 where all layers are
+/// equal; no grid is fine enough for a jump. Between jumps straight lines stay within 0.2. Wavelengths
+/// are 1 nm apart: path differences end at the coherence length, so there are no finer fringes.
 ///
 /// # Errors
 /// What [`IlluminantModel::spectra`] refuses.
@@ -76,23 +80,41 @@ pub fn interference_colours(
     model: &IlluminantModel,
     weights: &Weights,
 ) -> Result<ByAngle, OpticsError> {
-    let spectra = |cosines: &[f64]| {
-        let view_rad: Vec<f64> = cosines.iter().map(|cosine| libm::acos(*cosine)).collect();
-        let table = model.spectra(stack, &view_rad, &WAVELENGTH_NM)?;
-        let (rows, _) = table.as_chunks::<SAMPLES>();
-        Ok::<_, OpticsError>(rows.iter().map(|row| [xyz_from_spectrum(weights, row)]).collect())
-    };
-    let brightest = |colours: &[[f64; 3]]| colours.iter().map(|[_, y, _]| *y).fold(0.0, f64::max);
-    // Differences of colour need a white: about the brightest.
-    let rough: Vec<[[f64; 3]; 1]> = spectra(&ByAngle::cosines(64).collect::<Vec<_>>())?;
-    let scale = brightest(rough.as_flattened());
-    let scale = if scale > 0.0 { scale } else { 1.0 };
-    let white = white(weights).map(|channel| channel * scale);
-    let tables = ByAngle::refined(white, |cosines| spectra(cosines).map(Some))?;
-    // The computation above never gives up.
-    let [colours] = tables.unwrap_or_else(|| [ByAngle::new(vec![[0.0; 3]; 2])]);
-    let luminance = brightest(colours.nodes());
-    Ok(colours.scaled(if luminance > 0.0 { 1.0 / luminance } else { 0.0 }))
+    let steps = 2 * interference_steps(stack, model)?;
+    let spectra = interference_spectra(stack, model, steps)?;
+    let colours: Vec<_> = spectra.iter().map(|row| xyz_from_spectrum(weights, row)).collect();
+    let brightest = colours.iter().map(|[_, y, _]| *y).fold(0.0, f64::max);
+    let scale = if brightest > 0.0 { 1.0 / brightest } else { 0.0 };
+    Ok(ByAngle::new(colours).scaled(scale))
+}
+
+/// Steps in the cosine of the view angle at the paper's coherence length. Between two of them the phase
+/// of the longest path difference turns by 0.12 rad at most, so a straight line between them errs by
+/// 0.2 % of a fringe.
+const STEPS: f64 = 256.0;
+const STEPS_FOR_COHERENCE_NM: f64 = 5000.0;
+const MOST_STEPS: f64 = 4096.0;
+
+/// Steps in the cosine of the view angle that the model of 1996 needs.
+pub(crate) fn interference_steps(
+    stack: &LayerStack,
+    model: &IlluminantModel,
+) -> Result<usize, OpticsError> {
+    let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
+    let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
+    Ok((STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize)
+}
+
+/// Its spectra at the cosines that [`ByAngle::cosines`] gives.
+pub(crate) fn interference_spectra(
+    stack: &LayerStack,
+    model: &IlluminantModel,
+    steps: usize,
+) -> Result<Vec<[f64; SAMPLES]>, OpticsError> {
+    let view_rad: Vec<f64> = ByAngle::cosines(steps).map(libm::acos).collect();
+    let spectra = model.spectra(stack, &view_rad, &WAVELENGTH_NM)?;
+    let (rows, _) = spectra.as_chunks::<SAMPLES>();
+    Ok(rows.to_vec())
 }
 
 /// XYZ of 1 at every wavelength.

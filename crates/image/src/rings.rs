@@ -1,9 +1,9 @@
-use nacreous_colour::{FIRST_NM, SAMPLES};
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
 
 use crate::{
     ByAngle,
+    iridescence::{interference_spectra, interference_steps},
     light::Light,
     rgb::{self, Rgb},
 };
@@ -16,13 +16,6 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Rings(ByAngle);
 
-/// Steps in the cosine of the view angle at the paper's coherence length. Between two of them the phase
-/// of the longest path difference turns by 0.12 rad at most, so a straight line between them errs by
-/// 0.2 % of a fringe.
-const STEPS: f64 = 256.0;
-const STEPS_FOR_COHERENCE_NM: f64 = 5000.0;
-const MOST_STEPS: f64 = 4096.0;
-
 impl Rings {
     /// Computes spectra by view angle and turns them into colours under the scene's light.
     ///
@@ -33,14 +26,8 @@ impl Rings {
         model: &IlluminantModel,
         light: &Light,
     ) -> Result<Self, OpticsError> {
-        let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
-        let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
-        let steps = (STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize;
-        let view_rad: Vec<f64> = ByAngle::cosines(steps).map(libm::acos).collect();
-        let wavelength_nm: Vec<f64> = (0..SAMPLES).map(|i| FIRST_NM + i as f64).collect();
-        let spectra = model.spectra(stack, &view_rad, &wavelength_nm)?;
-        let (rows, _) = spectra.as_chunks::<SAMPLES>();
-        let colours: Vec<Rgb> = rows.iter().map(|row| light.rgb_inside(row)).collect();
+        let spectra = interference_spectra(stack, model, interference_steps(stack, model)?)?;
+        let colours: Vec<Rgb> = spectra.iter().map(|row| light.rgb_inside(row)).collect();
         let luminance = mean_over_disc(&colours);
         let scale = if luminance > 0.0 { light.amount() / luminance } else { 0.0 };
         Ok(Self(ByAngle::new(colours).scaled(scale)))
