@@ -26,54 +26,66 @@ def columns(aragonite):
 
 
 def mean(spectrum, stacks):
+    """The mean spectrum of all columns: their light is added by energy."""
     return np.mean([spectrum(stack) for stack in stacks], axis=0)
 
 
-def interference(stack, angle_rad=0.0):
-    return nc.optics.illuminant(stack, angle_rad, NM, COHERENCE_NM, diffuse_loss=LOSS)[0]
+def interference(stack):
+    """The model of 1996 at the normal."""
+    return nc.optics.illuminant(stack, 0.0, NM, COHERENCE_NM, diffuse_loss=LOSS)[0]
 
 
-def reflected(stack, coherence_nm=None, angle_rad=0.0):
-    return nc.optics.reflectance(stack, angle_rad, NM, coherence_nm=coherence_nm)[0]
+def reflected(stack, coherence_nm=None):
+    """Exact R at the normal."""
+    return nc.optics.reflectance(stack, 0.0, NM, coherence_nm=coherence_nm)[0]
 
 
 def peak_nm(spectrum):
-    """The middle of what stands out by half or more: one number for a peak with fringes."""
-    above = np.clip(spectrum - np.median(spectrum), 0, None)
-    above[above < above.max() / 2] = 0
-    return float((above * NM).sum() / above.sum())
+    """The peak of second order, which lies in this range for all that is shown here."""
+    second = np.where((NM > 480) & (NM < 740), spectrum, 0)
+    return float(NM[second.argmax()])
 
 
 def hue_deg(spectrum):
+    """Hue angle in CIE Lab under D65."""
     _, a, b = nc.colour.lab_from_xyz(nc.colour.xyz_from_spectrum(spectrum, "D65"), WHITE)
     return float(np.degrees(np.arctan2(b, a))) % 360
 
 
+def compare(panel, light, partial, stacks):
+    """The model's spectrum beside R, as it is and with the protein's share of the path."""
+    layer_nm = float(np.mean([stack.thickness_nm for stack in stacks]))
+    stretch = 1 + 1.43 * 20 / (PAPER * layer_nm)
+    stretched = np.interp(NM / stretch, NM, light)
+    panel.plot(
+        NM, light * partial.max() / light.max(), "k--", lw=1.2, label="model of 1996, scaled"
+    )
+    for name, spectrum in (("as it is", light), (f"wavelengths x {stretch:.3f}", stretched)):
+        alike = np.corrcoef(spectrum[NM > 420], partial[NM > 420])[0, 1]
+        print(f"  model of 1996, {name}: peak at {peak_nm(spectrum):.0f} nm", end="; ")
+        print(f"correlation with R {alike:+.2f}, with T {-alike:+.2f}")
+
+
 def draw_spectra():
     """Three spectra of one nacre at the normal, with the paper's index and with aragonite's own."""
-    with figure.figure(FOLDER / "coherence-spectra.png", 2, 9, 3.4) as axes:
+    with figure.figure(FOLDER / "coherence-spectra.png", 2, 6.8, 2.7) as axes:
         for panel, (index, name) in zip(
             axes, ((PAPER, "n = 1.53"), (UNIAXIAL, "n = 1.683 across, 1.530 along")), strict=True
         ):
             stacks = columns(index)
-            one, many = reflected(stacks[0]), mean(reflected, stacks)
+            one, many = reflected(stacks[0]), mean(reflected, stacks)  # fully coherent
             partial = mean(lambda stack: reflected(stack, COHERENCE_NM), stacks)
-            panel.plot(NM, one, color="0.8", lw=0.6, label="R, one column")
-            panel.plot(NM, many, lw=0.8, label=f"R, mean of {COLUMNS} columns")
+            panel.plot(NM, many, color="0.6", lw=0.8, label=f"R, mean of {COLUMNS} columns")
             panel.plot(NM, partial, lw=2, label="the same, partly coherent (5 µm)")
-            print(f"{name}: R has its peak at {peak_nm(partial):.0f} nm, mean R {many.mean():.3f}")
-            print(f"  columns {np.std(one - many):.4f} rms, coherence {np.std(many - partial):.4f}")
-            if index == PAPER:
-                light = mean(interference, stacks)
-                shown = light * partial.max() / light.max()
-                panel.plot(NM, shown, "k--", lw=1.2, label="model of 1996, scaled")
-                alike = np.corrcoef(light, partial)[0, 1]
-                print(f"  model of 1996: peak at {peak_nm(light):.0f} nm, sum {light.max():.1f}")
-                print(f"  correlation with R {alike:+.3f}, with T {-alike:+.3f}")
+            print(f"{name}: R peaks at {peak_nm(partial):.0f} nm; mean R {many.mean():.3f}")
+            print(f"  one column from the mean {np.std(one - many):.3f} rms")
+            print(f"  fringes that partial coherence removes {np.std(many - partial):.3f} rms")
             print(f"  hue of R {hue_deg(partial):.0f}, of T {hue_deg(1 - partial):.0f} degrees")
+            if index == PAPER:
+                compare(panel, mean(interference, stacks), partial, stacks)
             panel.set_title(name)
             panel.set_xlabel("wavelength, nm")
-        axes[0].legend(fontsize=7)
+        axes[0].legend(fontsize=6)
 
 
 def draw_colours():

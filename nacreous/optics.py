@@ -117,7 +117,7 @@ def energies(
 
     coherence_nm: None for a plane wave of one wavelength; a length for partial coherence: R, T and
     A are averaged over a line of Gaussian shape in wavenumber, full width 0.664 / coherence_nm, to
-    1e-6. At least two wavelengths long; media must be known where the line reaches. See
+    1e-4. At least two wavelengths long; media must be known where the line reaches. See
     docs/coherence.md.
 
     Media may be absorbing, dispersive, metals, uniaxial with their axis along the normal; the
