@@ -113,6 +113,19 @@ def illuminant(
     diffuse_loss: float,
 ) -> NDArray[np.float64]: ...
 
+# iridescence
+def iridescence(
+    stack: Stack, illuminant: NDArray[np.float64], observer: str, polarisation: str
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def interference_iridescence(
+    stack: Stack,
+    illuminant: NDArray[np.float64],
+    observer: str,
+    coherence_nm: float,
+    threshold: float,
+    diffuse_loss: float,
+) -> NDArray[np.float64]: ...
+
 # image
 MAX_SIZE_PX: int
 

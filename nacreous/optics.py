@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nacreous import _core
+from nacreous import _core, coherence
 from nacreous.nacre import LayerStack, grow
 from nacreous.number import array_of, index_of, number_of, row_of, said
 from nacreous.problem import InputError
@@ -105,6 +105,7 @@ def energies(
     wavelength_nm: ArrayLike,
     polarisation: str = "unpolarised",
     precision: str = "double",
+    coherence_nm: float | None = None,
 ) -> Energies:
     """Exact reflectance, transmittance and absorptance of a stack, in one pass.
 
@@ -113,6 +114,11 @@ def energies(
     has at most 2^27 values. polarisation: "s", "p" or "unpolarised".
     precision: "double", right to about 1e-12; "single", faster and right to 2e-4 for
     nacre of 400 layers (an rms of 1e-5), for lossless layers (others are computed in double).
+
+    coherence_nm: None for a plane wave of one wavelength; a length for partial coherence: R, T and
+    A are averaged over a line of Gaussian shape in wavenumber, full width 0.664 / coherence_nm, to
+    1e-4. At least two wavelengths long; media must be known where the line reaches. See
+    docs/coherence.md.
 
     Media may be absorbing, dispersive, metals, uniaxial with their axis along the normal; the
     ambient isotropic; n from 0.001. Other threads run meanwhile, and Ctrl-C interrupts.
@@ -130,8 +136,16 @@ def energies(
         if not isinstance(value, str):
             raise InputError(f"{name} is {said(value)}; allowed: a name")
     angle, wavelength = row_of("angle_rad", angle_rad), row_of("wavelength_nm", wavelength_nm)
-    known = stack.at(wavelength)
-    return Energies(*_core.energies(known, angle, wavelength, polarisation, precision))
+
+    def exact(nm: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        return _core.energies(stack.at(nm), angle, nm, polarisation, precision)
+
+    if coherence_nm is None:
+        return Energies(*exact(wavelength))
+    length_nm = number_of("coherence_nm", coherence_nm)
+    # The start of a search for the step: no index of a layer in sight is far above 2.
+    path_nm = 2 * 2.0 * 1e3 * stack.total_um
+    return Energies(*coherence.averaged(exact, wavelength, length_nm, path_nm, angle.size))
 
 
 def reflectance(
@@ -140,6 +154,7 @@ def reflectance(
     wavelength_nm: ArrayLike,
     polarisation: str = "unpolarised",
     precision: str = "double",
+    coherence_nm: float | None = None,
 ) -> NDArray[np.float64]:
     """Share of the energy that comes back, exact, float64 [angle, wavelength]; as `energies`.
 
@@ -148,7 +163,7 @@ def reflectance(
     >>> round(float(reflectance(bare, 0.0, 550.0)[0, 0]), 4)
     0.0439
     """
-    return energies(stack, angle_rad, wavelength_nm, polarisation, precision).R
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).R
 
 
 def transmittance(
@@ -157,6 +172,7 @@ def transmittance(
     wavelength_nm: ArrayLike,
     polarisation: str = "unpolarised",
     precision: str = "double",
+    coherence_nm: float | None = None,
 ) -> NDArray[np.float64]:
     """Share of the energy that arrives just inside the substrate, exact; as `energies`.
 
@@ -165,7 +181,7 @@ def transmittance(
     >>> round(float(transmittance(bare, 0.0, 550.0)[0, 0]), 4)
     0.9561
     """
-    return energies(stack, angle_rad, wavelength_nm, polarisation, precision).T
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).T
 
 
 def absorptance(
@@ -174,6 +190,7 @@ def absorptance(
     wavelength_nm: ArrayLike,
     polarisation: str = "unpolarised",
     precision: str = "double",
+    coherence_nm: float | None = None,
 ) -> NDArray[np.float64]:
     """Share of the energy that stays in the layers, exact; as `energies`.
 
@@ -182,7 +199,7 @@ def absorptance(
     >>> float(absorptance(lossless, 0.3, 550.0)[0, 0])
     0.0
     """
-    return energies(stack, angle_rad, wavelength_nm, polarisation, precision).A
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).A
 
 
 @dataclass(frozen=True)
@@ -218,6 +235,7 @@ def ensemble(
     seed: int = 1,
     polarisation: str = "unpolarised",
     precision: str = "double",
+    coherence_nm: float | None = None,
 ) -> Ensemble:
     """Mean and spread of R and T over stacks that grew alike, each on its own: disordered nacre.
 
@@ -241,7 +259,7 @@ def ensemble(
     squares = np.zeros(())
     for column in range(columns):
         stack = grow(growth, seed=int(seed) + column)
-        light = energies(stack, angle_rad, wavelength_nm, polarisation, precision)
+        light = energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm)
         shares = np.stack([light.R, light.T])
         # Welford 1962: no difference of large sums.
         step = shares - mean

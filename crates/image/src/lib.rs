@@ -8,12 +8,14 @@
 //! at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's white. The radiance
 //! of a lamp, sky or surface is stated as that of a white matt surface, so no factor pi appears.
 
+mod by_angle;
 mod camera;
 mod develop;
 mod dome;
 mod facet;
 pub mod file;
 pub mod grain;
+mod iridescence;
 mod irradiance;
 mod knob;
 mod lamp;
@@ -27,10 +29,12 @@ mod sphere;
 mod surroundings;
 mod table;
 
+pub use by_angle::ByAngle;
 pub use camera::{Camera, Projection, Ray, direction};
 pub use develop::{Developed, develop, eight_bit};
 pub use dome::Dome;
 pub use facet::Facets;
+pub use iridescence::{Iridescence, Weights, interference_colours};
 pub use irradiance::Irradiance;
 pub use knob::Parameters;
 pub use lamp::{Lamp, Place};

@@ -1,8 +1,9 @@
-use nacreous_colour::{FIRST_NM, SAMPLES};
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
 
 use crate::{
+    ByAngle,
+    iridescence::{interference_spectra, interference_steps},
     light::Light,
     picture::Progress,
     rgb::{self, Rgb},
@@ -14,17 +15,7 @@ use crate::{
 /// the light inside; the illuminant model states no absolute scale, and depth mixes the rings with the
 /// body colour.
 #[derive(Debug, Clone)]
-pub struct Rings {
-    /// By cosine of the view angle, evenly from 0 to 1.
-    colours: Vec<Rgb>,
-}
-
-/// Steps in the cosine of the view angle at the paper's coherence length. Between two of them the phase
-/// of the longest path difference turns by 0.12 rad at most, so a straight line between them errs by
-/// 0.2 % of a fringe.
-const STEPS: f64 = 256.0;
-const STEPS_FOR_COHERENCE_NM: f64 = 5000.0;
-const MOST_STEPS: f64 = 4096.0;
+pub struct Rings(ByAngle);
 
 impl Rings {
     /// Computes spectra by view angle and turns them into colours under the scene's light; `None` once
@@ -38,32 +29,20 @@ impl Rings {
         light: &Light,
         progress: &Progress,
     ) -> Result<Option<Self>, OpticsError> {
-        let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
-        let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
-        let steps = (STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize;
-        let view_rad: Vec<f64> =
-            (0..=steps).map(|step| libm::acos(step as f64 / steps as f64)).collect();
-        let wavelength_nm: Vec<f64> = (0..SAMPLES).map(|i| FIRST_NM + i as f64).collect();
+        let steps = interference_steps(stack, model)?;
         let stop = progress.stop_flag();
-        let Some(spectra) = model.spectra_unless(stack, &view_rad, &wavelength_nm, stop)? else {
+        let Some(spectra) = interference_spectra(stack, model, steps, stop)? else {
             return Ok(None);
         };
-        let (rows, _) = spectra.as_chunks::<SAMPLES>();
-        let mut colours: Vec<Rgb> = rows.iter().map(|row| light.rgb_inside(row)).collect();
+        let colours: Vec<Rgb> = spectra.iter().map(|row| light.rgb_inside(row)).collect();
         let luminance = mean_over_disc(&colours);
         let scale = if luminance > 0.0 { light.amount() / luminance } else { 0.0 };
-        for colour in &mut colours {
-            *colour = rgb::scaled(*colour, scale);
-        }
-        Ok(Some(Self { colours }))
+        Ok(Some(Self(ByAngle::new(colours).scaled(scale))))
     }
 
     /// Linear RGB at a view angle, given by its cosine (0 at the rim, 1 in the middle).
     pub fn colour(&self, cos_view: f64) -> Rgb {
-        let last = self.colours.len() - 1;
-        let x = cos_view.clamp(0.0, 1.0) * last as f64;
-        let i = (x as usize).min(last - 1);
-        rgb::mix(self.colours[i], self.colours[i + 1], x - i as f64)
+        self.0.at(cos_view)
     }
 }
 

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 mod colour;
 mod file;
 mod image;
+mod iridescence;
 mod nacre;
 mod optics;
 mod spec;
@@ -36,6 +37,8 @@ mod _core {
     use super::image::{develop, parameters, parts, render};
     #[pymodule_export]
     const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
+    #[pymodule_export]
+    use super::iridescence::{interference_iridescence, iridescence};
     #[pymodule_export]
     use super::nacre::{Stack, grow, media};
     #[pymodule_export]
