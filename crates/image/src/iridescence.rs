@@ -83,7 +83,7 @@ impl Iridescence {
 /// scale of its own.
 ///
 /// The steps are half as long as those of [`crate::Rings`]. The model ends each interference after a
-/// whole layer, so that its colours jump, by CIEDE2000 0.5 in real nacre and by 5 where all layers are
+/// whole layer, so that its colours jump, by about CIEDE2000 0.5 in grown nacre and by 5 where all layers are
 /// equal; no grid is fine enough for a jump. Between jumps straight lines stay within 0.2. Wavelengths
 /// are 1 nm apart: path differences end at the coherence length, so there are no finer fringes.
 ///
