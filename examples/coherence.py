@@ -85,6 +85,7 @@ def draw_spectra():
                 compare(panel, mean(interference, stacks), partial, stacks)
             panel.set_title(name)
             panel.set_xlabel("wavelength, nm")
+        axes[0].set_ylim(top=0.42)
         axes[0].legend(fontsize=6)
 
 

@@ -58,6 +58,9 @@ def averaged(
 def _check(wavelength_nm: Array, coherence_nm: float) -> None:
     if not 0 < coherence_nm <= 1e9:
         raise InputError(f"coherence_nm is {coherence_nm:g}; allowed: above 0, up to 1e9 nm")
+    beyond = ~((wavelength_nm >= 1) & (wavelength_nm <= 1e6))
+    if beyond.any():
+        raise InputError(f"wavelength_nm is {wavelength_nm[beyond][0]:g}; allowed: 1 to 1000000 nm")
     longest_nm = wavelength_nm.max(initial=0.0)
     if coherence_nm < 2 * longest_nm:
         raise InputError(

@@ -80,8 +80,8 @@ def illuminant(
     """The colours of nacre lit from within by `light`, by the view angle (paper, section 3).
 
     As `nc.optics.illuminant`, which has no scale of its own: here the brightest angle has Y = 1.
-    Its colours jump where one layer more begins to interfere, by CIEDE2000 0.5 in real nacre and
-    by 5 where all layers are equal; between jumps straight lines stay within 0.2.
+    Its colours jump where one layer more begins to interfere, by about CIEDE2000 0.5 in grown
+    nacre and by 5 where all layers are equal; between jumps straight lines stay within 0.2.
 
     >>> rings = illuminant(LayerStack([420.0] * 100))
     >>> float(rings.xyz[:, 1].max())

@@ -128,6 +128,11 @@ def test_what_cannot_be_is_refused():
         )
     short = refusal(lambda: energies(stack, 0.0, 550.0, coherence_nm=1000.0))
     assert short == "coherence_nm is 1000; allowed at 550 nm: from 1100 nm, two waves"
+    for bad_nm in (math.nan, math.inf, 0.0, -500.0):
+        assert "wavelength_nm is" in refusal(
+            lambda nm=bad_nm: energies(stack, 0.0, [500.0, nm], coherence_nm=5000.0)
+        )
+    assert "angle_rad is" in refusal(lambda: energies(stack, math.nan, NM, coherence_nm=5000.0))
     # The line reaches beyond what is measured.
     assert "allowed with this aragonite: 300 to 1100 nm" in refusal(
         lambda: energies(stack, 0.0, 780.0, coherence_nm=2000.0)

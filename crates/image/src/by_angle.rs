@@ -93,3 +93,41 @@ fn interleaved<T: Copy>(nodes: &[T], between: &[T]) -> Vec<T> {
     let pairs = nodes.iter().zip(between).flat_map(|(node, next)| [*node, *next]);
     pairs.chain(nodes.last().copied()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Answer = Result<Option<Vec<[[f64; 3]; 1]>>, OpticsError>;
+
+    /// Rings, `waves` from rim to middle.
+    fn rings(waves: f64) -> impl FnMut(&[f64]) -> Answer {
+        let colour = move |c: &f64| [[0.5, 0.5 + 0.3 * (waves * c).sin(), 0.4]];
+        move |cosines| Ok(Some(cosines.iter().map(colour).collect()))
+    }
+
+    #[test]
+    fn refinement_goes_on_until_straight_lines_will_do() {
+        for waves in [1.0, 30.0, 300.0] {
+            let [table] = ByAngle::refined([1.0; 3], rings(waves)).unwrap().unwrap();
+            let fine: Vec<f64> = ByAngle::cosines(4 * (table.nodes().len() - 1)).collect();
+            for (cosine, [truth]) in fine.iter().zip(rings(waves)(&fine).unwrap().unwrap()) {
+                let [first, second] =
+                    [table.at(*cosine), truth].map(|xyz| lab_from_xyz(xyz, [1.0; 3]));
+                assert!(delta_e_2000(first, second) < TOLERANCE, "{waves} {cosine}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_never_becomes_straight_ends_at_the_finest_grid() {
+        let [table] = ByAngle::refined([1.0; 3], rings(1e6)).unwrap().unwrap();
+        assert_eq!(table.nodes().len(), MOST_STEPS + 1);
+    }
+
+    #[test]
+    fn giving_up_gives_no_table() {
+        let given_up = ByAngle::refined::<1>([1.0; 3], |_| Ok(None)).unwrap();
+        assert!(given_up.is_none());
+    }
+}

@@ -37,6 +37,20 @@ impl Iridescence {
     ///
     /// # Errors
     /// What [`TransferModel::energies`] refuses.
+    ///
+    /// ```
+    /// use nacreous_colour::{Illuminant, Observer};
+    /// use nacreous_image::Iridescence;
+    /// use nacreous_nacre::{Index, LayerStack};
+    /// let index = |n| Index::new("medium", n, 0.0);
+    /// let (air, aragonite) = (index(1.0)?, index(1.53)?);
+    /// let stack = LayerStack::new(vec![420.0; 50], 20.0, aragonite, index(1.43)?, air, aragonite)?;
+    /// let weights = Observer::Cie1931.weights(&Illuminant::D65.spectrum())?;
+    /// let colours = Iridescence::new(&stack, Default::default(), &weights, &Default::default())?.unwrap();
+    /// let ([_, r, _], [_, t, _]) = (colours.reflected.at(0.9), colours.transmitted.at(0.9));
+    /// assert!((r + t - 1.0).abs() < 1e-4); // nothing absorbs
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(
         stack: &LayerStack,
         polarisation: Polarisation,
@@ -69,7 +83,7 @@ impl Iridescence {
 /// scale of its own.
 ///
 /// The steps are half as long as those of [`crate::Rings`]. The model ends each interference after a
-/// whole layer, so that its colours jump, by CIEDE2000 0.5 in real nacre and by 5 where all layers are
+/// whole layer, so that its colours jump, by about CIEDE2000 0.5 in grown nacre and by 5 where all layers are
 /// equal; no grid is fine enough for a jump. Between jumps straight lines stay within 0.2. Wavelengths
 /// are 1 nm apart: path differences end at the coherence length, so there are no finer fringes.
 /// `None` once `stop` is set.
@@ -145,4 +159,38 @@ fn by_nm(fine: &[f64], per_nm: usize) -> [f64; SAMPLES] {
         let sum: f64 = (from..=to).map(|i| weight(i) * fine[i]).sum();
         sum / (from..=to).map(weight).sum::<f64>()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use nacreous_colour::{Illuminant, Observer};
+
+    use super::*;
+
+    #[test]
+    fn means_of_a_straight_line_are_the_line() {
+        for per_nm in [1, 2, 7] {
+            let fine: Vec<f64> =
+                (0..=400 * per_nm).map(|i| 0.3 + 0.001 * i as f64 / per_nm as f64).collect();
+            // The two ends have no sample beyond them.
+            for (sample, mean) in by_nm(&fine, per_nm).iter().enumerate().skip(1).take(399) {
+                assert!((mean - (0.3 + 0.001 * sample as f64)).abs() < 1e-12, "{per_nm} {sample}");
+            }
+        }
+    }
+
+    #[test]
+    fn thicker_stacks_are_sampled_finer() {
+        let stack = |layers| {
+            let index = |n| nacreous_nacre::Index::new("medium", n, 0.0).unwrap();
+            let (air, aragonite) = (index(1.0), index(1.53));
+            LayerStack::new(vec![380.0; layers], 20.0, aragonite, index(1.43), air, aragonite)
+                .unwrap()
+        };
+        assert_eq!([10, 100, 5000].map(|n| samples_per_nm(&stack(n)).unwrap()), [1, 4, 32]);
+        let weights = Observer::Cie1931.weights(&Illuminant::D65.spectrum()).unwrap();
+        let stop = AtomicBool::new(true);
+        let stopped = Iridescence::new(&stack(10), Polarisation::S, &weights, &stop);
+        assert_eq!(stopped, Ok(None));
+    }
 }
