@@ -100,7 +100,16 @@ def energies(
     wavelength_nm: NDArray[np.float64],
     polarisation: str,
     precision: str,
-) -> list[NDArray[np.float64]]: ...
+) -> NDArray[np.float64]: ...
+def ensemble(
+    stacks: list[Stack],
+    angle_rad: NDArray[np.float64],
+    wavelength_nm: NDArray[np.float64],
+    polarisation: str,
+    precision: str,
+    columns: int,
+    tables: NDArray[np.float64],
+) -> NDArray[np.float64]: ...
 def fresnel(
     n_i: complex, n_t: complex, angle_rad: NDArray[np.float64]
 ) -> tuple[list[NDArray[np.complex128]], list[NDArray[np.float64]]]: ...

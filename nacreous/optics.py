@@ -138,7 +138,7 @@ def energies(
     angle, wavelength = row_of("angle_rad", angle_rad), row_of("wavelength_nm", wavelength_nm)
 
     def exact(nm: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-        return _core.energies(stack.at(nm), angle, nm, polarisation, precision)
+        return list(_core.energies(stack.at(nm), angle, nm, polarisation, precision))
 
     if coherence_nm is None:
         return Energies(*exact(wavelength))
@@ -163,7 +163,7 @@ def reflectance(
     >>> round(float(reflectance(bare, 0.0, 550.0)[0, 0]), 4)
     0.0439
     """
-    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).R
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).R.copy()
 
 
 def transmittance(
@@ -181,7 +181,7 @@ def transmittance(
     >>> round(float(transmittance(bare, 0.0, 550.0)[0, 0]), 4)
     0.9561
     """
-    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).T
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).T.copy()
 
 
 def absorptance(
@@ -199,7 +199,14 @@ def absorptance(
     >>> float(absorptance(lossless, 0.3, 550.0)[0, 0])
     0.0
     """
-    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).A
+    return energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm).A.copy()
+
+
+#: The most columns of an ensemble.
+MAX_COLUMNS = 10_000
+
+#: Columns grown before they are computed: enough to be worth a call, few megabytes.
+AT_ONCE = 64
 
 
 @dataclass(frozen=True)
@@ -236,37 +243,73 @@ def ensemble(
     polarisation: str = "unpolarised",
     precision: str = "double",
     coherence_nm: float | None = None,
+    error: float | None = None,
 ) -> Ensemble:
     """Mean and spread of R and T over stacks that grew alike, each on its own: disordered nacre.
 
     growth: a nacre preset's name or a `Growth`, as for `nc.grow`. columns: how many stacks, 2 to
     10000; they have the seeds seed, seed + 1, ... and nothing else in common, so light from
     different columns is added by energy **(ours)**. The rest as `energies`.
+    error: None, or how well every mean must be known: columns are added until no R_error and no
+    T_error is above it. A mean of few columns that chance made alike may stop too early; begin
+    with enough of them.
 
-    Same seed, same answer. Raises `InputError` for what is out of range.
+    Same seed, same answer. Raises `InputError` for what is out of range, and for an error that
+    10000 columns do not reach.
 
     >>> nacre = ensemble("akoya-rg", [0.0, 0.5], [450.0, 550.0, 650.0], columns=8, seed=7)
     >>> nacre.R.shape
     (2, 3)
     """
-    whole = (("columns", columns, 2, 10_000), ("seed", seed, 0, 2**62))
-    for name, value, least, most in whole:
+    for name, value, least, most in (
+        ("columns", columns, 2, MAX_COLUMNS),
+        ("seed", seed, 0, 2**62),
+    ):
         if not isinstance(value, (int, np.integer)) or isinstance(value, bool):
             raise InputError(f"{name} is {said(value)}; allowed: a whole number")
         if not least <= value <= most:
             raise InputError(f"{name} is {said(value)}; allowed: {least} to {most}")
-    mean = np.zeros(())
-    squares = np.zeros(())
-    for column in range(columns):
-        stack = grow(growth, seed=int(seed) + column)
-        light = energies(stack, angle_rad, wavelength_nm, polarisation, precision, coherence_nm)
-        shares = np.stack([light.R, light.T])
-        # Welford 1962: no difference of large sums.
-        step = shares - mean
-        mean = mean + step / (column + 1)
-        squares = squares + step * (shares - mean)
-    spread = np.sqrt(squares / (columns - 1))
-    return Ensemble(mean[0], mean[1], spread[0], spread[1], int(columns))
+    if error is not None and not 1e-9 <= number_of("error", error) <= 1:
+        raise InputError(f"error is {said(error)}; allowed: 1e-9 to 1, or None")
+    angle, wavelength = row_of("angle_rad", angle_rad), row_of("wavelength_nm", wavelength_nm)
+    tables = np.zeros((4, angle.size, wavelength.size))
+    done, goal = 0, int(columns)
+    while True:
+        while done < goal:
+            seeds = range(int(seed) + done, int(seed) + min(done + AT_ONCE, goal))
+            stacks = [grow(growth, seed=each) for each in seeds]
+            if coherence_nm is None:
+                sampled = [stack.at(wavelength) for stack in stacks]
+                tables = _core.ensemble(
+                    sampled, angle, wavelength, polarisation, precision, done, tables
+                )
+            else:
+                for column, stack in enumerate(stacks, start=done + 1):
+                    light = energies(
+                        stack, angle, wavelength, polarisation, precision, coherence_nm
+                    )
+                    _add_column(tables, column, light)
+            done += len(stacks)
+        spread = np.sqrt(tables[2:] / (done - 1))
+        found = Ensemble(tables[0], tables[1], spread[0], spread[1], done)
+        reached = spread.max(initial=0.0) / math.sqrt(done)
+        if error is None or reached <= error:
+            return found
+        # A standard error falls with the root of the columns.
+        goal = max(done + 1, math.ceil(done * (reached / error) ** 2))
+        if goal > MAX_COLUMNS:
+            raise InputError(
+                f"error is {said(error)}; allowed for this nacre: what {MAX_COLUMNS} columns "
+                f"reach, about {reached * math.sqrt(done / MAX_COLUMNS):.2g}"
+            )
+
+
+def _add_column(tables: NDArray[np.float64], columns: int, light: Energies) -> None:
+    """Welford 1962: no difference of large sums."""
+    for mean, squares, share in zip(tables[:2], tables[2:], (light.R, light.T), strict=True):
+        step = share - mean
+        mean += step / columns
+        squares += step * (share - mean)
 
 
 def illuminant(

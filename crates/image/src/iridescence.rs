@@ -69,8 +69,8 @@ impl Iridescence {
                 let Some(shares) = model.energies(stack, &angle_rad, &fine_nm, stop)? else {
                     return Ok(None);
                 };
-                let reflected = shares.reflectance.chunks(fine_nm.len()).map(xyz);
-                let transmitted = shares.transmittance.chunks(fine_nm.len()).map(xyz);
+                let reflected = shares.reflectance().chunks(fine_nm.len()).map(xyz);
+                let transmitted = shares.transmittance().chunks(fine_nm.len()).map(xyz);
                 colours.extend(reflected.zip(transmitted).map(|(r, t)| [r, t]));
             }
             Ok(Some(colours))

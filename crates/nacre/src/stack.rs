@@ -107,6 +107,14 @@ impl LayerStack {
         &self.substrate
     }
 
+    /// Whether layers, surroundings and substrate are made of the same as the other stack's.
+    pub fn has_media_of(&self, other: &Self) -> bool {
+        self.aragonite == other.aragonite
+            && self.protein == other.protein
+            && self.ambient == other.ambient
+            && self.substrate == other.substrate
+    }
+
     /// Thickness of the whole nacre, protein included.
     pub fn total_um(&self) -> f64 {
         let aragonite_nm: f64 = self.thickness_nm.iter().sum();

@@ -4,98 +4,134 @@
 //! each is taken times exp(-attenuation), both then at most 1. What the field loses by that is put back
 //! into the transmittance at the end.
 
+use std::f64::consts::{LOG2_E, PI};
+
 use multiversion::multiversion;
+use nacreous_nacre::LayerStack;
 use num_complex::Complex64;
 
 use crate::{
-    lanes::{LANES, Lanes, fused},
+    incidence::Shares,
+    lanes::{LANES, Lanes, Pair, fused, products},
+    media::Waves,
     phase,
-    real::{Real, Split},
+    real::Split,
 };
 
-/// Real and imaginary parts, lane by lane.
-#[derive(Clone)]
-pub(crate) struct Pair {
-    pub(crate) re: Lanes<f64>,
-    pub(crate) im: Lanes<f64>,
-}
-
-impl Pair {
-    pub(crate) const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
-
-    pub(crate) fn get(&self, lane: usize) -> Complex64 {
-        Complex64::new(self.re[lane], self.im[lane])
-    }
-
-    pub(crate) fn put(&mut self, lane: usize, value: Complex64) {
-        (self.re[lane], self.im[lane]) = (value.re, value.im);
-    }
-
-    #[inline(always)]
-    fn at(&self, i: usize) -> Complex {
-        Complex(self.re[i], self.im[i])
-    }
-
-    #[inline(always)]
-    fn set(&mut self, i: usize, Complex(re, im): Complex) {
-        (self.re[i], self.im[i]) = (re, im);
+/// Adds R, T and A of one block of wavelengths, the mean of `N` polarisations; where `ALIKE`, all of them have
+/// the first one's phase in aragonite. `absorbs`: whether a layer has an extinction coefficient.
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
+    "x86_64+avx2+fma"
+))]
+pub(crate) fn add_shares<const N: usize, const ALIKE: bool>(
+    stack: &LayerStack,
+    absorbs: bool,
+    waves: &[Waves; N],
+    half_turns_per_nm: &Lanes<f64>,
+    shares: &mut Shares,
+) {
+    if fused!() {
+        from_layers::<true, N, ALIKE>(stack, absorbs, waves, half_turns_per_nm, shares);
+    } else {
+        from_layers::<false, N, ALIKE>(stack, absorbs, waves, half_turns_per_nm, shares);
     }
 }
 
-/// The complex numbers of one lane; num-complex's do not fuse.
-#[derive(Clone, Copy)]
-struct Complex(f64, f64);
-
-impl Complex {
-    /// self * a + other * b.
-    #[inline(always)]
-    fn times_plus<const FUSED: bool>(self, a: Self, other: Self, b: Self) -> Self {
-        let re = other.0.times_plus::<FUSED>(b.0, -(other.1 * b.1));
-        let im = other.0.times_plus::<FUSED>(b.1, other.1 * b.0);
-        let re = self.1.times_plus::<FUSED>(-a.1, re);
-        let im = self.1.times_plus::<FUSED>(a.0, im);
-        Self(self.0.times_plus::<FUSED>(a.0, re), self.0.times_plus::<FUSED>(a.1, im))
+#[inline(always)]
+fn from_layers<const FUSED: bool, const N: usize, const ALIKE: bool>(
+    stack: &LayerStack,
+    absorbs: bool,
+    waves: &[Waves; N],
+    half_turns_per_nm: &Lanes<f64>,
+    shares: &mut Shares,
+) {
+    // Loops and no closures, which would not be compiled with these instructions.
+    let mut layers = [const { Layers::EMPTY }; N];
+    let mut fields = [const { Field::EMPTY }; N];
+    for n in 0..N {
+        layers[n].meet::<FUSED>(&waves[n], half_turns_per_nm, stack.protein_nm());
+        fields[n].start_at_substrate(&waves[n]);
+    }
+    climb::<FUSED, N, ALIKE>(stack, &layers, &mut fields);
+    for (field, waves) in fields.iter().zip(waves) {
+        field.add_shares(waves, absorbs, 1.0 / N as f64, shares);
     }
 }
 
 /// One polarisation of one block of wavelengths: the layers, as light at one angle meets them.
-#[derive(Clone)]
-pub(crate) struct Layers {
+struct Layers {
     /// Half turns of phase per nm of aragonite.
-    pub(crate) aragonite_per_nm: Lanes<f64>,
+    aragonite_per_nm: Lanes<f64>,
     /// Halvings of the energy per nm, negative: exp(-2 attenuation) = 2^(this * thickness).
-    pub(crate) aragonite_power_per_nm: Lanes<f64>,
+    aragonite_power_per_nm: Lanes<f64>,
+    protein_power_per_nm: Lanes<f64>,
     /// The protein layer: cos, -i sin / q and -i q sin of its complex phase, each times
     /// exp(-attenuation); q in units of aragonite's admittance.
-    pub(crate) protein_cos: Pair,
-    pub(crate) protein_sin_per_q: Pair,
-    pub(crate) protein_q_sin: Pair,
+    protein_cos: Pair,
+    protein_sin_per_q: Pair,
+    protein_q_sin: Pair,
 }
 
 impl Layers {
-    pub(crate) const EMPTY: Self = Self {
+    const EMPTY: Self = Self {
         aragonite_per_nm: [0.0; LANES],
         aragonite_power_per_nm: [0.0; LANES],
+        protein_power_per_nm: [0.0; LANES],
         protein_cos: Pair::ZERO,
         protein_sin_per_q: Pair::ZERO,
         protein_q_sin: Pair::ZERO,
     };
+
+    #[inline(always)]
+    fn meet<const FUSED: bool>(
+        &mut self,
+        waves: &Waves,
+        half_turns_per_nm: &Lanes<f64>,
+        protein_nm: f64,
+    ) {
+        // A wave's energy falls by exp(-2 pi Im k) in each half turn of the vacuum's.
+        const POWER: f64 = -2.0 * PI * LOG2_E;
+        for i in 0..LANES {
+            let (aragonite, protein) = (waves.aragonite_along.at(i), waves.protein_along.at(i));
+            self.aragonite_per_nm[i] = aragonite.re * half_turns_per_nm[i];
+            self.aragonite_power_per_nm[i] = POWER * aragonite.im * half_turns_per_nm[i];
+            self.protein_power_per_nm[i] = POWER * protein.im * half_turns_per_nm[i];
+            let thickness = Split::of(protein_nm);
+            let f = phase::reduced::<f64, FUSED>(thickness, protein.re * half_turns_per_nm[i], 0.0);
+            let power = self.protein_power_per_nm[i] * protein_nm;
+            let (cos, sin) = damped::<FUSED>(f, power);
+            self.protein_cos.set(i, cos);
+            self.protein_sin_per_q.set(i, sin * waves.per_q.at(i));
+            self.protein_q_sin.set(i, sin * waves.q.at(i));
+        }
+    }
 }
 
 /// The field (B, C) of one polarisation, C in units of aragonite's admittance.
-#[derive(Clone)]
-pub(crate) struct Field {
-    pub(crate) b: Pair,
-    pub(crate) c: Pair,
+struct Field {
+    b: Pair,
+    c: Pair,
     /// The square of all that the field was multiplied with to keep its size.
-    pub(crate) weight: Lanes<f64>,
+    weight: Lanes<f64>,
 }
 
 impl Field {
-    pub(crate) const DARK: Self = Self { b: Pair::ZERO, c: Pair::ZERO, weight: [1.0; LANES] };
+    const EMPTY: Self = Self { b: Pair::ZERO, c: Pair::ZERO, weight: [1.0; LANES] };
 
+    /// B = 1, C = the substrate's admittance.
     #[inline(always)]
-    fn rescale(&mut self) {
+    fn start_at_substrate(&mut self, waves: &Waves) {
+        for i in 0..LANES {
+            self.b.set(i, Complex64::ONE);
+            self.c.set(i, waves.substrate_ratio.at(i));
+        }
+    }
+
+    /// Brings the field back to size 1 above `layers` of these thicknesses, and puts into the weight what
+    /// their matrices lacked.
+    #[inline(always)]
+    fn rescale<const FUSED: bool>(&mut self, layers: &Layers, aragonite_nm: f64, protein_nm: f64) {
         let (b, c) = (&mut self.b, &mut self.c);
         for i in 0..LANES {
             let size = (b.re[i].abs() + b.im[i].abs()) + (c.re[i].abs() + c.im[i].abs());
@@ -104,7 +140,38 @@ impl Field {
             b.im[i] *= scale;
             c.re[i] *= scale;
             c.im[i] *= scale;
-            self.weight[i] *= scale * scale;
+            let power = layers.aragonite_power_per_nm[i] * aragonite_nm
+                + layers.protein_power_per_nm[i] * protein_nm;
+            self.weight[i] *= (scale * scale) * phase::power_of_two::<FUSED>(power);
+        }
+    }
+
+    /// R, T and A from the field at the surface, that at the substrate being (1, admittance) times the
+    /// root of the weight.
+    ///
+    /// What goes in and R add up to 1 by arithmetic. What comes out below is counted by itself, and loses
+    /// digits where light is stored in a resonance; so T is never more than went in, and without
+    /// absorption all of it.
+    #[inline(always)]
+    fn add_shares(&self, waves: &Waves, absorbs: bool, part: f64, shares: &mut Shares) {
+        for i in 0..LANES {
+            let (q, b) = (waves.ambient.at(i), self.b.at(i));
+            let c = self.c.at(i) * waves.aragonite.at(i);
+            let (towards, away) = ((q * b + c).norm_sqr(), (q * b - c).norm_sqr());
+            // Energy per incoming energy |towards / 2 q|^2 Re q.
+            let share = 4.0 * q.norm_sqr() / q.re / towards;
+            let goes_in = share * (b.re * c.re + b.im * c.im);
+            let goes_in = if goes_in > 0.0 { goes_in } else { 0.0 };
+            let out_of = waves.substrate.re[i];
+            let comes_out = share * (out_of * self.weight[i]);
+            // Without absorption they are two counts of the same, the second good for the smallest T too.
+            let unequal = (goes_in - comes_out).abs() > 1e-14;
+            let transmits = (out_of > 0.0) & (unequal & !absorbs | (comes_out > goes_in));
+            let comes_out = if transmits { goes_in } else { comes_out };
+            let stays = if absorbs { goes_in - comes_out } else { 0.0 };
+            shares[0][i] += part * (away / towards);
+            shares[1][i] += part * comes_out;
+            shares[2][i] += part * stays;
         }
     }
 }
@@ -113,35 +180,21 @@ impl Field {
 const TO_RESCALE: usize = 8;
 
 /// Carries the fields from the substrate to the surface, through a protein and an aragonite layer each
-/// time. `N` polarisations; where `ALIKE`, all of them have the first one's phase in aragonite.
-#[multiversion(targets(
-    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
-    "x86_64+avx2+fma"
-))]
-pub(crate) fn ascend<const N: usize, const ALIKE: bool>(
-    thickness_nm: &[f64],
-    layers: &[Layers; N],
-    fields: &mut [Field; N],
-) {
-    if fused!() {
-        climb::<true, N, ALIKE>(thickness_nm, layers, fields);
-    } else {
-        climb::<false, N, ALIKE>(thickness_nm, layers, fields);
-    }
-}
-
+/// time.
 #[inline(always)]
 fn climb<const FUSED: bool, const N: usize, const ALIKE: bool>(
-    thickness_nm: &[f64],
+    stack: &LayerStack,
     layers: &[Layers; N],
     fields: &mut [Field; N],
 ) {
-    for bilayers in thickness_nm.rchunks(TO_RESCALE) {
+    for bilayers in stack.thickness_nm().rchunks(TO_RESCALE) {
         for &thickness in bilayers.iter().rev() {
             through::<FUSED, N, ALIKE>(thickness, layers, fields);
         }
-        for field in &mut *fields {
-            field.rescale();
+        let aragonite_nm = bilayers.iter().sum();
+        let protein_nm = bilayers.len() as f64 * stack.protein_nm();
+        for (field, layers) in fields.iter_mut().zip(layers) {
+            field.rescale::<FUSED>(layers, aragonite_nm, protein_nm);
         }
     }
 }
@@ -164,18 +217,18 @@ fn through<const FUSED: bool, const N: usize, const ALIKE: bool>(
             let protein_cos = layer.protein_cos.at(i);
             let (b, c) = (field.b.at(i), field.c.at(i));
             let (b, c) = (
-                protein_cos.times_plus::<FUSED>(b, layer.protein_sin_per_q.at(i), c),
-                protein_cos.times_plus::<FUSED>(c, layer.protein_q_sin.at(i), b),
+                products::<FUSED>(protein_cos, b, layer.protein_sin_per_q.at(i), c),
+                products::<FUSED>(protein_cos, c, layer.protein_q_sin.at(i), b),
             );
-            field.b.set(i, cos.times_plus::<FUSED>(b, sin, c));
-            field.c.set(i, cos.times_plus::<FUSED>(c, sin, b));
+            field.b.set(i, products::<FUSED>(cos, b, sin, c));
+            field.c.set(i, products::<FUSED>(cos, c, sin, b));
         }
     }
 }
 
 /// cos and -i sin of the complex phase of aragonite, each times exp(-attenuation).
 #[inline(always)]
-fn turn<const FUSED: bool>(thickness_nm: f64, layers: &Layers, i: usize) -> (Complex, Complex) {
+fn turn<const FUSED: bool>(thickness_nm: f64, layers: &Layers, i: usize) -> (Complex64, Complex64) {
     let thickness = Split { high: thickness_nm, low: 0.0 };
     let f = phase::reduced::<f64, FUSED>(thickness, layers.aragonite_per_nm[i], 0.0);
     damped::<FUSED>(f, thickness_nm * layers.aragonite_power_per_nm[i])
@@ -183,16 +236,10 @@ fn turn<const FUSED: bool>(thickness_nm: f64, layers: &Layers, i: usize) -> (Com
 
 /// cos and -i sin of the phase pi f + i y, each times exp(-y), where exp(-2 y) = 2^power.
 #[inline(always)]
-fn damped<const FUSED: bool>(f: f64, power: f64) -> (Complex, Complex) {
+fn damped<const FUSED: bool>(f: f64, power: f64) -> (Complex64, Complex64) {
     let (cos, sin) = phase::cos_sin::<FUSED>(f);
     // exp(-y) cosh y and exp(-y) sinh y.
     let sinh = -0.5 * phase::power_of_two_less_one::<FUSED>(power);
     let cosh = 1.0 - sinh;
-    (Complex(cos * cosh, -(sin * sinh)), Complex(cos * sinh, -(sin * cosh)))
-}
-
-/// The same for the thin layer between, as numbers rather than lanes.
-pub(crate) fn cos_and_sin(half_turns: f64, power: f64) -> [Complex64; 2] {
-    let (cos, sin) = damped::<false>(half_turns - half_turns.round(), power);
-    [Complex64::new(cos.0, cos.1), Complex64::new(sin.0, sin.1)]
+    (Complex64::new(cos * cosh, -(sin * sinh)), Complex64::new(cos * sinh, -(sin * cosh)))
 }

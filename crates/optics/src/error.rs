@@ -23,6 +23,19 @@ pub enum OpticsError {
     /// Light of two speeds would come in.
     #[error("the index of ambient changes with direction; allowed: an isotropic medium")]
     AnisotropicAmbient,
+    /// An ensemble of stacks that are not alike.
+    #[error("the stacks of an ensemble differ in their media; allowed: the same media in all")]
+    DifferentMedia,
+    /// Columns were added to an ensemble of another table.
+    #[error(
+        "the table has {values} values, that of the columns before {before}; allowed: the same"
+    )]
+    DifferentTable {
+        /// Angles times wavelengths now.
+        values: usize,
+        /// And before.
+        before: usize,
+    },
     /// The illuminant model was asked about absorbing media.
     #[error(
         "{medium} has k = {k}; allowed: 0, for the model of 1996 knows no absorption inside a layer \

@@ -9,19 +9,26 @@
 //! Both components of polarisation reflect with the same sign at normal incidence, as in the paper.
 // Only what is inlined is compiled with the vector instructions of the function that calls it.
 #![allow(clippy::inline_always)]
+// In a loop over wavelengths `&&` and `||` are branches, which would keep them from running side by side.
+#![allow(clippy::needless_bitwise_bool)]
 
 mod absorbing;
 mod cycle;
+mod ensemble;
 mod error;
 mod fresnel;
+mod grid;
 mod illuminant;
+mod incidence;
 mod lanes;
 mod lossless;
+mod media;
 mod phase;
 mod real;
 mod transfer;
 mod wave;
 
+pub use ensemble::Ensemble;
 pub use error::OpticsError;
 pub use fresnel::{Fresnel, fresnel};
 pub use illuminant::IlluminantModel;

@@ -6,27 +6,70 @@
 //! neither R nor T, so a number pair in the ratio of cosine and sine will do ([`phase::pair`]).
 
 use multiversion::multiversion;
+use nacreous_nacre::LayerStack;
 
 use crate::{
+    incidence::Shares,
     lanes::{LANES, Lanes, fused},
+    media::Waves,
     phase,
     real::{Real, Split},
 };
 
+/// Adds R, T and A of one block of wavelengths, the mean of `N` polarisations; where `ALIKE`, all of them have
+/// the first one's phase in aragonite.
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
+    "x86_64+avx2+fma"
+))]
+pub(crate) fn add_shares<T: Real, const N: usize, const ALIKE: bool>(
+    stack: &LayerStack,
+    waves: &[Waves; N],
+    half_turns_per_nm: &Lanes<f64>,
+    shares: &mut Shares,
+) {
+    if fused!() {
+        from_layers::<T, true, N, ALIKE>(stack, waves, half_turns_per_nm, shares);
+    } else {
+        from_layers::<T, false, N, ALIKE>(stack, waves, half_turns_per_nm, shares);
+    }
+}
+
+#[inline(always)]
+fn from_layers<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool>(
+    stack: &LayerStack,
+    waves: &[Waves; N],
+    half_turns_per_nm: &Lanes<f64>,
+    shares: &mut Shares,
+) {
+    // Loops and no closures, which would not be compiled with these instructions.
+    let mut layers = [Layers::<T>::empty(); N];
+    let mut fields = [Field::<T>::empty(); N];
+    for n in 0..N {
+        layers[n].meet::<FUSED>(&waves[n], half_turns_per_nm, stack.protein_nm());
+        fields[n].start_at_substrate(&waves[n]);
+    }
+    climb::<T, FUSED, N, ALIKE>(stack.thickness_nm(), &layers, &mut fields);
+    for (field, waves) in fields.iter().zip(waves) {
+        field.add_shares(waves, 1.0 / N as f64, shares);
+    }
+}
+
 /// One polarisation of one block of wavelengths: the layers, as light at one angle meets them.
-#[derive(Clone)]
-pub(crate) struct Layers<T> {
+#[derive(Clone, Copy)]
+struct Layers<T> {
     /// Half turns of phase per nm of aragonite, and what this precision rounds away of them.
-    pub(crate) aragonite_per_nm: Lanes<T>,
-    pub(crate) aragonite_per_nm_low: Lanes<T>,
+    aragonite_per_nm: Lanes<T>,
+    aragonite_per_nm_low: Lanes<T>,
     /// The protein layer: cos, sin / q and q sin of its phase, q in units of aragonite's admittance.
-    pub(crate) protein_cos: Lanes<T>,
-    pub(crate) protein_sin_per_q: Lanes<T>,
-    pub(crate) protein_q_sin: Lanes<T>,
+    protein_cos: Lanes<T>,
+    protein_sin_per_q: Lanes<T>,
+    protein_q_sin: Lanes<T>,
 }
 
 impl<T: Real> Layers<T> {
-    pub(crate) fn new() -> Self {
+    #[inline(always)]
+    fn empty() -> Self {
         let lanes = [T::default(); LANES];
         Self {
             aragonite_per_nm: lanes,
@@ -36,26 +79,72 @@ impl<T: Real> Layers<T> {
             protein_q_sin: lanes,
         }
     }
+
+    #[inline(always)]
+    fn meet<const FUSED: bool>(
+        &mut self,
+        waves: &Waves,
+        half_turns_per_nm: &Lanes<f64>,
+        protein_nm: f64,
+    ) {
+        for i in 0..LANES {
+            let turn = Split::<T>::of(waves.aragonite_along.re[i] * half_turns_per_nm[i]);
+            self.aragonite_per_nm[i] = turn.high;
+            self.aragonite_per_nm_low[i] = turn.low;
+            let protein_per_nm = waves.protein_along.re[i] * half_turns_per_nm[i];
+            let f = phase::reduced::<f64, FUSED>(Split::of(protein_nm), protein_per_nm, 0.0);
+            let (cos, sin) = phase::cos_sin::<FUSED>(f);
+            self.protein_cos[i] = T::near(cos);
+            self.protein_sin_per_q[i] = T::near(sin * waves.per_q.re[i]);
+            self.protein_q_sin[i] = T::near(sin * waves.q.re[i]);
+        }
+    }
 }
 
 /// The field (B, C) of one polarisation, C in units of aragonite's admittance, up to a common scale.
-#[derive(Clone)]
-pub(crate) struct Field<T> {
-    pub(crate) re_b: Lanes<T>,
-    pub(crate) im_b: Lanes<T>,
-    pub(crate) re_c: Lanes<T>,
-    pub(crate) im_c: Lanes<T>,
+#[derive(Clone, Copy)]
+struct Field<T> {
+    re_b: Lanes<T>,
+    im_b: Lanes<T>,
+    re_c: Lanes<T>,
+    im_c: Lanes<T>,
 }
 
 impl<T: Real> Field<T> {
-    pub(crate) fn new() -> Self {
+    #[inline(always)]
+    fn empty() -> Self {
         let lanes = [T::default(); LANES];
         Self { re_b: lanes, im_b: lanes, re_c: lanes, im_c: lanes }
     }
 
-    /// (Re B, Im B, Re C, Im C) of one lane.
-    pub(crate) fn at(&self, i: usize) -> [f64; 4] {
-        [self.re_b[i], self.im_b[i], self.re_c[i], self.im_c[i]].map(Real::wide)
+    /// B = 1, C = the substrate's admittance.
+    #[inline(always)]
+    fn start_at_substrate(&mut self, waves: &Waves) {
+        for i in 0..LANES {
+            self.re_b[i] = T::ONE;
+            self.re_c[i] = T::near(waves.substrate_ratio.re[i]);
+            self.im_c[i] = T::near(waves.substrate_ratio.im[i]);
+        }
+    }
+
+    /// R and T from the field at the surface, of any scale: the energy that goes in is what T lets out.
+    #[inline(always)]
+    fn add_shares(&self, waves: &Waves, part: f64, shares: &mut Shares) {
+        for i in 0..LANES {
+            let (re_b, im_b) = (self.re_b[i].wide(), self.im_b[i].wide());
+            let (re_c, im_c) = (self.re_c[i].wide(), self.im_c[i].wide());
+            // Of the ambient in units of aragonite's, written without a division.
+            let (q, unit) = (waves.ambient.re[i], waves.aragonite.re[i]);
+            let square = |re: f64, im: f64| re * re + im * im;
+            let away = square(q * re_b - unit * re_c, q * im_b - unit * im_c);
+            let towards = square(q * re_b + unit * re_c, q * im_b + unit * im_c);
+            let goes_in = 4.0 * q * unit * (re_b * re_c + im_b * im_c);
+            let goes_in = if goes_in > 0.0 { goes_in } else { 0.0 };
+            let transmits = waves.substrate.re[i] != 0.0;
+            let share = part / towards;
+            shares[0][i] += away * share;
+            shares[1][i] += if transmits { goes_in * share } else { 0.0 };
+        }
     }
 
     /// Brings the field back to size 1. Its scale means nothing, but must not overflow.
@@ -80,23 +169,7 @@ const AT_ONCE: usize = 4;
 const TO_RESCALE: usize = 4 * AT_ONCE;
 
 /// Carries the fields from the substrate to the surface, through a protein and an aragonite layer each
-/// time. `N` polarisations; where `ALIKE`, all of them have the first one's phase in aragonite.
-#[multiversion(targets(
-    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
-    "x86_64+avx2+fma"
-))]
-pub(crate) fn ascend<T: Real, const N: usize, const ALIKE: bool>(
-    thickness_nm: &[f64],
-    layers: &[Layers<T>; N],
-    fields: &mut [Field<T>; N],
-) {
-    if fused!() {
-        climb::<T, true, N, ALIKE>(thickness_nm, layers, fields);
-    } else {
-        climb::<T, false, N, ALIKE>(thickness_nm, layers, fields);
-    }
-}
-
+/// time.
 #[inline(always)]
 fn climb<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool>(
     thickness_nm: &[f64],
@@ -167,47 +240,28 @@ fn through<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool, const 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn layers(shift: f64) -> Layers<f64> {
-        let mut layers = Layers::new();
-        for i in 0..LANES {
-            let (per_nm, phase) = (2.0 * 1.683 / (400.0 + shift + i as f64), 0.3 + shift * 1e-3);
-            let q = 0.85;
-            layers.aragonite_per_nm[i] = per_nm;
-            layers.protein_cos[i] = phase.cos();
-            layers.protein_sin_per_q[i] = phase.sin() / q;
-            layers.protein_q_sin[i] = phase.sin() * q;
-        }
-        layers
-    }
+    use crate::{media::Table, wave::Plane};
+    use nacreous_nacre::Medium;
 
     /// The processors' instructions differ in how a product is rounded before a sum, in nothing else.
     #[test]
     fn with_and_without_fused_instructions_only_rounding_differs() {
         let thickness_nm: Vec<f64> = (0..1001).map(|i| 350.0 + f64::from(i * 37 % 101)).collect();
-        let layers = [layers(0.0), layers(7.0)];
-        let reflectance = |fused: bool| {
-            let mut fields = [Field::new(), Field::new()];
-            for field in &mut fields {
-                (field.re_b, field.re_c) = ([1.0; LANES], [0.9; LANES]);
-            }
-            if fused {
-                climb::<f64, true, 2, false>(&thickness_nm, &layers, &mut fields);
-            } else {
-                climb::<f64, false, 2, false>(&thickness_nm, &layers, &mut fields);
-            }
-            fields.map(|field| {
-                std::array::from_fn::<f64, LANES, _>(|i| {
-                    let [re_b, im_b, re_c, im_c] = field.at(i);
-                    let away = (0.6 * re_b - re_c).powi(2) + (0.6 * im_b - im_c).powi(2);
-                    away / ((0.6 * re_b + re_c).powi(2) + (0.6 * im_b + im_c).powi(2))
-                })
-            })
-        };
-        let (fused, plain) = (reflectance(true), reflectance(false));
+        let medium = |n, k| nacreous_nacre::Index::new("medium", n, k).unwrap();
+        let aragonite = Medium::uniaxial(medium(1.683, 0.0), medium(1.53, 0.0));
+        let (protein, ambient) = (medium(1.43, 0.0), medium(1.0, 0.0));
+        let stack =
+            LayerStack::new(thickness_nm, 20.0, aragonite, protein, ambient, medium(1.5, 0.1));
+        let stack = stack.unwrap();
+        let nm: Lanes<f64> = std::array::from_fn(|i| 400.0 + 7.0 * i as f64);
+        let table = Table::new(&stack, &nm).unwrap();
+        let (media, turns) = (table.at([Plane::S, Plane::P], 0.8, 0), table.half_turns_per_nm[0]);
+        let (mut fused, mut plain) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+        from_layers::<f64, true, 2, false>(&stack, &media.waves, &turns, &mut fused);
+        from_layers::<f64, false, 2, false>(&stack, &media.waves, &turns, &mut plain);
         for (a, b) in fused.as_flattened().iter().zip(plain.as_flattened()) {
             assert!((a - b).abs() < 1e-11, "{a} {b}");
         }
-        assert!(fused.as_flattened().iter().any(|r| (0.2..0.9).contains(r)));
+        assert!(fused[0].iter().any(|r| (0.2..0.9).contains(r)));
     }
 }

@@ -52,6 +52,20 @@ pub(crate) fn cos_sin<const FUSED: bool>(f: f64) -> (f64, f64) {
 /// Smaller t count as -1000: 1e-301 is nothing beside 1.
 #[inline(always)]
 pub(crate) fn power_of_two_less_one<const FUSED: bool>(t: f64) -> f64 {
+    let (scale, rest) = power::<FUSED>(t);
+    scale.times_plus::<FUSED>(rest, scale - 1.0)
+}
+
+/// 2^t for t from -1000 to 0; smaller t count as -1000.
+#[inline(always)]
+pub(crate) fn power_of_two<const FUSED: bool>(t: f64) -> f64 {
+    let (scale, rest) = power::<FUSED>(t);
+    scale.times_plus::<FUSED>(rest, scale)
+}
+
+/// (s, r) with 2^t = s (1 + r), s a whole power of two.
+#[inline(always)]
+fn power<const FUSED: bool>(t: f64) -> (f64, f64) {
     let t = if t < -1000.0 { -1000.0 } else { t };
     let rounded = t + f64::ROUND;
     let f = t - (rounded - f64::ROUND);
@@ -61,7 +75,7 @@ pub(crate) fn power_of_two_less_one<const FUSED: bool>(t: f64) -> f64 {
     for &next in &POWER[1..] {
         p = p.times_plus::<FUSED>(f, next);
     }
-    (scale * p).times_plus::<FUSED>(f, scale - 1.0)
+    (scale, p * f)
 }
 
 /// Coefficients of cos(pi f) and sin(pi f) / f in f^2, highest first, through the zeros of Chebyshev's
@@ -134,6 +148,8 @@ mod tests {
             let exact = (t * std::f64::consts::LN_2).exp_m1();
             let error = power_of_two_less_one::<true>(t) - exact;
             assert!(error.abs() <= 4e-16 * exact.abs(), "{t}: {error}");
+            let (power, exact) = (power_of_two::<true>(t), t.max(-1000.0).exp2());
+            assert!((power - exact).abs() <= 4e-16 * exact, "{t}: {power}");
         }
         assert!((power_of_two_less_one::<true>(-1e9) + 1.0).abs() < 1e-300);
     }

@@ -1,6 +1,5 @@
 //! A plane wave inside one medium: how it runs along the normal, and its admittance.
 
-use nacreous_nacre::{Medium, NacreError, Principal};
 use num_complex::Complex64;
 
 use crate::OpticsError;
@@ -37,42 +36,6 @@ pub(crate) enum Plane {
     P,
 }
 
-/// A medium at each wavelength of a table: its indices (ordinary, extraordinary).
-pub(crate) struct Indices {
-    pub(crate) ordinary: Vec<Complex64>,
-    pub(crate) extraordinary: Vec<Complex64>,
-}
-
-/// Below this, fields in units of an admittance overflow; no medium has so small an index.
-const LEAST_N: f64 = 1e-3;
-
-impl Indices {
-    pub(crate) fn of(
-        name: &str,
-        medium: &Medium,
-        wavelength_nm: &[f64],
-    ) -> Result<Self, OpticsError> {
-        let at = |&nm: &f64| {
-            let Principal { ordinary, extraordinary } = medium.at(name, nm)?;
-            for index in [ordinary, extraordinary] {
-                if index.n() < LEAST_N {
-                    let (quantity, value) = (format!("{name}: n"), index.n());
-                    let allowed = "0.001 to 100 for exact optics";
-                    return Err(NacreError::OutOfRange { quantity, value, allowed }.into());
-                }
-            }
-            Ok((ordinary.complex(), extraordinary.complex()))
-        };
-        let indices = wavelength_nm.iter().map(at).collect::<Result<Vec<_>, OpticsError>>()?;
-        let (ordinary, extraordinary) = indices.into_iter().unzip();
-        Ok(Self { ordinary, extraordinary })
-    }
-
-    pub(crate) fn is_isotropic(&self) -> bool {
-        self.ordinary == self.extraordinary
-    }
-}
-
 /// A wave in one medium, for one polarisation, angle and wavelength.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
@@ -84,6 +47,7 @@ pub(crate) struct Wave {
 
 impl Wave {
     /// The wave that comes in through the ambient.
+    #[inline(always)]
     pub(crate) fn incident(plane: Plane, ambient: Complex64, cos_angle: f64) -> Self {
         let along = ambient * cos_angle;
         let admittance = if plane == Plane::S { along } else { ambient / cos_angle };
@@ -96,6 +60,7 @@ impl Wave {
     ///
     /// Written with n^2 - n_ambient^2 + along^2 and not n^2 - s^2, so that equal media stay invisible up
     /// to grazing.
+    #[inline(always)]
     pub(crate) fn refracted(
         plane: Plane,
         (ordinary, extraordinary): (Complex64, Complex64),
@@ -105,38 +70,32 @@ impl Wave {
         let beside = |n: Complex64| {
             away(root((n - ambient) * (n + ambient) + incident_along * incident_along))
         };
-        match plane {
-            Plane::S => {
-                let along = beside(ordinary);
-                Self { along, admittance: along }
-            }
-            Plane::P if ordinary == extraordinary => {
-                let along = beside(ordinary);
-                Self { along, admittance: ordinary * ordinary / along }
-            }
-            Plane::P => {
-                let along = away(ordinary / extraordinary * beside(extraordinary));
-                Self { along, admittance: ordinary * ordinary / along }
-            }
+        if plane == Plane::S {
+            let along = beside(ordinary);
+            return Self { along, admittance: along };
         }
+        let along = away(ordinary / extraordinary * beside(extraordinary));
+        Self { along, admittance: ordinary * ordinary / along }
     }
 }
 
+#[inline(always)]
 fn away(along: Complex64) -> Complex64 {
-    if along.im < 0.0 || (along.im == 0.0 && along.re < 0.0) { -along } else { along }
+    let back = (along.im < 0.0) | ((along.im == 0.0) & (along.re < 0.0));
+    if back { -along } else { along }
 }
 
 /// The square root, never quite 0: a layer's matrix is even in it and bounded, but written with 1 / root.
 /// At the very angle of total reflection the phase is thereby wrong by 1e-12 of a radian per
 /// wavelength of thickness, and its square is all that counts.
+#[inline(always)]
 fn root(square: Complex64) -> Complex64 {
     let size = (square.re * square.re + square.im * square.im).sqrt();
-    if size < 1e-24 {
-        return Complex64::new(1e-12, 0.0);
-    }
     let large = (0.5 * (size + square.re.abs())).sqrt();
     let small = 0.5 * square.im / large;
-    if square.re >= 0.0 { Complex64::new(large, small) } else { Complex64::new(small, large) }
+    let (re, im) = if square.re >= 0.0 { (large, small) } else { (small, large) };
+    let tiny = size < 1e-24;
+    Complex64::new(if tiny { 1e-12 } else { re }, if tiny { 0.0 } else { im })
 }
 
 #[cfg(test)]

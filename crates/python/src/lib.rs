@@ -42,7 +42,7 @@ mod _core {
     #[pymodule_export]
     use super::nacre::{Stack, grow, media};
     #[pymodule_export]
-    use super::optics::{energies, fresnel, illuminant};
+    use super::optics::{energies, ensemble, fresnel, illuminant};
     #[pymodule_export]
     use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
 }

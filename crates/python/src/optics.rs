@@ -2,10 +2,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use nacreous_nacre::Index;
-use nacreous_optics::{Fresnel, IlluminantModel, TransferModel};
+use nacreous_nacre::{Index, LayerStack};
+use nacreous_optics::{Ensemble, Fresnel, IlluminantModel, TransferModel};
 use num_complex::Complex64;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3,
+};
 use pyo3::prelude::*;
 
 use crate::{
@@ -72,19 +74,48 @@ pub fn energies<'py>(
     wavelength_nm: PyReadonlyArray1<'_, f64>,
     polarisation: &str,
     precision: &str,
-) -> PyResult<[Bound<'py, PyArray2<f64>>; 3]> {
-    let model = TransferModel {
-        polarisation: polarisation.parse().map_err(refused)?,
-        precision: precision.parse().map_err(refused)?,
-    };
-    let shape = shape(&angle_rad, &wavelength_nm)?;
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let model = transfer_model(polarisation, precision)?;
+    let [rows, columns] = shape(&angle_rad, &wavelength_nm)?;
     let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
     let stop = AtomicBool::new(false);
     let work = || model.energies(&stack.0, &angle, &wavelength, &stop);
     let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
     let energies = found.map_err(refused)?.ok_or_else(broken_off)?;
-    let table = |share: Vec<f64>| share.into_pyarray(py).reshape(shape);
-    Ok([table(energies.reflectance)?, table(energies.transmittance)?, table(energies.absorptance)?])
+    energies.into_flat().into_pyarray(py).reshape([3, rows, columns])
+}
+
+/// An ensemble with more columns: means of R and T, and sums of squared differences from them,
+/// [4, angle, wavelength] after `columns` of them.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub fn ensemble<'py>(
+    py: Python<'py>,
+    stacks: Vec<PyRef<'_, Stack>>,
+    angle_rad: PyReadonlyArray1<'_, f64>,
+    wavelength_nm: PyReadonlyArray1<'_, f64>,
+    polarisation: &str,
+    precision: &str,
+    columns: usize,
+    tables: PyReadonlyArray3<'_, f64>,
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let model = transfer_model(polarisation, precision)?;
+    let [rows, wavelengths] = shape(&angle_rad, &wavelength_nm)?;
+    let stacks: Vec<LayerStack> = stacks.iter().map(|stack| stack.0.clone()).collect();
+    let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
+    let before = Ensemble::resumed(columns, tables.as_array().iter().copied().collect());
+    let stop = AtomicBool::new(false);
+    let work = || before.with(model, &stacks, &angle, &wavelength, &stop);
+    let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
+    let ensemble = found.map_err(refused)?.ok_or_else(broken_off)?;
+    ensemble.into_flat().into_pyarray(py).reshape([4, rows, wavelengths])
+}
+
+fn transfer_model(polarisation: &str, precision: &str) -> PyResult<TransferModel> {
+    Ok(TransferModel {
+        polarisation: polarisation.parse().map_err(refused)?,
+        precision: precision.parse().map_err(refused)?,
+    })
 }
 
 /// Of a table that memory can hold: a GB, for more than there is would end the whole process.

@@ -1,5 +1,6 @@
 //! Long work that Python can interrupt.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
@@ -17,19 +18,20 @@ pub fn watched<T: Send>(
     stop: impl Fn(),
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
-    std::thread::scope(|scope| {
+    // On a thread of the pool, which keeps its memory for the next call.
+    rayon::in_place_scope(|scope| {
         let (done, mut end) = channel();
-        // Nobody listens once Python was interrupted.
-        let worker = scope.spawn(move || drop(done.send(work())));
+        scope.spawn(move |_| {
+            // A panic ends here: without a result the channel just closes. Nobody listens any more once
+            // Python was interrupted.
+            drop(catch_unwind(AssertUnwindSafe(work)).map(|found| done.send(found)));
+        });
         loop {
             let listening = &mut end;
             let waited = py.detach(move || listening.recv_timeout(LOOK_UP));
             match waited {
                 Ok(result) => return Ok(result),
-                Err(RecvTimeoutError::Disconnected) => {
-                    drop(worker.join());
-                    return Err(broken_off());
-                }
+                Err(RecvTimeoutError::Disconnected) => return Err(broken_off()),
                 Err(RecvTimeoutError::Timeout) => {}
             }
             if let Err(error) = py.check_signals().and_then(|()| look_up()) {

@@ -66,7 +66,7 @@ fn exact(
 }
 
 fn shares(found: &Energies) -> [&[f64]; 3] {
-    [&found.reflectance, &found.transmittance, &found.absorptance]
+    [found.reflectance(), found.transmittance(), found.absorptance()]
 }
 
 /// Whether the memory of a page holds the table: a GB, for more than there is ends the program.
