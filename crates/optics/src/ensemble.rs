@@ -6,8 +6,7 @@ use nacreous_nacre::LayerStack;
 
 use crate::{
     OpticsError,
-    grid::{self, Work},
-    incidence::Block,
+    incidence::{self, Block, Use},
     lanes::LANES,
     transfer::{TransferModel, table},
 };
@@ -84,13 +83,12 @@ impl Ensemble {
         if self.tables.len() != 4 * values {
             return Err(OpticsError::DifferentTable { values, before: self.tables.len() / 4 });
         }
-        if values > 0 {
-            let (means, squares) = self.tables.split_at_mut(2 * values);
-            let (r, t) = means.split_at_mut(values);
-            let (r_squares, t_squares) = squares.split_at_mut(values);
-            let work = Columns { before: self.columns, stacks };
-            grid::fill(model, &media, angle_rad, [r, t, r_squares, t_squares], &work, stop);
-        }
+        let (means, squares) = self.tables.split_at_mut(2 * values);
+        let (r, t) = means.split_at_mut(values);
+        let (r_squares, t_squares) = squares.split_at_mut(values);
+        let tables = [r, t, r_squares, t_squares];
+        let columns = Columns { before: self.columns, stacks };
+        incidence::fill(model, &media, angle_rad, tables, &columns, stop);
         self.columns += stacks.len();
         Ok((!stop.load(Ordering::Relaxed)).then_some(self))
     }
@@ -101,7 +99,7 @@ struct Columns<'a> {
     stacks: &'a [LayerStack],
 }
 
-impl Work<4> for Columns<'_> {
+impl Use<4> for Columns<'_> {
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 4]) {
         let lanes = tables[0].len();
         let mut sums = [[0.0; LANES]; 4];

@@ -1,105 +1,97 @@
 //! Tables `[angle, wavelength]`, filled on all processors.
 
+use std::f64::consts::FRAC_PI_2;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::{
-    incidence::{Block, Incidence},
-    lanes::LANES,
-    media::Table,
-    transfer::TransferModel,
-    wave::{Plane, Polarisation},
-};
+use crate::{OpticsError, error::within, lanes::LANES};
+
+/// The range of every question.
+pub(crate) fn check(angle_rad: &[f64], wavelength_nm: &[f64]) -> Result<(), OpticsError> {
+    for &angle in angle_rad {
+        within("angle_rad", angle, 0.0..=FRAC_PI_2, "0 to pi/2")?;
+    }
+    for &wavelength in wavelength_nm {
+        within("wavelength_nm", wavelength, 1.0..=1e6, "1 to 1000000 nm")?;
+    }
+    Ok(())
+}
 
 /// What is to be computed at each angle and block of wavelengths.
 pub(crate) trait Work<const K: usize>: Sync {
-    /// Fills the block's part of each of the `K` tables; where wavelengths end within the block it is
+    /// What is the same for all blocks of one angle.
+    type Angle: Sync;
+
+    /// Meets an angle, once for its row.
+    fn meet(&self, angle_rad: f64) -> Self::Angle;
+
+    /// Fills one block's part of each of the `K` tables; where wavelengths end within the block it is
     /// shorter than the lanes.
-    fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; K]);
+    fn fill(&self, angle: &Self::Angle, block: usize, tables: [&mut [f64]; K]);
 }
 
 /// Fills `K` tables with `work`, in an order of no consequence, or leaves off where `stop` is set.
 pub(crate) fn fill<const K: usize>(
-    model: TransferModel,
-    media: &Table,
+    work: &impl Work<K>,
     angle_rad: &[f64],
     tables: [&mut [f64]; K],
-    work: &impl Work<K>,
     stop: &AtomicBool,
 ) {
-    let grid = Grid { model, media, work, stop };
-    match model.polarisation {
-        Polarisation::S => grid.angles([Plane::S], angle_rad, tables),
-        Polarisation::P => grid.angles([Plane::P], angle_rad, tables),
-        Polarisation::Unpolarised => grid.angles([Plane::S, Plane::P], angle_rad, tables),
+    if !tables[0].is_empty() {
+        angles(work, angle_rad, tables, stop);
     }
 }
 
-struct Grid<'a, W> {
-    model: TransferModel,
-    media: &'a Table,
-    work: &'a W,
-    stop: &'a AtomicBool,
+fn angles<const K: usize>(
+    work: &impl Work<K>,
+    angle_rad: &[f64],
+    tables: [&mut [f64]; K],
+    stop: &AtomicBool,
+) {
+    match angle_rad {
+        [] => {}
+        &[angle] => row(work, &work.meet(angle), 0, tables, stop),
+        angles => {
+            let (first, second) = angles.split_at(angles.len() / 2);
+            let row = tables[0].len() / angles.len();
+            let [before, after] = split(tables, row * first.len());
+            rayon::join(
+                || self::angles(work, first, before, stop),
+                || self::angles(work, second, after, stop),
+            );
+        }
+    }
 }
 
 /// Blocks that one thread takes in one go: with few layers, less is not worth a hand-over.
 const BLOCKS_AT_ONCE: usize = 4;
 
-impl<W> Grid<'_, W> {
-    fn angles<const N: usize, const K: usize>(
-        &self,
-        planes: [Plane; N],
-        angle_rad: &[f64],
-        tables: [&mut [f64]; K],
-    ) where
-        W: Work<K>,
-    {
-        match angle_rad {
-            [] => {}
-            &[angle] => {
-                let incidence = Incidence::new(self.media, planes, angle, self.model.precision);
-                self.blocks(&incidence, 0, tables);
-            }
-            angles => {
-                let (first, second) = angles.split_at(angles.len() / 2);
-                let row = tables[0].len() / angles.len();
-                let [before, after] = split(tables, row * first.len());
-                rayon::join(
-                    || self.angles(planes, first, before),
-                    || self.angles(planes, second, after),
-                );
-            }
-        }
+/// One row from block `from` on.
+fn row<W: Work<K>, const K: usize>(
+    work: &W,
+    angle: &W::Angle,
+    from: usize,
+    rows: [&mut [f64]; K],
+    stop: &AtomicBool,
+) {
+    let blocks = rows[0].len().div_ceil(LANES);
+    if blocks > BLOCKS_AT_ONCE {
+        let half = blocks / 2;
+        let [before, after] = split(rows, half * LANES);
+        rayon::join(
+            || row(work, angle, from, before, stop),
+            || row(work, angle, from + half, after, stop),
+        );
+        return;
     }
-
-    /// One row from block `from` on.
-    fn blocks<const N: usize, const K: usize>(
-        &self,
-        incidence: &Incidence<'_, N>,
-        from: usize,
-        rows: [&mut [f64]; K],
-    ) where
-        W: Work<K>,
-    {
-        let blocks = rows[0].len().div_ceil(LANES);
-        if blocks > BLOCKS_AT_ONCE {
-            let half = blocks / 2;
-            let [before, after] = split(rows, half * LANES);
-            rayon::join(
-                || self.blocks(incidence, from, before),
-                || self.blocks(incidence, from + half, after),
-            );
+    let mut rest = rows;
+    for block in from..from + blocks {
+        if stop.load(Ordering::Relaxed) {
             return;
         }
-        let mut rest = rows;
-        for block in from..from + blocks {
-            if self.stop.load(Ordering::Relaxed) {
-                return;
-            }
-            let at = rest[0].len().min(LANES);
-            let [part, after] = split(rest, at);
-            incidence.with_block(block, |block| self.work.fill(block, part));
-            rest = after;
-        }
+        let at = rest[0].len().min(LANES);
+        let [part, after] = split(rest, at);
+        work.fill(angle, block, part);
+        rest = after;
     }
 }
 

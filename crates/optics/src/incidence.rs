@@ -1,25 +1,63 @@
 //! Light of one angle of incidence, block by block of wavelengths, and the kernel that suits it.
 
+use std::sync::atomic::AtomicBool;
+
 use nacreous_nacre::LayerStack;
 
 use crate::{
     absorbing,
+    grid::{self, Work},
     lanes::{LANES, Lanes},
     lossless,
     media::{Media, Table},
-    transfer::Precision,
-    wave::Plane,
+    transfer::{Precision, TransferModel},
+    wave::{Plane, Polarisation},
 };
 
 /// R, T and A of one block of wavelengths.
 pub(crate) type Shares = [Lanes<f64>; 3];
 
-/// One angle, for the mean of `N` polarisations.
-pub(crate) struct Incidence<'a, const N: usize> {
+/// What becomes of the light of each angle and block of wavelengths.
+pub(crate) trait Use<const K: usize>: Sync {
+    /// Fills the block's part of each of the `K` tables.
+    fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; K]);
+}
+
+/// Fills `K` tables with `using`, or leaves off where `stop` is set.
+pub(crate) fn fill<const K: usize>(
+    model: TransferModel,
+    table: &Table,
+    angle_rad: &[f64],
+    tables: [&mut [f64]; K],
+    using: &impl Use<K>,
+    stop: &AtomicBool,
+) {
+    let precision = model.precision;
+    let (s, p) = (Plane::S, Plane::P);
+    match model.polarisation {
+        Polarisation::S => {
+            grid::fill(&Light { table, planes: [s], precision, using }, angle_rad, tables, stop);
+        }
+        Polarisation::P => {
+            grid::fill(&Light { table, planes: [p], precision, using }, angle_rad, tables, stop);
+        }
+        Polarisation::Unpolarised => {
+            grid::fill(&Light { table, planes: [s, p], precision, using }, angle_rad, tables, stop);
+        }
+    }
+}
+
+/// Light of the mean of `N` polarisations.
+struct Light<'a, U, const N: usize> {
     table: &'a Table,
     planes: [Plane; N],
-    cos_angle: f64,
     precision: Precision,
+    using: &'a U,
+}
+
+/// One angle of it.
+pub(crate) struct Incidence<const N: usize> {
+    cos_angle: f64,
     /// The media of every block, where they are all the same.
     constant: Option<Media<N>>,
 }
@@ -32,30 +70,27 @@ pub(crate) struct Block<'a, const N: usize> {
     precision: Precision,
 }
 
-impl<'a, const N: usize> Incidence<'a, N> {
-    pub(crate) fn new(
-        table: &'a Table,
-        planes: [Plane; N],
-        angle_rad: f64,
-        precision: Precision,
-    ) -> Self {
+impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
+    type Angle = Incidence<N>;
+
+    fn meet(&self, angle_rad: f64) -> Incidence<N> {
         let cos_angle = angle_rad.cos();
-        let constant = table.is_constant.then(|| table.at(planes, cos_angle, 0));
-        Self { table, planes, cos_angle, precision, constant }
+        let constant = self.table.is_constant.then(|| self.table.at(self.planes, cos_angle, 0));
+        Incidence { cos_angle, constant }
     }
 
-    /// Works with one block of wavelengths.
-    #[inline(always)]
-    pub(crate) fn with_block(&self, block: usize, work: impl FnOnce(&Block<'_, N>)) {
+    fn fill(&self, angle: &Incidence<N>, block: usize, tables: [&mut [f64]; K]) {
         let dispersed;
-        let media = if let Some(media) = &self.constant {
+        let media = if let Some(media) = &angle.constant {
             media
         } else {
-            dispersed = self.table.at(self.planes, self.cos_angle, block);
+            dispersed = self.table.at(self.planes, angle.cos_angle, block);
             &dispersed
         };
         let half_turns_per_nm = &self.table.half_turns_per_nm[block];
-        work(&Block { table: self.table, half_turns_per_nm, media, precision: self.precision });
+        let block =
+            Block { table: self.table, half_turns_per_nm, media, precision: self.precision };
+        self.using.fill(&block, tables);
     }
 }
 

@@ -1,13 +1,10 @@
-use std::f64::consts::FRAC_PI_2;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nacreous_nacre::LayerStack;
 
 use crate::{
-    OpticsError, Polarisation,
-    error::within,
-    grid::{self, Work},
-    incidence::Block,
+    OpticsError, Polarisation, grid,
+    incidence::{self, Block, Use},
     media::Table,
 };
 
@@ -115,12 +112,10 @@ impl TransferModel {
         let media = table(stack, angle_rad, wavelength_nm)?;
         let values = angle_rad.len() * wavelength_nm.len();
         let mut shares = vec![0.0; 3 * values];
-        if values > 0 {
-            let (reflectance, others) = shares.split_at_mut(values);
-            let (transmittance, absorptance) = others.split_at_mut(values);
-            let tables = [reflectance, transmittance, absorptance];
-            grid::fill(*self, &media, angle_rad, tables, &Stack(stack), stop);
-        }
+        let (reflectance, others) = shares.split_at_mut(values);
+        let (transmittance, absorptance) = others.split_at_mut(values);
+        let tables = [reflectance, transmittance, absorptance];
+        incidence::fill(*self, &media, angle_rad, tables, &Stack(stack), stop);
         Ok((!stop.load(Ordering::Relaxed)).then_some(Energies { shares }))
     }
 }
@@ -131,18 +126,13 @@ pub(crate) fn table(
     angle_rad: &[f64],
     wavelength_nm: &[f64],
 ) -> Result<Table, OpticsError> {
-    for &angle in angle_rad {
-        within("angle_rad", angle, 0.0..=FRAC_PI_2, "0 to pi/2")?;
-    }
-    for &wavelength in wavelength_nm {
-        within("wavelength_nm", wavelength, 1.0..=1e6, "1 to 1000000 nm")?;
-    }
+    grid::check(angle_rad, wavelength_nm)?;
     Table::new(stack, wavelength_nm)
 }
 
 struct Stack<'a>(&'a LayerStack);
 
-impl Work<3> for Stack<'_> {
+impl Use<3> for Stack<'_> {
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 3]) {
         for (table, share) in tables.into_iter().zip(block.shares(self.0)) {
             table.copy_from_slice(&share[..table.len()]);
