@@ -329,8 +329,9 @@ def illuminant(
     diffuse_loss: D of equation (4), the share scattered at each layer, 0 to 1.
 
     Relative: the intensity sent up from under a layer counts as 1 and all start layers are added,
-    so energy is not conserved; see docs/model.md. Does not depend on where a lamp is. Media must
-    be lossless constants, and the nacre denser than its surroundings; `InputError` otherwise.
+    so energy is not conserved; see docs/model.md. Does not depend on where a lamp is. Media may be
+    dispersive, but must be lossless and isotropic, and the nacre denser than its surroundings;
+    `InputError` otherwise.
 
     >>> from nacreous.nacre import LayerStack
     >>> table = illuminant(LayerStack([420.0] * 100), [0.0, 0.5], [450.0, 550.0, 650.0])

@@ -462,16 +462,24 @@ def test_exact_optics_says_what_is_wrong(given: dict[str, Any], message: str) ->
     assert refusal(lambda: energies(**whole)) == message
 
 
-@pytest.mark.parametrize(
-    ("medium", "fault"),
-    [("aragonite", "wavelength"), ((1.6, 1.5), "direction"), (lambda nm: nm / 300, "wavelength")],
-    ids=["name", "pair", "function"],
-)
-def test_the_model_of_1996_refuses_more_than_one_index(medium: Any, fault: str) -> None:
-    stack = nc.LayerStack([400.0], aragonite=medium)
-    assert refusal(lambda: nc.optics.illuminant(stack, 0.0, NM)) == (
-        f"the index of aragonite changes with {fault}; allowed in this model: one constant index"
-    )
+def test_the_model_of_1996_refuses_two_indices_at_once() -> None:
+    for medium in ("aragonite", (1.6, 1.5)):
+        stack = nc.LayerStack([400.0], aragonite=medium)
+        assert refusal(lambda stack=stack: nc.optics.illuminant(stack, 0.0, NM)) == (
+            "the index of aragonite changes with direction; allowed: an isotropic medium"
+        )
+
+
+def test_in_dispersive_media_each_wavelength_sees_its_own_index() -> None:
+    """The model of 1996 mixes no wavelengths: a table is a row of constant media side by side."""
+    layers, angles = list(np.linspace(360, 430, 90)), [0.0, 0.7, 1.4]
+    n1, n2 = (lambda nm: 1.5 + 9e3 / nm**2), (lambda nm: 1.4 + 5e3 / nm**2)
+    nm = NM[::29]
+    found = nc.optics.illuminant(nc.LayerStack(layers, 20.0, n1, n2), angles, nm)
+    for i, each in enumerate(nm):
+        alone = nc.LayerStack(layers, 20.0, float(n1(each)), float(n2(each)))
+        expected = nc.optics.illuminant(alone, angles, each)[:, 0]
+        np.testing.assert_allclose(found[:, i], expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("views", [[], [0.5]])

@@ -118,7 +118,7 @@ pub(crate) fn interference_steps(
     stack: &LayerStack,
     model: &IlluminantModel,
 ) -> Result<usize, OpticsError> {
-    let n1 = stack.aragonite().index("aragonite").map_err(OpticsError::from)?.n();
+    let n1 = stack.aragonite().at("aragonite", FRINGES_AT_NM)?.ordinary.n();
     let reach_nm = model.coherence_nm.min(2e3 * n1 * stack.total_um());
     Ok((STEPS * reach_nm / STEPS_FOR_COHERENCE_NM).clamp(STEPS, MOST_STEPS) as usize)
 }

@@ -20,9 +20,12 @@ pub enum OpticsError {
     /// No such precision.
     #[error("precision is '{0}'; allowed: double, single")]
     Precision(String),
-    /// Light of two speeds would come in.
-    #[error("the index of ambient changes with direction; allowed: an isotropic medium")]
-    AnisotropicAmbient,
+    /// Light of two speeds would run where the model knows one.
+    #[error("the index of {medium} changes with direction; allowed: an isotropic medium")]
+    Anisotropic {
+        /// Which medium.
+        medium: &'static str,
+    },
     /// An ensemble of stacks that are not alike.
     #[error("the stacks of an ensemble differ in their media; allowed: the same media in all")]
     DifferentMedia,

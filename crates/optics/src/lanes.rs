@@ -12,6 +12,11 @@ pub(crate) const LANES: usize = 32;
 /// One number for each lane.
 pub(crate) type Lanes<T> = [T; LANES];
 
+/// A block of wavelengths, the last one again and again where they end within it.
+pub(crate) fn filled(wavelength_nm: &[f64]) -> Lanes<f64> {
+    std::array::from_fn(|lane| wavelength_nm[lane.min(wavelength_nm.len() - 1)])
+}
+
 /// One complex number for each lane.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Pair {

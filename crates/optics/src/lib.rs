@@ -13,20 +13,22 @@
 #![allow(clippy::needless_bitwise_bool)]
 
 mod absorbing;
-mod cycle;
 mod ensemble;
 mod error;
 mod fresnel;
 mod grid;
 mod illuminant;
 mod incidence;
+mod interference;
 mod lanes;
 mod lossless;
 mod media;
 mod phase;
 mod real;
+mod sight;
 mod transfer;
 mod wave;
+mod window;
 
 pub use ensemble::Ensemble;
 pub use error::OpticsError;

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use crate::{
     OpticsError,
-    lanes::{LANES, Lanes, Pair},
+    lanes::{LANES, Lanes, Pair, filled},
     wave::{Plane, Wave},
 };
 
@@ -74,7 +74,7 @@ impl Table {
         let indices = blocks[..asked].iter().map(|nm| Indices::of(stack, nm));
         let indices = indices.collect::<Result<Vec<_>, _>>()?;
         if indices.iter().any(|media| !media.ambient.is_isotropic()) {
-            return Err(OpticsError::AnisotropicAmbient);
+            return Err(OpticsError::Anisotropic { medium: "ambient" });
         }
         Ok(Self {
             half_turns_per_nm: blocks.iter().map(|nm| nm.map(|nm| 2.0 / nm)).collect(),
@@ -106,11 +106,6 @@ impl Table {
         }
         media
     }
-}
-
-/// A block of wavelengths, the last one again and again where they end within it.
-fn filled(wavelength_nm: &[f64]) -> Lanes<f64> {
-    std::array::from_fn(|lane| wavelength_nm[lane.min(wavelength_nm.len() - 1)])
 }
 
 impl Indices {

@@ -1,0 +1,88 @@
+//! Snell and Fresnel along one line of sight, for the illuminant model.
+
+use nacreous_nacre::LayerStack;
+use num_complex::Complex64;
+
+use crate::{
+    OpticsError,
+    fresnel::boundary,
+    lanes::{LANES, Lanes},
+};
+
+/// n0, n1, n2 of the paper at one wavelength: real, the same in every direction, and none below n0.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Indices([f64; 3]);
+
+impl Indices {
+    pub(crate) fn of(
+        stack: &LayerStack,
+        wavelength_nm: &Lanes<f64>,
+    ) -> Result<[Self; LANES], OpticsError> {
+        let mut indices = [Self([0.0; 3]); LANES];
+        for (slot, &nm) in indices.iter_mut().zip(wavelength_nm) {
+            *slot = Self::at(stack, nm)?;
+        }
+        Ok(indices)
+    }
+
+    fn at(stack: &LayerStack, wavelength_nm: f64) -> Result<Self, OpticsError> {
+        let media = [
+            ("ambient", stack.ambient()),
+            ("aragonite", stack.aragonite()),
+            ("protein", stack.protein()),
+        ];
+        let mut indices = [0.0; 3];
+        for (i, (medium, of)) in media.into_iter().enumerate() {
+            let principal = of.at(medium, wavelength_nm)?;
+            let index = principal.ordinary;
+            if index != principal.extraordinary {
+                return Err(OpticsError::Anisotropic { medium });
+            }
+            if !index.is_lossless() {
+                return Err(OpticsError::Absorbing { medium, k: index.k() });
+            }
+            let (n, ambient) = (index.n(), indices[0]);
+            if n < ambient {
+                return Err(OpticsError::TotalReflection { medium, n, ambient });
+            }
+            indices[i] = n;
+        }
+        Ok(Self(indices))
+    }
+}
+
+/// What does not change along one line of sight, lane by lane.
+pub(crate) struct Sight {
+    /// 2 n1 cos(theta_1): path difference per nm of aragonite.
+    pub(crate) path_per_nm: Lanes<f64>,
+    /// 2 n2 d_p cos(theta_2): path difference of the two faces of a protein layer.
+    pub(crate) protein_path_nm: Lanes<f64>,
+    pub(crate) t1: Lanes<f64>,
+    pub(crate) r2_s: Lanes<f64>,
+    pub(crate) r2_p: Lanes<f64>,
+}
+
+impl Sight {
+    /// Steps 1 and 2 of section 3 of docs/model.md.
+    pub(crate) fn new(indices: &[Indices; LANES], protein_nm: f64, theta_0: f64) -> Self {
+        let none = [0.0; LANES];
+        let mut sight =
+            Self { path_per_nm: none, protein_path_nm: none, t1: none, r2_s: none, r2_p: none };
+        let (sin_theta_0, cos_theta_0) = (theta_0.sin(), theta_0.cos());
+        for (lane, &Indices([n0, n1, n2])) in indices.iter().enumerate() {
+            // Not quite 0 at grazing, where a medium that is no denser than its neighbour gives 0 / 0.
+            let cos2 = |n: f64| 1.0 - (n0 / n * sin_theta_0).powi(2);
+            let snell = |n: f64| cos2(n).max(f64::MIN_POSITIVE).sqrt();
+            let (cos_theta_1, cos_theta_2) = (snell(n1), snell(n2));
+            // T1 is the same both ways; from outside it is exact at grazing, where theta_1 loses digits.
+            let surface = boundary(Complex64::from(n0), Complex64::from(n1), cos_theta_0);
+            let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);
+            sight.path_per_nm[lane] = 2.0 * n1 * cos_theta_1;
+            sight.protein_path_nm[lane] = 2.0 * n2 * protein_nm * cos_theta_2;
+            sight.t1[lane] = surface.T().max(0.0);
+            sight.r2_s[lane] = inner.r_s.re;
+            sight.r2_p[lane] = inner.r_p.re;
+        }
+        sight
+    }
+}
