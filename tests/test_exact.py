@@ -290,12 +290,26 @@ def test_an_ensemble_converges_as_its_error_says() -> None:
     np.testing.assert_array_equal(first.R, again.R)
 
 
+def test_an_ensemble_goes_on_until_its_error_is_reached() -> None:
+    """And with as many columns as it then has, it is the same ensemble."""
+    asked = {"angle_rad": [0.0, 0.7], "wavelength_nm": NM[::10], "seed": 5}
+    found = nc.optics.ensemble("paper", columns=16, error=0.01, **asked)
+    assert found.columns > 64
+    assert max(found.R_error.max(), found.T_error.max()) <= 0.01
+    whole = nc.optics.ensemble("paper", columns=found.columns, **asked)
+    np.testing.assert_array_equal(found.R, whole.R)
+    np.testing.assert_array_equal(found.T_spread, whole.T_spread)
+    with pytest.raises(nc.InputError, match=r"error is 1e-09; allowed for this nacre: what 10000"):
+        nc.optics.ensemble("paper", columns=4, error=1e-9, **asked)
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [
         ({"columns": 1}, "columns is 1; allowed: 2 to 10000"),
         ({"columns": 2.5}, "columns is 2.5; allowed: a whole number"),
         ({"seed": -1}, "seed is -1; allowed: 0 to 4611686018427387904"),
+        ({"error": 2.0}, "error is 2.0; allowed: 1e-9 to 1, or None"),
         ({"growth": 3}, "growth is 3; allowed: a nacre preset's name or a Growth"),
     ],
 )
