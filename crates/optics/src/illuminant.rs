@@ -97,10 +97,11 @@ struct Nacre<'a> {
     is_constant: bool,
 }
 
-/// One line of sight; in dispersive media every wavelength has its own.
-enum Line {
-    Constant(Sight, Vec<usize>),
-    Dispersive { theta_0: f64 },
+/// One line of sight.
+struct Line {
+    theta_0: f64,
+    /// What all wavelengths share, where no medium is dispersive.
+    constant: Option<(Sight, Vec<usize>)>,
 }
 
 impl<'a> Nacre<'a> {
@@ -139,25 +140,24 @@ impl Work<1> for Nacre<'_> {
     type Angle = Line;
 
     fn meet(&self, theta_0: f64) -> Line {
-        if !self.is_constant {
-            return Line::Dispersive { theta_0 };
-        }
-        let sight = Sight::new(&self.indices[0], self.protein_nm, theta_0);
-        let ends = window::ends(&self.depth_nm, sight.path_per_nm[0], self.model.coherence_nm);
-        Line::Constant(sight, ends)
+        let constant = self.is_constant.then(|| {
+            let sight = Sight::new(&self.indices[0], self.protein_nm, theta_0);
+            let ends = window::ends(&self.depth_nm, sight.path_per_nm[0], self.model.coherence_nm);
+            (sight, ends)
+        });
+        Line { theta_0, constant }
     }
 
     fn fill(&self, line: &Line, block: usize, [out]: [&mut [f64]; 1]) {
         let from = block * LANES;
         let nm = &self.wavelength_nm[from..from + out.len()];
-        let intensity = match line {
-            Line::Constant(sight, ends) => self.intensity(sight, ends, nm),
-            &Line::Dispersive { theta_0 } => {
-                let sight = Sight::new(&self.indices[block], self.protein_nm, theta_0);
-                let coherence_nm = self.model.coherence_nm;
-                let ends = window::lane_ends(&self.depth_nm, &sight.path_per_nm, coherence_nm);
-                self.intensity(&sight, &ends, nm)
-            }
+        let intensity = if let Some((sight, ends)) = &line.constant {
+            self.intensity(sight, ends, nm)
+        } else {
+            let sight = Sight::new(&self.indices[block], self.protein_nm, line.theta_0);
+            let coherence_nm = self.model.coherence_nm;
+            let ends = window::lane_ends(&self.depth_nm, &sight.path_per_nm, coherence_nm);
+            self.intensity(&sight, &ends, nm)
         };
         out.copy_from_slice(&intensity[..out.len()]);
     }
