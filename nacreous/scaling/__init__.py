@@ -12,27 +12,72 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nacreous.scaling.answers import Answers
+    from nacreous.scaling.checkup import Consistency, consistency
     from nacreous.scaling.column import Group
     from nacreous.scaling.comparisons import Comparisons, comparisons_of
     from nacreous.scaling.example import paper, paper_proportions
+    from nacreous.scaling.kendall import Agreement, agreement
+    from nacreous.scaling.person import PersonalTriads, triads_by_person
+    from nacreous.scaling.repetition import Retest, retest
+    from nacreous.scaling.response import ResponseTime, response_time
+    from nacreous.scaling.share import Share
+    from nacreous.scaling.side import SideBias, side_bias
+    from nacreous.scaling.transitive import Transitivity, Violation, transitivity
+    from nacreous.scaling.triads import Triads, circular_triads
 
 #: Where each public name lives. Loaded when first asked for, so that nothing heavy is until then.
 _HOME = {
+    "Agreement": "kendall",
     "Answers": "answers",
     "Comparisons": "comparisons",
+    "Consistency": "checkup",
     "Group": "column",
+    "PersonalTriads": "person",
+    "ResponseTime": "response",
+    "Retest": "repetition",
+    "Share": "share",
+    "SideBias": "side",
+    "Transitivity": "transitive",
+    "Triads": "triads",
+    "Violation": "transitive",
+    "agreement": "kendall",
+    "circular_triads": "triads",
     "comparisons_of": "comparisons",
+    "consistency": "checkup",
     "paper": "example",
     "paper_proportions": "example",
+    "response_time": "response",
+    "retest": "repetition",
+    "side_bias": "side",
+    "transitivity": "transitive",
+    "triads_by_person": "person",
 }
 
 __all__ = [
+    "Agreement",
     "Answers",
     "Comparisons",
+    "Consistency",
     "Group",
+    "PersonalTriads",
+    "ResponseTime",
+    "Retest",
+    "Share",
+    "SideBias",
+    "Transitivity",
+    "Triads",
+    "Violation",
+    "agreement",
+    "circular_triads",
     "comparisons_of",
+    "consistency",
     "paper",
     "paper_proportions",
+    "response_time",
+    "retest",
+    "side_bias",
+    "transitivity",
+    "triads_by_person",
 ]
 
 
