@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nacreous.scaling.answers import Answers
+    from nacreous.scaling.bradley import bradley_terry
+    from nacreous.scaling.case_v import thurstone
     from nacreous.scaling.checkup import Consistency, consistency
     from nacreous.scaling.column import Group
     from nacreous.scaling.comparisons import Comparisons, comparisons_of
@@ -20,10 +22,12 @@ if TYPE_CHECKING:
     from nacreous.scaling.person import PersonalTriads, triads_by_person
     from nacreous.scaling.repetition import Retest, retest
     from nacreous.scaling.response import ResponseTime, response_time
+    from nacreous.scaling.scale import Scale
     from nacreous.scaling.share import Share
     from nacreous.scaling.side import SideBias, side_bias
     from nacreous.scaling.transitive import Transitivity, Violation, transitivity
     from nacreous.scaling.triads import Triads, circular_triads
+    from nacreous.scaling.uncertainty import Difference
 
 #: Where each public name lives. Loaded when first asked for, so that nothing heavy is until then.
 _HOME = {
@@ -31,16 +35,19 @@ _HOME = {
     "Answers": "answers",
     "Comparisons": "comparisons",
     "Consistency": "checkup",
+    "Difference": "uncertainty",
     "Group": "column",
     "PersonalTriads": "person",
     "ResponseTime": "response",
     "Retest": "repetition",
+    "Scale": "scale",
     "Share": "share",
     "SideBias": "side",
     "Transitivity": "transitive",
     "Triads": "triads",
     "Violation": "transitive",
     "agreement": "kendall",
+    "bradley_terry": "bradley",
     "circular_triads": "triads",
     "comparisons_of": "comparisons",
     "consistency": "checkup",
@@ -49,6 +56,7 @@ _HOME = {
     "response_time": "response",
     "retest": "repetition",
     "side_bias": "side",
+    "thurstone": "case_v",
     "transitivity": "transitive",
     "triads_by_person": "person",
 }
@@ -58,16 +66,19 @@ __all__ = [
     "Answers",
     "Comparisons",
     "Consistency",
+    "Difference",
     "Group",
     "PersonalTriads",
     "ResponseTime",
     "Retest",
+    "Scale",
     "Share",
     "SideBias",
     "Transitivity",
     "Triads",
     "Violation",
     "agreement",
+    "bradley_terry",
     "circular_triads",
     "comparisons_of",
     "consistency",
@@ -76,6 +87,7 @@ __all__ = [
     "response_time",
     "retest",
     "side_bias",
+    "thurstone",
     "transitivity",
     "triads_by_person",
 ]
