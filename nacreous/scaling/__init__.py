@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from nacreous.scaling.column import Group
     from nacreous.scaling.comparisons import Comparisons, comparisons_of
     from nacreous.scaling.example import paper, paper_proportions
+    from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
     from nacreous.scaling.kendall import Agreement, agreement
+    from nacreous.scaling.misfit import Goodness, Misfit, goodness
     from nacreous.scaling.person import PersonalTriads, triads_by_person
     from nacreous.scaling.repetition import Retest, retest
     from nacreous.scaling.response import ResponseTime, response_time
@@ -36,7 +38,9 @@ _HOME = {
     "Comparisons": "comparisons",
     "Consistency": "checkup",
     "Difference": "uncertainty",
+    "Goodness": "misfit",
     "Group": "column",
+    "Misfit": "misfit",
     "PersonalTriads": "person",
     "ResponseTime": "response",
     "Retest": "repetition",
@@ -51,10 +55,14 @@ _HOME = {
     "circular_triads": "triads",
     "comparisons_of": "comparisons",
     "consistency": "checkup",
+    "goodness": "misfit",
+    "interval_plot": "figure",
+    "matrix_plot": "figure",
     "paper": "example",
     "paper_proportions": "example",
     "response_time": "response",
     "retest": "repetition",
+    "scale_plot": "figure",
     "side_bias": "side",
     "thurstone": "case_v",
     "transitivity": "transitive",
@@ -67,7 +75,9 @@ __all__ = [
     "Comparisons",
     "Consistency",
     "Difference",
+    "Goodness",
     "Group",
+    "Misfit",
     "PersonalTriads",
     "ResponseTime",
     "Retest",
@@ -82,10 +92,14 @@ __all__ = [
     "circular_triads",
     "comparisons_of",
     "consistency",
+    "goodness",
+    "interval_plot",
+    "matrix_plot",
     "paper",
     "paper_proportions",
     "response_time",
     "retest",
+    "scale_plot",
     "side_bias",
     "thurstone",
     "transitivity",
