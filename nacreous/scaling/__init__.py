@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from nacreous.scaling.checkup import Consistency, consistency
     from nacreous.scaling.column import Group
     from nacreous.scaling.comparisons import Comparisons, comparisons_of
+    from nacreous.scaling.design import Design, cyclic_design, full_design, random_design
     from nacreous.scaling.example import paper, paper_proportions
     from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
     from nacreous.scaling.kendall import Agreement, agreement
@@ -37,6 +38,7 @@ _HOME = {
     "Answers": "answers",
     "Comparisons": "comparisons",
     "Consistency": "checkup",
+    "Design": "design",
     "Difference": "uncertainty",
     "Goodness": "misfit",
     "Group": "column",
@@ -55,11 +57,14 @@ _HOME = {
     "circular_triads": "triads",
     "comparisons_of": "comparisons",
     "consistency": "checkup",
+    "cyclic_design": "design",
+    "full_design": "design",
     "goodness": "misfit",
     "interval_plot": "figure",
     "matrix_plot": "figure",
     "paper": "example",
     "paper_proportions": "example",
+    "random_design": "design",
     "response_time": "response",
     "retest": "repetition",
     "scale_plot": "figure",
@@ -74,6 +79,7 @@ __all__ = [
     "Answers",
     "Comparisons",
     "Consistency",
+    "Design",
     "Difference",
     "Goodness",
     "Group",
@@ -92,11 +98,14 @@ __all__ = [
     "circular_triads",
     "comparisons_of",
     "consistency",
+    "cyclic_design",
+    "full_design",
     "goodness",
     "interval_plot",
     "matrix_plot",
     "paper",
     "paper_proportions",
+    "random_design",
     "response_time",
     "retest",
     "scale_plot",
