@@ -20,14 +20,18 @@ if TYPE_CHECKING:
     from nacreous.scaling.design import Design, cyclic_design, full_design, random_design
     from nacreous.scaling.example import paper, paper_proportions
     from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
+    from nacreous.scaling.groups import GroupComparison, GroupDifference, GroupTest, compare_groups
     from nacreous.scaling.kendall import Agreement, agreement
     from nacreous.scaling.misfit import Goodness, Misfit, goodness
     from nacreous.scaling.person import PersonalTriads, triads_by_person
+    from nacreous.scaling.ratio import ClusterRatio, RatioChange, cluster_ratio, compare_ratios
     from nacreous.scaling.repetition import Retest, retest
     from nacreous.scaling.response import ResponseTime, response_time
     from nacreous.scaling.scale import Scale
+    from nacreous.scaling.sets import SetComparison, compare_sets
     from nacreous.scaling.share import Share
     from nacreous.scaling.side import SideBias, side_bias
+    from nacreous.scaling.simulation import simulate
     from nacreous.scaling.transitive import Transitivity, Violation, transitivity
     from nacreous.scaling.triads import Triads, circular_triads
     from nacreous.scaling.uncertainty import Difference
@@ -36,17 +40,23 @@ if TYPE_CHECKING:
 _HOME = {
     "Agreement": "kendall",
     "Answers": "answers",
+    "ClusterRatio": "ratio",
     "Comparisons": "comparisons",
     "Consistency": "checkup",
     "Design": "design",
     "Difference": "uncertainty",
     "Goodness": "misfit",
     "Group": "column",
+    "GroupComparison": "groups",
+    "GroupDifference": "groups",
+    "GroupTest": "groups",
     "Misfit": "misfit",
     "PersonalTriads": "person",
+    "RatioChange": "ratio",
     "ResponseTime": "response",
     "Retest": "repetition",
     "Scale": "scale",
+    "SetComparison": "sets",
     "Share": "share",
     "SideBias": "side",
     "Transitivity": "transitive",
@@ -55,6 +65,10 @@ _HOME = {
     "agreement": "kendall",
     "bradley_terry": "bradley",
     "circular_triads": "triads",
+    "cluster_ratio": "ratio",
+    "compare_groups": "groups",
+    "compare_ratios": "ratio",
+    "compare_sets": "sets",
     "comparisons_of": "comparisons",
     "consistency": "checkup",
     "cyclic_design": "design",
@@ -69,6 +83,7 @@ _HOME = {
     "retest": "repetition",
     "scale_plot": "figure",
     "side_bias": "side",
+    "simulate": "simulation",
     "thurstone": "case_v",
     "transitivity": "transitive",
     "triads_by_person": "person",
@@ -77,17 +92,23 @@ _HOME = {
 __all__ = [
     "Agreement",
     "Answers",
+    "ClusterRatio",
     "Comparisons",
     "Consistency",
     "Design",
     "Difference",
     "Goodness",
     "Group",
+    "GroupComparison",
+    "GroupDifference",
+    "GroupTest",
     "Misfit",
     "PersonalTriads",
+    "RatioChange",
     "ResponseTime",
     "Retest",
     "Scale",
+    "SetComparison",
     "Share",
     "SideBias",
     "Transitivity",
@@ -96,6 +117,10 @@ __all__ = [
     "agreement",
     "bradley_terry",
     "circular_triads",
+    "cluster_ratio",
+    "compare_groups",
+    "compare_ratios",
+    "compare_sets",
     "comparisons_of",
     "consistency",
     "cyclic_design",
@@ -110,6 +135,7 @@ __all__ = [
     "retest",
     "scale_plot",
     "side_bias",
+    "simulate",
     "thurstone",
     "transitivity",
     "triads_by_person",
