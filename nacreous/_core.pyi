@@ -179,6 +179,15 @@ class PairModel:
     def scores(
         self, answers: PersonalAnswers, parameters: NDArray[np.float64]
     ) -> NDArray[np.float64]: ...
+    def bootstrap(
+        self,
+        parameters: NDArray[np.float64],
+        answers: PersonalAnswers | None,
+        samples: int,
+        seed: int,
+        studentised: bool,
+        report: Callable[[int], object] | None,
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], int]: ...
 
 @final
 class PersonalAnswers:

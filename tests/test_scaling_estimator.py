@@ -26,7 +26,8 @@ def tournament(scale, answers, seed, people=None):
     second = (first + random.integers(1, len(scale), size=answers)) % len(scale)
     lead = np.asarray(scale)[first] - np.asarray(scale)[second]
     won = lead + random.standard_normal(answers) > 0
-    return [(int(a), int(b)) if w else (int(b), int(a)) for a, b, w in zip(first, second, won)]
+    winner, loser = np.where(won, first, second), np.where(won, second, first)
+    return list(zip(winner.tolist(), loser.tolist(), strict=True))
 
 
 def test_log_cdf_is_that_of_scipy():

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nacreous.scaling.answers import Answers
+    from nacreous.scaling.bootstrap import Bootstrap
     from nacreous.scaling.bradley import bradley_terry
     from nacreous.scaling.case_v import thurstone
     from nacreous.scaling.checkup import Consistency, consistency
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
 _HOME = {
     "Agreement": "kendall",
     "Answers": "answers",
+    "Bootstrap": "bootstrap",
     "ClusterRatio": "ratio",
     "Comparisons": "comparisons",
     "Consistency": "checkup",
@@ -92,6 +94,7 @@ _HOME = {
 __all__ = [
     "Agreement",
     "Answers",
+    "Bootstrap",
     "ClusterRatio",
     "Comparisons",
     "Consistency",

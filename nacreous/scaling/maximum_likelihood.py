@@ -81,7 +81,8 @@ def counted(data: Any) -> tuple[Any, Comparisons]:
 def _columns(table: Any) -> list[Any]:
     if isinstance(table, dict):
         return list(table)
-    return list(getattr(table, "column_names", None) or getattr(table, "columns", ()))
+    names = getattr(table, "column_names", None)
+    return list(getattr(table, "columns", ()) if names is None else names)
 
 
 def _design_of(design: ArrayLike, comparisons: Comparisons) -> NDArray[np.float64]:

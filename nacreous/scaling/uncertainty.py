@@ -115,9 +115,10 @@ def differences(
     z = np.divide(np.abs(found), se, out=np.zeros_like(se), where=se > 0)
     p = _corrected(2 * ndtr(-z), z, of_pairs, control)
     half = quantile(of_pairs, level, control) * se
+    numbers = np.column_stack((found, se, found - half, found + half, p)).tolist()
     return [
-        Difference(labels[i], labels[j], *map(float, (d, s, d - h, d + h, q)), unit)
-        for i, j, d, s, h, q in zip(first, second, found, se, half, p, strict=True)
+        Difference(labels[i], labels[j], value, error, low, high, p_value, unit)
+        for (i, j), (value, error, low, high, p_value) in zip(chosen, numbers, strict=True)
     ]
 
 

@@ -39,7 +39,7 @@ def unit_of(unit: object) -> Unit:
     """The unit of that name, or one clear message."""
     for known in ("z", "d'", "JOD", "JND", "logit"):
         if unit == known:
-            return known  # type: ignore[return-value]
+            return known
     raise InputError(f"unit is {said(unit)}; allowed: {', '.join(JOD_PER)}")
 
 

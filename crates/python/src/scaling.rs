@@ -1,8 +1,10 @@
 //! The door to scaling.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use nacreous_scaling::{Answers, Counts, Design, Existence, Kind, Model, Outcome};
+use nacreous_scaling::{
+    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, Source,
+};
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
     PyUntypedArrayMethods,
@@ -124,6 +126,48 @@ impl PairModel {
             nacreous_scaling::person_scores(model, answers, stimuli, people, &parameters)
         });
         scores.into_pyarray(py).reshape([people, parameters.len()])
+    }
+
+    /// Scales of samples drawn from `answers` by people, or from the counts: values [sample, n], their
+    /// standard errors [sample, n or 0], order effect and ties [sample, 2], and how many samples had no
+    /// maximum. `report` hears how many are done.
+    #[allow(clippy::too_many_arguments)]
+    fn bootstrap<'py>(
+        &self,
+        py: Python<'py>,
+        parameters: PyReadonlyArray1<'_, f64>,
+        answers: Option<&PersonalAnswers>,
+        samples: usize,
+        seed: u64,
+        studentised: bool,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<(Table<'py>, Table<'py>, Table<'py>, usize)> {
+        let parameters = parameters.as_array().to_vec();
+        let (model, stimuli) = (&self.model, self.counts.stimuli);
+        let (stop, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let work = || {
+            let source = match answers {
+                Some(known) => Source::People(known.answers.ledger(model, stimuli, known.people)),
+                None => Source::Answers(self.counts.clone()),
+            };
+            let (source, parameters) = (&source, &parameters[..]);
+            Bootstrap { model, source, parameters, samples, seed, studentised }.run(&stop, &done)
+        };
+        let look_up = || match &report {
+            Some(report) => report.call1(py, (done.load(Ordering::Relaxed),)).map(drop),
+            None => Ok(()),
+        };
+        let found = watched(py, look_up, || stop.store(true, Ordering::Relaxed), work)?;
+        let found = found.map_err(refused)?;
+        let table = |part: Vec<f64>| {
+            let columns = part.len() / samples.max(1);
+            part.into_pyarray(py).reshape([samples, columns])
+        };
+        let values = found.iter().flat_map(|sample| sample.values.iter().copied()).collect();
+        let se = found.iter().flat_map(|sample| sample.se.iter().copied()).collect();
+        let effects = found.iter().flat_map(|sample| [sample.order, sample.ties]).collect();
+        let unplaced = found.iter().filter(|sample| !sample.placed).count();
+        Ok((table(values)?, table(se)?, table(effects)?, unplaced))
     }
 }
 

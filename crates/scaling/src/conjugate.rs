@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::{
     Counts, Model,
     likelihood::{Penalty, spread_out},
+    model::centre,
 };
 
 /// Finds x in H x = b, where H is minus the second derivative of the log-likelihood: Hestenes and
@@ -24,6 +25,9 @@ pub fn solve(
     let scaled = |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
     let mut x = vec![0.0; b.len()];
     let mut residual = b.to_vec();
+    // What rounding puts on a common shift of the values has no answer.
+    let floating = if penalty.is_none() { counts.stimuli } else { 0 };
+    centre(&mut residual[..floating]);
     let mut search = scaled(&residual);
     let mut energy = dot(&residual, &search);
     let enough = tolerance * tolerance * energy;
@@ -40,6 +44,7 @@ pub fn solve(
             x[i] += step * search[i];
             residual[i] -= step * image[i];
         }
+        centre(&mut residual[..floating]);
         let next = scaled(&residual);
         let before = std::mem::replace(&mut energy, dot(&residual, &next));
         for i in 0..search.len() {

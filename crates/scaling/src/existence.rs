@@ -28,9 +28,13 @@ pub enum Existence {
 /// A prior holds the values, so only side and ties are left to ask about. A model of ties without a
 /// tie has its maximum at width 0, which is for the caller to see.
 pub fn existence(model: &Model, counts: &Counts) -> Existence {
-    let counts = counts.seen_by(model);
+    existence_of_seen(model, &counts.seen_by(model))
+}
+
+/// As [`existence`], of counts as the model sees them.
+pub fn existence_of_seen(model: &Model, counts: &Counts) -> Existence {
     let held = model.prior.is_some();
-    if !held && components(&counts).iter().any(|&part| part != 0) {
+    if !held && components(counts).iter().any(|&part| part != 0) {
         return Existence::Apart;
     }
     // With the values held, nothing but side and ties can move: one node.
@@ -38,13 +42,13 @@ pub fn existence(model: &Model, counts: &Counts) -> Existence {
     let ties = model.ties && counts.totals()[2] > 0.0;
     if model.order {
         for direction in [1.0, -1.0] {
-            let edges = edges(&counts, held, 0.0, direction);
+            let edges = edges(counts, held, 0.0, direction);
             if negative_circle(nodes, &edges, 0.0).is_none() {
                 return Existence::Order;
             }
         }
     }
-    if ties && !ties_are_held(nodes, &edges(&counts, held, 1.0, 0.0), model.order) {
+    if ties && !ties_are_held(nodes, &edges(counts, held, 1.0, 0.0), model.order) {
         return Existence::Ties;
     }
     Existence::Exists

@@ -8,6 +8,7 @@
 //! Same counts, same seed, same bytes, however many threads: no sum is shared, `libm` computes the
 //! functions.
 
+mod bootstrap;
 mod cholesky;
 mod conjugate;
 mod counts;
@@ -21,8 +22,10 @@ mod normal;
 mod outcome;
 mod people;
 mod recession;
+mod spread;
 mod terms;
 
+pub use bootstrap::{Bootstrap, Resampled, Source};
 pub use counts::Counts;
 pub use error::ScalingError;
 pub use existence::{Existence, components, existence};
@@ -32,5 +35,5 @@ pub use model::{Design, Link, Model};
 pub use newton::{Fit, fit};
 pub use normal::{cdf, log_cdf};
 pub use outcome::Outcome;
-pub use people::{Answers, person_scores};
+pub use people::{Answers, Ledger, person_scores};
 pub use terms::probabilities;
