@@ -108,7 +108,9 @@ def chance(count: int, circular: float, tied: int = 0) -> float:
         few = sum(number for triads, number in _ways(count).items() if triads <= circular)
         return few / float(2 ** comb(count, 2))
     df = count * (count - 1) * (count - 2) / (count - 4) ** 2
-    statistic = 8 / (count - 4) * (comb(count, 3) / 4 - circular + 0.5) + df
+    # Kendall's half, with the sign that makes it "or fewer": for 8 to 10 stimuli
+    # this is within 0.025 of the exact counts, and the printed + 1/2 only within 0.12.
+    statistic = 8 / (count - 4) * (comb(count, 3) / 4 - circular - 0.5) + df
     return float(chi2.sf(statistic, df))
 
 
