@@ -37,7 +37,7 @@ class Bootstrap:
     - `scale`: float64 [n], the fit to all answers
     - `by`: "people" or "answers", what was drawn
     - `without_maximum`: how many samples had no finite scale of their own, see above
-    - `order_effects`, `tie_thresholds`: float64 [sample], or None where not fitted; units as `Scale`
+    - `order_effects`, `tie_thresholds`: float64 [sample], as in `Scale`; None where not fitted
 
     >>> from nacreous.scaling import paper, thurstone
     >>> fit = thurstone(paper())

@@ -210,7 +210,9 @@ impl<'a> Drawer<'a> {
                 for (person, &times) in people.iter().enumerate().filter(|(_, times)| **times > 0) {
                     for (row, answers) in ledger.of(person) {
                         let sum = &mut into.answers[*row as usize];
-                        (0..3).for_each(|k| sum[k] += f64::from(times) * answers[k]);
+                        for k in 0..3 {
+                            sum[k] += f64::from(times) * answers[k];
+                        }
                     }
                 }
             }
@@ -227,7 +229,9 @@ impl<'a> Drawer<'a> {
                     });
                     let (_, drawn) = seen(model, pair, drawn);
                     if let Some(sum) = into.answers.get_mut(row as usize) {
-                        (0..3).for_each(|k| sum[k] += drawn[k]);
+                        for k in 0..3 {
+                            sum[k] += drawn[k];
+                        }
                     }
                 }
             }

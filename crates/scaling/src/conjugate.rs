@@ -74,10 +74,16 @@ impl System<'_> {
             order_sum += along;
             width_sum += cross * lead + ss * width;
         }
-        order_at.into_iter().for_each(|i| image[i] = order_sum);
-        ties_at.into_iter().for_each(|i| image[i] = width_sum);
+        if let Some(i) = order_at {
+            image[i] = order_sum;
+        }
+        if let Some(i) = ties_at {
+            image[i] = width_sum;
+        }
         if let Some(penalty) = self.penalty {
-            (0..x.len()).for_each(|i| image[i] += penalty.precision[i] * x[i]);
+            for i in 0..x.len() {
+                image[i] += penalty.precision[i] * x[i];
+            }
         }
         image
     }
@@ -89,8 +95,12 @@ impl System<'_> {
         for (&[left, right], &[aa, _, ss]) in self.counts.pairs.iter().zip(self.bends) {
             diagonal[left as usize] += aa;
             diagonal[right as usize] += aa;
-            order_at.into_iter().for_each(|i| diagonal[i] += aa);
-            ties_at.into_iter().for_each(|i| diagonal[i] += ss);
+            if let Some(i) = order_at {
+                diagonal[i] += aa;
+            }
+            if let Some(i) = ties_at {
+                diagonal[i] += ss;
+            }
         }
         diagonal.iter_mut().filter(|d| **d <= 0.0).for_each(|d| *d = 1.0);
         diagonal

@@ -26,7 +26,7 @@ impl Counts {
             return Err(ScalingError::Length { table: "answers", found, expected });
         }
         if let Some(&found) = pairs.iter().flatten().find(|&&i| i as usize >= stimuli) {
-            let most = stimuli as i64 - 1;
+            let most = last(stimuli);
             return Err(ScalingError::Index { table: "pairs", found: found as usize, most });
         }
         if let Some(&bad) = answers.iter().flatten().find(|c| !(c.is_finite() && **c >= 0.0)) {
@@ -48,7 +48,9 @@ impl Counts {
         rows.dedup_by(|(pair, more), (kept_pair, kept)| {
             let same = pair == kept_pair;
             if same {
-                (0..3).for_each(|k| kept[k] += more[k]);
+                for k in 0..3 {
+                    kept[k] += more[k];
+                }
             }
             same
         });
@@ -76,4 +78,9 @@ pub fn seen(model: &Model, pair: [u32; 2], answers: [f64; 3]) -> ([u32; 2], [f64
     } else {
         ([pair[1], pair[0]], [answers[1], answers[0], answers[2]])
     }
+}
+
+/// The last index of so many, -1 if there are none.
+pub fn last(many: usize) -> i64 {
+    i64::try_from(many).unwrap_or(i64::MAX) - 1
 }

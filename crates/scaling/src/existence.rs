@@ -101,7 +101,7 @@ fn edges(counts: &Counts, held: bool, width: f64, side: f64) -> Vec<Edge> {
             down(-width);
         }
         let mut up = |width: f64| {
-            edges.push(Edge { from: right, to: left, fixed: -side - width, slope: -slope })
+            edges.push(Edge { from: right, to: left, fixed: -side - width, slope: -slope });
         };
         if right_wins > 0.0 {
             up(width);
@@ -210,8 +210,12 @@ impl Neighbours {
             }
         }
         let mut first = vec![0; counts.stimuli + 1];
-        edges.iter().for_each(|[from, _]| first[*from as usize + 1] += 1);
-        (0..counts.stimuli).for_each(|i| first[i + 1] += first[i]);
+        for [from, _] in &edges {
+            first[*from as usize + 1] += 1;
+        }
+        for i in 0..counts.stimuli {
+            first[i + 1] += first[i];
+        }
         let (mut next, mut to) = (first.clone(), vec![0; edges.len()]);
         for [from, end] in edges {
             to[next[from as usize]] = end;

@@ -70,8 +70,12 @@ pub fn assembled(
                 crate::likelihood::spread_out(model, [left, right], amount, into);
             }
         }
-        order_at.into_iter().for_each(|i| matrix[i * size + i] += aa);
-        ties_at.into_iter().for_each(|i| matrix[i * size + i] += ss);
+        if let Some(i) = order_at {
+            matrix[i * size + i] += aa;
+        }
+        if let Some(i) = ties_at {
+            matrix[i * size + i] += ss;
+        }
         if let (Some(i), Some(j)) = (order_at, ties_at) {
             matrix[j * size + i] += cross;
         }

@@ -61,14 +61,22 @@ pub fn landscape(
     for ((&pair, answers), terms) in counts.pairs.iter().zip(&counts.answers).zip(&terms) {
         let [a, s] = terms.slope;
         spread_out(model, pair, a, &mut gradient);
-        model.order_at(n).into_iter().for_each(|i| gradient[i] += a);
-        model.ties_at(n).into_iter().for_each(|i| gradient[i] += s);
+        if let Some(i) = model.order_at(n) {
+            gradient[i] += a;
+        }
+        if let Some(i) = model.ties_at(n) {
+            gradient[i] += s;
+        }
         // At the top the slopes of the answers cancel; the root of their squares does not.
         let total: f64 = answers.iter().sum();
         let [a, s] = [terms.bend[0], terms.bend[2]].map(|bend| (total * bend).sqrt());
         spread_out_sizes(model, pair, a, &mut gradient_scale);
-        model.order_at(n).into_iter().for_each(|i| gradient_scale[i] += a);
-        model.ties_at(n).into_iter().for_each(|i| gradient_scale[i] += s);
+        if let Some(i) = model.order_at(n) {
+            gradient_scale[i] += a;
+        }
+        if let Some(i) = model.ties_at(n) {
+            gradient_scale[i] += s;
+        }
     }
     let mut height = log_likelihood;
     if let Some(penalty) = penalty {

@@ -2,7 +2,7 @@
 
 use crate::{
     Counts, Model, Outcome, ScalingError,
-    counts::seen,
+    counts::{last, seen},
     likelihood::{leads, spread_out},
     terms,
 };
@@ -44,11 +44,11 @@ impl Answers {
         let beyond = |&&i: &&u32, most: usize| i as usize >= most;
         let pair = self.pairs.iter().flatten().find(|i| beyond(i, stimuli));
         if let Some(&found) = pair {
-            let (found, most) = (found as usize, stimuli as i64 - 1);
+            let (found, most) = (found as usize, last(stimuli));
             return Err(ScalingError::Index { table: "pairs", found, most });
         }
         if let Some(&found) = self.people.iter().find(|i| beyond(i, people)) {
-            let (found, most) = (found as usize, people as i64 - 1);
+            let (found, most) = (found as usize, last(people));
             return Err(ScalingError::Index { table: "people", found, most });
         }
         Ok(self)
@@ -68,7 +68,9 @@ impl Answers {
         entries.dedup_by(|more, kept| {
             let same = (more.0, more.1) == (kept.0, kept.1);
             if same {
-                (0..3).for_each(|k| kept.2[k] += more.2[k]);
+                for k in 0..3 {
+                    kept.2[k] += more.2[k];
+                }
             }
             same
         });
@@ -79,9 +81,14 @@ impl Answers {
         }
         .seen_by(model);
         let mut first = vec![0; people + 1];
-        entries.iter().for_each(|(person, ..)| first[*person as usize + 1] += 1);
-        (0..people).for_each(|i| first[i + 1] += first[i]);
-        let row = |pair| counts.pairs.binary_search(pair).expect("counted above") as u32;
+        for (person, ..) in &entries {
+            first[*person as usize + 1] += 1;
+        }
+        for i in 0..people {
+            first[i + 1] += first[i];
+        }
+        // Each is there: the counts were made of these pairs.
+        let row = |pair| counts.pairs.binary_search(pair).unwrap_or_default() as u32;
         let entries = entries.iter().map(|(_, pair, answers)| (row(pair), *answers)).collect();
         Ledger { counts, first, entries }
     }
@@ -107,8 +114,12 @@ impl Ledger {
             for &(row, ref answers) in self.of(person) {
                 let [a, s] = terms::of_counts(model, leads[row as usize], width, answers).slope;
                 spread_out(model, self.counts.pairs[row as usize], a, score);
-                model.order_at(n).into_iter().for_each(|i| score[i] += a);
-                model.ties_at(n).into_iter().for_each(|i| score[i] += s);
+                if let Some(i) = model.order_at(n) {
+                    score[i] += a;
+                }
+                if let Some(i) = model.ties_at(n) {
+                    score[i] += s;
+                }
             }
         }
         scores

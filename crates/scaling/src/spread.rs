@@ -32,8 +32,12 @@ pub fn by_people(
             let each = &slopes[row as usize];
             let [a, s] = [0, 1].map(|k| (0..3).map(|o| answers[o] * each[o][k]).sum::<f64>());
             spread_out(model, counts.pairs[row as usize], a, &mut score);
-            model.order_at(n).into_iter().for_each(|i| score[i] += a);
-            model.ties_at(n).into_iter().for_each(|i| score[i] += s);
+            if let Some(i) = model.order_at(n) {
+                score[i] += a;
+            }
+            if let Some(i) = model.ties_at(n) {
+                score[i] += s;
+            }
         }
         let moved = model.values(&bread.solved(&score), n);
         variance.iter_mut().zip(moved).for_each(|(sum, d)| *sum += f64::from(times) * d * d);
