@@ -12,6 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nacreous.scaling.answers import Answers
+    from nacreous.scaling.attribute_line import Prediction
+    from nacreous.scaling.attributes import (
+        AttributeFit,
+        AttributeTest,
+        AttributeWeight,
+        fit_attributes,
+    )
     from nacreous.scaling.bootstrap import Bootstrap
     from nacreous.scaling.bradley import bradley_terry
     from nacreous.scaling.case_v import thurstone
@@ -27,6 +34,7 @@ if TYPE_CHECKING:
     from nacreous.scaling.person import PersonalTriads, triads_by_person
     from nacreous.scaling.ratio import ClusterRatio, RatioChange, cluster_ratio, compare_ratios
     from nacreous.scaling.repetition import Retest, retest
+    from nacreous.scaling.report.analysis import Study, study
     from nacreous.scaling.response import ResponseTime, response_time
     from nacreous.scaling.scale import Scale
     from nacreous.scaling.sets import SetComparison, compare_sets
@@ -41,6 +49,9 @@ if TYPE_CHECKING:
 _HOME = {
     "Agreement": "kendall",
     "Answers": "answers",
+    "AttributeFit": "attributes",
+    "AttributeTest": "attributes",
+    "AttributeWeight": "attributes",
     "Bootstrap": "bootstrap",
     "ClusterRatio": "ratio",
     "Comparisons": "comparisons",
@@ -54,6 +65,7 @@ _HOME = {
     "GroupTest": "groups",
     "Misfit": "misfit",
     "PersonalTriads": "person",
+    "Prediction": "attribute_line",
     "RatioChange": "ratio",
     "ResponseTime": "response",
     "Retest": "repetition",
@@ -61,6 +73,7 @@ _HOME = {
     "SetComparison": "sets",
     "Share": "share",
     "SideBias": "side",
+    "Study": "report.analysis",
     "Transitivity": "transitive",
     "Triads": "triads",
     "Violation": "transitive",
@@ -74,6 +87,7 @@ _HOME = {
     "comparisons_of": "comparisons",
     "consistency": "checkup",
     "cyclic_design": "design",
+    "fit_attributes": "attributes",
     "full_design": "design",
     "goodness": "misfit",
     "interval_plot": "figure",
@@ -86,6 +100,7 @@ _HOME = {
     "scale_plot": "figure",
     "side_bias": "side",
     "simulate": "simulation",
+    "study": "report.analysis",
     "thurstone": "case_v",
     "transitivity": "transitive",
     "triads_by_person": "person",
@@ -94,6 +109,9 @@ _HOME = {
 __all__ = [
     "Agreement",
     "Answers",
+    "AttributeFit",
+    "AttributeTest",
+    "AttributeWeight",
     "Bootstrap",
     "ClusterRatio",
     "Comparisons",
@@ -107,6 +125,7 @@ __all__ = [
     "GroupTest",
     "Misfit",
     "PersonalTriads",
+    "Prediction",
     "RatioChange",
     "ResponseTime",
     "Retest",
@@ -114,6 +133,7 @@ __all__ = [
     "SetComparison",
     "Share",
     "SideBias",
+    "Study",
     "Transitivity",
     "Triads",
     "Violation",
@@ -127,6 +147,7 @@ __all__ = [
     "comparisons_of",
     "consistency",
     "cyclic_design",
+    "fit_attributes",
     "full_design",
     "goodness",
     "interval_plot",
@@ -139,6 +160,7 @@ __all__ = [
     "scale_plot",
     "side_bias",
     "simulate",
+    "study",
     "thurstone",
     "transitivity",
     "triads_by_person",

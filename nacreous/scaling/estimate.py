@@ -20,7 +20,15 @@ from nacreous.scaling.scale import Scale
 from nacreous.scaling.simulation import check_model
 from nacreous.scaling.uncertainty import inverse
 
-__all__ = ["Estimate", "estimate", "estimates", "fit_of", "shared_people", "spread_over"]
+__all__ = [
+    "Estimate",
+    "estimate",
+    "estimates",
+    "fit_of",
+    "hotelling",
+    "shared_people",
+    "spread_over",
+]
 
 Array = NDArray[np.float64]
 
@@ -121,6 +129,25 @@ def estimates(
                 "allowed: the same stimuli in every group"
             )
     return found
+
+
+def hotelling(off: Array, covariance: Array, freedom: float) -> tuple[float, float] | None:
+    """Values against 0: Hotelling's T squared and its p; None with fewer people than values.
+
+    freedom: of the covariance; infinite makes it Wald's chi-squared.
+    """
+    from scipy.stats import chi2, f
+
+    size = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    off, covariance = off / size, covariance / np.outer(size, size)  # units cost no digits
+    df = np.linalg.matrix_rank(covariance, hermitian=True)
+    left = freedom - df + 1
+    if left < 1 or df == 0:
+        return None
+    statistic = float(off @ pseudo_inverse(covariance) @ off)
+    if np.isinf(freedom):
+        return statistic, float(chi2.sf(statistic, df))
+    return statistic, float(f.sf(statistic * left / (freedom * df), df, left))
 
 
 def spread_over(found: dict[str, Estimate], same_people: bool) -> Array:
