@@ -143,9 +143,9 @@ def test_a_matrix_shows_its_numbers_where_there_is_room(tmp_path):
     share = np.array([[np.nan, 0.77], [0.23, np.nan]])
     matrix_plot(share, ["a", "b"], tmp_path / "a.svg", order=[1, 0])
     words = [words for *_, words in texts(tmp_path / "a.svg")]
-    assert words.index(".23") < words.index(".77")
-    matrix_plot(np.full((100, 100), 0.5), [str(at) for at in range(100)], tmp_path / "b.svg")
-    assert ".50" not in [words for *_, words in texts(tmp_path / "b.svg")]
+    assert words.index("23") < words.index("77")
+    matrix_plot(np.full((100, 100), 0.5), [f"s{at}" for at in range(100)], tmp_path / "b.svg")
+    assert "50" not in [words for *_, words in texts(tmp_path / "b.svg")]
 
 
 @pytest.mark.parametrize("ending", [".svg", ".png", ".pdf"])

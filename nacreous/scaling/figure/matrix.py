@@ -37,7 +37,8 @@ def matrix_plot(
 ) -> None:
     """Draw a matrix of pairs as a heat map; row i, column j is how i did against j.
 
-    values: [n, n], NaN where there is nothing to show. Proportions run from 0 to 1; residuals from
+    values: [n, n], NaN where there is nothing to show. Proportions run from 0 to
+    1, and are shown as percentages; residuals from
     minus to plus the largest. order: the stimuli's rows from top to bottom, as given where not
     given. The file's ending decides the kind of file: .svg, .png, .pdf. Raises `InputError` for a
     matrix that is not square, of another size than the names, or of more than 1000 rows.
@@ -88,7 +89,7 @@ def _draw(
         _names(axes, labels, left, top, cell, flat)
         if cell >= _LEGIBLE_PT:
             _numbers(axes, matrix, kind, (left, top, cell), (low, high))
-        _bar(axes, colours, (low, high), kind, left, bottom, min(140.0, width - left - 44.0))
+        _bar(axes, colours, (low, high), kind, left, bottom, min(140.0, width - left - 56.0))
 
 
 def _colours(matrix: NDArray[np.float64], kind: str) -> tuple[Any, float, float]:
@@ -127,8 +128,8 @@ def _numbers(
     left, top, cell = place
     for row, column in np.argwhere(np.isfinite(matrix)):
         value = matrix[row, column]
-        text = f"{value:.2f}" if kind == "proportions" else f"{value:+.1f}"
-        text = text.removeprefix("0").replace("-", "\N{MINUS SIGN}")
+        text = f"{100 * value:.0f}" if kind == "proportions" else f"{value:+.1f}"
+        text = text.replace("-", "\N{MINUS SIGN}")
         share = (value - ends[0]) / (ends[1] - ends[0])
         dark = share > 0.72 or (kind == "residuals" and share < 0.2)
         x, y = left + (column + 0.5) * cell, top + (row + 0.5) * cell
@@ -148,9 +149,13 @@ def _bar(
     """What the colours mean."""
     steps = np.linspace(0.0, 1.0, 41)
     axes.pcolormesh(
-        left + 22.0 + steps * length, [bottom + 12.0, bottom + 22.0], [steps[:-1]], cmap=colours
+        left + 26.0 + steps * length,
+        [bottom + 12.0, bottom + 22.0],
+        [steps[:-1]],
+        cmap=colours,
+        edgecolors="face",
     )
-    form = "{:g}" if kind == "proportions" else "{:+.1f}"
+    form = "{:.0%}" if kind == "proportions" else "{:+.1f}"
     texts = [form.format(end).replace("-", "\N{MINUS SIGN}") for end in ends]
-    words.write(axes, left + 18.0, bottom + 17.0, texts[0], ha="right", va="center_baseline")
-    words.write(axes, left + length + 26.0, bottom + 17.0, texts[1], va="center_baseline")
+    words.write(axes, left + 22.0, bottom + 17.0, texts[0], ha="right", va="center_baseline")
+    words.write(axes, left + length + 30.0, bottom + 17.0, texts[1], va="center_baseline")
