@@ -42,8 +42,10 @@ def parse_csv(place: str, content: bytes, header: bool = True) -> list[tuple[str
         return "skip"
 
     try:
-        names = _names(place, first, separator)
-        if not header:
+        names = _cells(first, separator)
+        if header:
+            _check_names(place, names)
+        else:
             names = [f"f{index}" for index in range(len(names))]
         table = csv.read_csv(
             pa.BufferReader(content),
@@ -83,18 +85,20 @@ def check_text(place: str, content: bytes) -> None:
         ) from problem
 
 
-def _names(place: str, first: bytes, separator: str) -> list[str]:
+def _cells(line: bytes, separator: str) -> list[str]:
     import csv as plain
 
-    line = first.decode("utf-8-sig").strip("\r\n")
-    names = [name.strip() for name in next(plain.reader([line], delimiter=separator))]
+    text = line.decode("utf-8-sig").strip("\r\n")
+    return [cell.strip() for cell in next(plain.reader([text], delimiter=separator))]
+
+
+def _check_names(place: str, names: list[str]) -> None:
     for index, name in enumerate(names):
         if not name:
             raise InputError(f"{place}: column {index + 1} has no name; allowed: a name each")
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise InputError(f"{place}: has more than one column {twice[0]}; allowed: one of each")
-    return names
 
 
 def _refuse(place: str, ragged: list[_Ragged], wanted: int) -> None:

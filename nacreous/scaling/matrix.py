@@ -72,30 +72,49 @@ def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
     """A matrix of numbers from a CSV file, and its labels where it has them."""
     content = read_bytes(path)
     columns = [column.to_pylist() for _, column in parse_csv(str(path), content, header=False)]
-    rows = [list(row) for row in zip(*columns, strict=True)]
-    labels = None
-    if any(_number(cell) is None for cell in rows[0] if cell):
-        labels = [cell or "" for cell in rows[0]]
-        rows = rows[1:]
-        if len(rows) == len(labels) - 1:  # a corner, and labels in the first column too
-            labels = labels[1:]
-            if [row[0] for row in rows] != labels:
-                raise InputError(
-                    f"{path}: rows and columns differ in their labels; allowed: the same"
-                )
-            rows = [row[1:] for row in rows]
+    rows = [[(cell or "").strip() for cell in row] for row in zip(*columns, strict=True)]
+    labels: list[str] | None = None
+    first_row = 1
+    if len(rows) == len(rows[0]) + 1:
+        labels, rows = rows[0], rows[1:]
+        first_row = 2
+    elif _has_corner(rows):
+        labels = rows[0][1:]
+        if [row[0] for row in rows[1:]] != labels:
+            differ = "rows and columns differ in their labels"
+            raise InputError(f"{path}: {differ}; allowed: the same")
+        rows = [row[1:] for row in rows[1:]]
+        first_row = 2
+    return _square(str(path), _matrix_of(path, rows, first_row)), labels
+
+
+def _has_corner(rows: list[list[str]]) -> bool:
+    """Whether a square has labels in its first row and column.
+
+    With an empty corner it may also be counts with an empty diagonal. Those have numbers all along
+    the first row, and an empty cell at the end.
+    """
+    corner = rows[0][0]
+    if len(rows) != len(rows[0]) or (corner and _number(corner) is not None):
+        return False
+    numbers = all(_number(cell) is not None for cell in rows[0][1:])
+    return bool(corner) or not numbers or rows[-1][-1] != ""
+
+
+def _matrix_of(path: Path, rows: list[list[str]], first_row: int) -> NDArray[np.float64]:
+    """The numbers in cells of text; an empty diagonal is NaN."""
     matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
-    faults = Faults(str(path), 2 if labels else 1)
+    faults = Faults(str(path), first_row)
     for i, row in enumerate(rows):
         for j, cell in enumerate(row):
-            number = np.nan if i == j and not cell else _number(cell or "")
+            number = np.nan if i == j and not cell else _number(cell)
             if number is None:
-                verdict = f"column {j + 1} is {quoted(cell or '')}; allowed: a number"
+                verdict = f"column {j + 1} is {quoted(cell)}; allowed: a number"
                 faults.say_of_rows(np.array([i]), lambda _, verdict=verdict: verdict)  # type: ignore[misc]
             else:
                 matrix[i, j] = number
     faults.stop()
-    return _square(str(path), matrix), labels
+    return matrix
 
 
 def _number(cell: str) -> float | None:

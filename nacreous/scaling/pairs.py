@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.fault import Faults, listed, quoted
-from nacreous.scaling.label import check_number, labels_of, natural
+from nacreous.scaling.label import LONGEST_LABEL, check_number, labels_of, natural
 
 _ALLOWED = "allowed: (winner, loser), each text or a whole number"
 
@@ -26,10 +26,6 @@ def codes_of_pairs(
     faults = Faults("pairs")
     winner, loser = codes[:, 0], codes[:, 1]
     faults.say_of_rows(
-        np.flatnonzero(winner == loser),
-        lambda row: f"{quoted(found[winner[row]])} beats itself; allowed: two stimuli",
-    )
-    faults.say_of_rows(
         np.flatnonzero((order[codes] < 0).any(axis=1)),
         lambda row: (
             f"({quoted(found[winner[row]])}, {quoted(found[loser[row]])}) has an unknown label; "
@@ -37,8 +33,14 @@ def codes_of_pairs(
         ),
     )
     faults.stop()
+    codes = order[codes]
+    faults.say_of_rows(
+        np.flatnonzero(codes[:, 0] == codes[:, 1]),
+        lambda row: f"{quoted(labels[codes[row, 0]])} beats itself; allowed: two stimuli",
+    )
+    faults.stop()
     check_number(labels, "pairs")
-    return labels, order[codes]
+    return labels, codes
 
 
 def _found(pairs: Any) -> tuple[list[str], NDArray[np.int64]]:
@@ -55,20 +57,27 @@ def _found(pairs: Any) -> tuple[list[str], NDArray[np.int64]]:
     if not rows:
         raise InputError("pairs: has no rows; allowed: 1 or more of (winner, loser)")
     try:
-        if set(map(len, rows)) == {2} and not any(
-            issubclass(kind, str) for kind in set(map(type, rows))
-        ):
-            flat = list(chain.from_iterable(rows))
-            kinds = set(map(type, flat))
-            if kinds <= {int} or all(issubclass(kind, np.integer) for kind in kinds):
-                return _numbers(np.array(flat, np.int64))
-            if kinds <= {str}:
-                return _texts(flat)
-            if all(issubclass(kind, str | int | np.integer) and kind is not bool for kind in kinds):
-                return _texts([str(value) for value in flat])
-    except (TypeError, OverflowError):
+        if set(map(len, rows)) == {2} and not _any_is(str, rows):
+            found = _values(list(chain.from_iterable(rows)))
+            if found is not None:
+                return found
+    except (TypeError, OverflowError):  # a row without length; a number beyond 64 bits
         pass
     raise _complaint(rows)
+
+
+def _values(flat: list[Any]) -> tuple[list[str], NDArray[np.int64]] | None:
+    """Numbers, texts or both; None where something else is among them."""
+    kinds = set(map(type, flat))
+    if kinds == {int} or all(issubclass(kind, np.integer) for kind in kinds):
+        return _numbers(np.array(flat, np.int64))
+    if not all(issubclass(kind, str | int | np.integer) and kind is not bool for kind in kinds):
+        return None
+    return _texts(flat if kinds == {str} else [str(value) for value in flat])
+
+
+def _any_is(kind: type, rows: list[Any]) -> bool:
+    return any(issubclass(each, kind) for each in set(map(type, rows)))
 
 
 def _complaint(rows: list[Any]) -> InputError:
@@ -106,13 +115,15 @@ def _numbers(flat: NDArray[Any]) -> tuple[list[str], NDArray[np.int64]]:
 
 
 def _texts(flat: list[str]) -> tuple[list[str], NDArray[np.int64]]:
-    import pyarrow as pa
-
-    encoded = pa.array(flat, pa.large_string()).dictionary_encode()
-    found = [label.strip() for label in encoded.dictionary.to_pylist()]
-    if "" in found:
-        raise InputError("pairs: holds an empty label; allowed: text with a letter or a digit")
-    return found, np.asarray(encoded.indices, dtype=np.int64).reshape(-1, 2)
+    different = list(dict.fromkeys(flat))
+    found = [label.strip() for label in different]
+    for label in found:
+        if not 0 < len(label) <= LONGEST_LABEL:
+            length = f"{len(label)} characters"
+            raise InputError(f"pairs: holds a label of {length}; allowed: 1 to {LONGEST_LABEL}")
+    place = {label: index for index, label in enumerate(different)}
+    codes = np.fromiter(map(place.__getitem__, flat), np.int64, len(flat))
+    return found, codes.reshape(-1, 2)
 
 
 def _labels(
