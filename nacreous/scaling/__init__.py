@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from nacreous.scaling.report.analysis import Study, study
     from nacreous.scaling.response import ResponseTime, response_time
     from nacreous.scaling.scale import Scale
+    from nacreous.scaling.selection import NextPair, next_pairs
     from nacreous.scaling.sets import SetComparison, compare_sets
     from nacreous.scaling.share import Share
     from nacreous.scaling.side import SideBias, side_bias
@@ -64,6 +65,7 @@ _HOME = {
     "GroupDifference": "groups",
     "GroupTest": "groups",
     "Misfit": "misfit",
+    "NextPair": "selection",
     "PersonalTriads": "person",
     "Prediction": "attribute_line",
     "RatioChange": "ratio",
@@ -92,6 +94,7 @@ _HOME = {
     "goodness": "misfit",
     "interval_plot": "figure",
     "matrix_plot": "figure",
+    "next_pairs": "selection",
     "paper": "example",
     "paper_proportions": "example",
     "random_design": "design",
@@ -124,6 +127,7 @@ __all__ = [
     "GroupDifference",
     "GroupTest",
     "Misfit",
+    "NextPair",
     "PersonalTriads",
     "Prediction",
     "RatioChange",
@@ -152,6 +156,7 @@ __all__ = [
     "goodness",
     "interval_plot",
     "matrix_plot",
+    "next_pairs",
     "paper",
     "paper_proportions",
     "random_design",

@@ -76,11 +76,11 @@ def estimate(
     return Estimate(fit, influence.T @ influence, names_of(fit.answers), influence)
 
 
-def fit_of(data: Any, model: str, *, ties: bool = False, order: bool = False) -> Scale:
-    """The most likely scale of a model, "probit" or "logit"."""
+def fit_of(data: Any, model: str, **options: Any) -> Scale:
+    """The most likely scale of a model, "probit" or "logit", with the options of `thurstone`."""
     check_model(model)
     fitted: Callable[..., Scale] = thurstone if model == "probit" else bradley_terry
-    return fitted(data, ties=ties, order=order)
+    return fitted(data, **options)
 
 
 def slopes_of(fit: Scale, answers: Answers) -> Array:
