@@ -129,3 +129,35 @@ def test_a_design_of_indicators_is_no_design():
         thurstone(answers, design=np.eye(4))
     with pytest.raises(InputError, match="explains every answer"):
         thurstone([[0, 3], [0, 0]], design=[[1.0], [0.0]])
+
+
+def test_least_squares_says_what_it_does_with_unanimous_and_missing_pairs():
+    # 20 of 20 count as 19.5; a and c never met, so each value is that of the chain.
+    half = ndtri(19.5 / 20)
+    fit = thurstone([[0, 20, 0], [0, 0, 15], [0, 5, 0]], "least-squares")
+    assert abs(fit.scale[0] - fit.scale[1] - half) < 1e-12
+    assert abs(fit.scale[1] - fit.scale[2] - ndtri(0.75)) < 1e-12
+    other = thurstone([[0, 20], [0, 0]], "least-squares", extremes=1)
+    assert abs(other.scale[0] - other.scale[1] - ndtri(0.95)) < 1e-12
+    with pytest.raises(InputError, match="never compared"):
+        thurstone([[0, 1, 0], [1, 0, 0], [0, 0, 0]], "least-squares")
+    with pytest.raises(InputError, match="extremes is 2"):
+        thurstone(paper(), "least-squares", extremes=2)
+
+
+@pytest.mark.parametrize("model", [thurstone, bradley_terry])
+@pytest.mark.parametrize("times", [0.01, 0.7, 1e6])
+def test_fractional_and_huge_counts_give_the_same_scale(model, times):
+    counts = paper().matrix
+    scaled = Comparisons.of_proportions(counts / np.maximum(counts + counts.T, 1), 104 * times)
+    assert np.abs(model(scaled).scale - model(paper()).scale).max() < 1e-9
+    assert np.abs(model(scaled).se * np.sqrt(times) / model(paper()).se - 1).max() < 1e-9
+
+
+def test_thousands_of_stimuli_in_a_ring_are_placed():
+    ring = [(i, (i + 1) % 5000) for i in range(5000)]
+    assert np.abs(bradley_terry(ring).scale).max() < 1e-9
+    chain = ring[:-1] + [(b, a) for a, b in ring[:-1]]
+    assert np.abs(thurstone(chain).scale).max() < 1e-9
+    with pytest.raises(InputError, match=r'no scale holds "4999".*there are 5000 such sets'):
+        bradley_terry(ring[:-1])
