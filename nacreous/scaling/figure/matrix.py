@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from typing import Any, Literal
 
@@ -88,7 +88,9 @@ def _draw(
         )
         _names(axes, labels, left, top, cell, flat)
         if cell >= _LEGIBLE_PT:
-            _numbers(axes, matrix, kind, (left, top, cell), (low, high))
+            _numbers(
+                axes, matrix, kind, (left, top, cell), lambda v: colours((v - low) / (high - low))
+            )
         _bar(axes, colours, (low, high), kind, left, bottom, min(140.0, width - left - 56.0))
 
 
@@ -123,15 +125,14 @@ def _numbers(
     matrix: NDArray[np.float64],
     kind: str,
     place: tuple[float, float, float],
-    ends: tuple[float, float],
+    colour_of: Callable[[float], Any],
 ) -> None:
     left, top, cell = place
     for row, column in np.argwhere(np.isfinite(matrix)):
         value = matrix[row, column]
-        text = f"{100 * value:.0f}" if kind == "proportions" else f"{value:+.1f}"
+        text = f"{100 * value:.0f}" if kind == "proportions" else f"{round(value, 1) + 0.0:+.1f}"
         text = text.replace("-", "\N{MINUS SIGN}")
-        share = (value - ends[0]) / (ends[1] - ends[0])
-        dark = share > 0.72 or (kind == "residuals" and share < 0.2)
+        dark = np.dot(colour_of(value)[:3], (0.3, 0.6, 0.1)) < 0.58  # about how light it looks
         x, y = left + (column + 0.5) * cell, top + (row + 0.5) * cell
         look = {"color": "white" if dark else words.INK, "fontsize": words.SIZE_PT - 1.0}
         words.write(axes, x, y, text, ha="center", va="center_baseline", **look)

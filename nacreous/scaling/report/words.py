@@ -95,10 +95,6 @@ class Words:
         """Sentences one after another."""
         return Html(self("list.space").join(said))
 
-    def remark(self, inside: Html) -> Html:
-        """An aside in brackets."""
-        return self("list.remark", inside=inside)
-
     def span(self, low: float, high: float) -> Html:
         """An interval."""
         return self("list.span", low=number(low), high=number(high))
@@ -136,7 +132,9 @@ class Words:
 def texts(language: str) -> dict[str, str]:
     """The texts of a language by dotted key."""
     content = Path(__file__).with_name(f"{language}.toml").read_text(encoding="utf-8")
-    return dict(_flat(tomllib.loads(content), ""))
+    # Where a text goes on in a new line, English has a space and Japanese nothing.
+    joint = "" if language == "ja" else " "
+    return {key: joint.join(text.split("\n")) for key, text in _flat(tomllib.loads(content), "")}
 
 
 def _flat(table: dict[str, Any], prefix: str) -> list[tuple[str, str]]:
@@ -145,7 +143,7 @@ def _flat(table: dict[str, Any], prefix: str) -> list[tuple[str, str]]:
         if isinstance(value, dict):
             found += _flat(value, f"{prefix}{key}.")
         else:
-            found.append((prefix + key, " ".join(value.split()) if "\n" in value else value))
+            found.append((prefix + key, value))
     return found
 
 
@@ -169,7 +167,7 @@ def thousands(value: float) -> str:
     """
     whole = round(value)
     if abs(value - whole) > 1e-6:
-        return f"{value:.2f}"
+        return f"{value:.2f}".rstrip("0")
     return str(whole) if whole < 10_000 else f"{whole:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
 
 

@@ -22,7 +22,7 @@ def chapter(study: Study, words: Words) -> Html:
     """Verdict, largest misfits, the two maps, the tests."""
     verdict = {None: "none", True: "good", False: "bad"}[study.goodness.describes]
     parts = [words.paragraph(f"fit.{verdict}")]
-    if study.goodness.df:
+    if study.goodness.describes is False:
         parts.append(_largest(study, words))
     if len(study.fit.stimuli) <= MOST_SIDES:
         parts.append(_maps(study, words))
@@ -101,4 +101,4 @@ def _tests(study: Study, words: Words) -> Html:
         )
         for name, form, value, p in rows
     ]
-    return facts(items)
+    return Html(f'<p class="quiet">{words("fit.tests")}</p>\n' + facts(items))
