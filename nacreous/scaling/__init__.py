@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from nacreous.scaling.kendall import Agreement, agreement
     from nacreous.scaling.misfit import Goodness, Misfit, goodness
     from nacreous.scaling.person import PersonalTriads, triads_by_person
+    from nacreous.scaling.plan import Needed, Plan, Power, Precision
     from nacreous.scaling.ratio import ClusterRatio, RatioChange, cluster_ratio, compare_ratios
     from nacreous.scaling.repetition import Retest, retest
     from nacreous.scaling.report.analysis import Study, study
@@ -65,8 +66,12 @@ _HOME = {
     "GroupDifference": "groups",
     "GroupTest": "groups",
     "Misfit": "misfit",
+    "Needed": "plan",
     "NextPair": "selection",
     "PersonalTriads": "person",
+    "Plan": "plan",
+    "Power": "plan",
+    "Precision": "plan",
     "Prediction": "attribute_line",
     "RatioChange": "ratio",
     "ResponseTime": "response",
@@ -127,8 +132,12 @@ __all__ = [
     "GroupDifference",
     "GroupTest",
     "Misfit",
+    "Needed",
     "NextPair",
     "PersonalTriads",
+    "Plan",
+    "Power",
+    "Precision",
     "Prediction",
     "RatioChange",
     "ResponseTime",

@@ -74,8 +74,9 @@ def next_pairs(
              matters little after some answers a stimulus.
     seed     decides between pairs that tell equally much. Same arguments, same pairs.
 
-    Against random pairs a fifth less squared error at equal answers, by either method (simulated: 12
-    stimuli, spread 1 z, 110 answers). Takes 0.03 s for 300 stimuli. Raises `InputError` for values that cannot be used.
+    Against random pairs a fifth less squared error at equal answers, by either method (simulated:
+    12 stimuli, spread 1 z, 110 answers). Takes 0.03 s for 300 stimuli. Raises `InputError` for
+    values that cannot be used.
 
     >>> first = next_pairs(stimuli=["a", "b", "c", "d"], batch=3, method="tree")
     >>> len({label for pair in first for label in (pair.left, pair.right)})

@@ -15,12 +15,13 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous.number import number_of, row_of, said
 from nacreous.problem import InputError
 from nacreous.scaling.answers import Answers
+from nacreous.scaling.design import Design
 from nacreous.scaling.fault import listed, quoted
 from nacreous.scaling.label import check_number, natural, numbered
 
 __all__ = ["simulate"]
 
-Pairs = Sequence[tuple[object, object]]
+Pairs = Sequence[tuple[object, object]] | Design
 
 #: Beyond, a unanimous pair is unanimous among all people who ever lived.
 _WIDEST = 50.0
@@ -46,8 +47,8 @@ def simulate(
                    unit, in which a lead of x is chosen with probability F(x): z for "probit" (F
                    normal), logit for "logit" (F logistic).
     people         how many simulated observers; each answers every pair of `pairs` `repeats` times.
-    pairs          (label, label), by default each pair of stimuli once. Which one stands on the
-                   left is tossed for every answer.
+    pairs          a `Design`, or (label, label) each; by default each pair of stimuli once. Which
+                   one stands on the left is tossed for every answer.
     person_spread  people differ: everyone has a scale of their own, the truth plus normal noise of
                    this standard deviation on each stimulus. 0: all alike, answers independent.
     order          added to the lead of whatever stands on the left.
@@ -117,6 +118,9 @@ def pairs_of(
     if pairs is None:
         first, second = np.triu_indices(len(stimuli), 1)
         return first.astype(np.int64), second.astype(np.int64)
+    pairs = getattr(pairs, "pairs", pairs)  # of a design
+    if isinstance(pairs, str) or not isinstance(pairs, Sequence):
+        raise InputError(f"pairs is {said(pairs)}; allowed: a design, or a list of two labels each")
     index = {label: k for k, label in enumerate(stimuli)}
     found = []
     for row, pair in enumerate(pairs):
