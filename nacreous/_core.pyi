@@ -153,6 +153,56 @@ def develop(
     linear: NDArray[np.float32], space: str, gamut: str, bits: int
 ) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]: ...
 
+# scaling
+@final
+class PairModel:
+    def __new__(
+        cls,
+        link: str,
+        stimuli: int,
+        left: NDArray[np.int64],
+        right: NDArray[np.int64],
+        answers: NDArray[np.float64],
+        ties: bool,
+        order: bool,
+        prior: float | None,
+        design: NDArray[np.float64] | None,
+    ) -> PairModel: ...
+    def components(self) -> NDArray[np.uint32]: ...
+    def existence(self) -> str: ...
+    def fit(self) -> tuple[NDArray[np.float64], NDArray[np.float64], float, int]: ...
+    def information(
+        self, parameters: NDArray[np.float64], expected: bool
+    ) -> NDArray[np.float64]: ...
+    def log_likelihood(self, parameters: NDArray[np.float64]) -> float: ...
+    def probabilities(self, lead: NDArray[np.float64], width: float) -> NDArray[np.float64]: ...
+    def scores(
+        self, answers: PersonalAnswers, parameters: NDArray[np.float64]
+    ) -> NDArray[np.float64]: ...
+    def bootstrap(
+        self,
+        parameters: NDArray[np.float64],
+        answers: PersonalAnswers | None,
+        samples: int,
+        seed: int,
+        studentised: bool,
+        report: Callable[[int], object] | None,
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], int]: ...
+
+@final
+class PersonalAnswers:
+    def __new__(
+        cls,
+        stimuli: int,
+        left: NDArray[np.int64],
+        right: NDArray[np.int64],
+        outcome: NDArray[np.int8],
+        person: NDArray[np.int64],
+        people: int,
+    ) -> PersonalAnswers: ...
+
+def log_normal_cdf(x: NDArray[np.float64]) -> NDArray[np.float64]: ...
+
 # texture
 @final
 class Texture:

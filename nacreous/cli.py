@@ -19,16 +19,17 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from nacreous.commands import crops, grow, paper, presets, render, schema
+from nacreous.commands import crops, grow, paper, presets, render, scale, schema
 from nacreous.problem import InputError
 
 #: In the order of the help page.
-COMMANDS = (render, grow, paper, crops, presets, schema)
+COMMANDS = (render, grow, paper, crops, scale, presets, schema)
 
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
   nacreous paper out             the paper's figures again, measured, on one page
+  nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them
   nacreous schema pearl          every key of a pearl file, for editors

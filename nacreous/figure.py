@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +20,9 @@ _STYLE: dict[Any, Any] = {
     "savefig.dpi": 160,
     "svg.hashsalt": "nacreous",
 }
+
+#: No date of making, which would differ from day to day.
+_UNDATED: dict[str, dict[Any, Any]] = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 
 
 @contextmanager
@@ -46,6 +50,48 @@ def figure(
         FigureCanvasAgg(drawing)
         axes = drawing.subplots(1, panels)
         yield axes
-        # No date of making, which would differ from day to day.
-        undated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-        drawing.savefig(path, metadata=undated.get(path.suffix.lower()))
+        drawing.savefig(path, metadata=_UNDATED.get(path.suffix.lower()))
+
+
+@contextmanager
+def sheet(path: Path, width_pt: float, height_pt: float) -> Iterator[Any]:
+    """Yield axes that are an empty sheet, in points (1/72 inch) from its upper left corner.
+
+    For drawings that lay out their own text. In SVG, text stays text, for the reader's fonts to
+    show; in PNG and PDF, Japanese is set in a Japanese font where the machine has one. The ending
+    of `path` decides the kind. Same drawing, same bytes (in PNG and PDF: with the same fonts).
+
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     path = Path(folder, "word.svg")
+    ...     with sheet(path, 72, 36) as axes:
+    ...         _ = axes.text(10, 20, "lustre")
+    ...     ">lustre</text>" in path.read_text()
+    True
+    """
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    kind = path.suffix.lower()
+    # A dollar sign in a label is a dollar sign, and SVG's bytes shall not hang on this machine's
+    # fonts: only a picture that holds the letters' shapes looks for Japanese ones.
+    words = {"svg.fonttype": "none", "text.parse_math": False}
+    fonts = {} if kind == ".svg" else {"font.family": ["DejaVu Sans", *_japanese_fonts()]}
+    with mpl.rc_context(_STYLE | words | fonts), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")
+        drawing = Figure(figsize=(width_pt / 72, height_pt / 72))
+        FigureCanvasAgg(drawing)
+        axes = drawing.add_axes((0, 0, 1, 1), xlim=(0, width_pt), ylim=(height_pt, 0))
+        axes.set_axis_off()
+        yield axes
+        drawing.savefig(path, metadata=_UNDATED.get(kind))
+
+
+def _japanese_fonts() -> list[str]:
+    """Those of the common Japanese fonts that are here."""
+    from matplotlib.font_manager import fontManager
+
+    here = {font.name for font in fontManager.ttflist}
+    common = ("Noto Sans CJK JP", "Hiragino Sans", "Yu Gothic", "Meiryo", "IPAexGothic")
+    return [name for name in common if name in here]

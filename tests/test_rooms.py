@@ -12,7 +12,14 @@ MAY_KNOW = {
     "nacreous-optics": {"nacreous-nacre"},
     "nacreous-colour": set(),
     "nacreous-image": {"nacreous-nacre", "nacreous-optics", "nacreous-colour"},
-    "nacreous-python": {"nacreous-nacre", "nacreous-optics", "nacreous-colour", "nacreous-image"},
+    "nacreous-scaling": set(),
+    "nacreous-python": {
+        "nacreous-nacre",
+        "nacreous-optics",
+        "nacreous-colour",
+        "nacreous-image",
+        "nacreous-scaling",
+    },
     "nacreous-wasm": {"nacreous-nacre", "nacreous-optics"},
 }
 

@@ -10,6 +10,7 @@ mod image;
 mod iridescence;
 mod nacre;
 mod optics;
+mod scaling;
 mod spec;
 mod texture;
 mod watched;
@@ -43,6 +44,8 @@ mod _core {
     use super::nacre::{Stack, grow, media};
     #[pymodule_export]
     use super::optics::{energies, ensemble, fresnel, illuminant};
+    #[pymodule_export]
+    use super::scaling::{PairModel, PersonalAnswers, log_normal_cdf};
     #[pymodule_export]
     use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
 }

@@ -1,0 +1,240 @@
+//! Bootstraps: the scale of answers drawn again, with replacement, from those that were given.
+//!
+//! Each sample has random numbers of its own, keyed by the seed and its place (`ChaCha8` has streams
+//! for that), and starts from the fit to all answers, so neither threads nor order matter.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use rand_chacha::ChaCha8Rng;
+use rand_core::{Rng, SeedableRng};
+use rand_distr::{Binomial, Distribution};
+use rayon::prelude::*;
+
+use crate::{
+    Counts, Existence, Fit, Link, Model, ScalingError, counts::seen, existence::existence_of_seen,
+    likelihood::Penalty, newton::climb, people::Ledger, spread,
+};
+
+/// What is drawn.
+#[derive(Debug, Clone)]
+pub enum Source {
+    /// People, each with all answers.
+    People(Ledger),
+    /// Single answers, whoever gave them. Counts are whole numbers.
+    Answers(Counts),
+}
+
+/// The scale of one sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Resampled {
+    /// The stimuli's values, with mean 0.
+    pub values: Vec<f64>,
+    /// Their standard errors within the sample, people as clusters where people were drawn; empty if
+    /// not asked for.
+    pub se: Vec<f64>,
+    /// Order effect, or 0.
+    pub order: f64,
+    /// Threshold or Davidson's ν, or 0.
+    pub ties: f64,
+    /// Whether the sample had a maximum of its own.
+    pub placed: bool,
+}
+
+/// A bootstrap to be done.
+pub struct Bootstrap<'a> {
+    /// What is fitted.
+    pub model: &'a Model,
+    /// What is drawn from.
+    pub source: &'a Source,
+    /// The parameters of the fit to all answers.
+    pub parameters: &'a [f64],
+    /// How many samples.
+    pub samples: usize,
+    /// Same seed, same samples.
+    pub seed: u64,
+    /// Whether standard errors within samples are wanted.
+    pub studentised: bool,
+}
+
+/// How far from the fit a sample without a maximum may lie, in z: see [`Bootstrap::leash`].
+const LEASH: f64 = 3.0;
+
+impl Bootstrap<'_> {
+    /// All samples, on all threads. `done` counts them.
+    ///
+    /// # Errors
+    /// [`ScalingError::Count`] for single answers of counts that are not whole numbers, else as
+    /// [`crate::fit`].
+    pub fn run(
+        &self,
+        stop: &AtomicBool,
+        done: &AtomicUsize,
+    ) -> Result<Vec<Resampled>, ScalingError> {
+        let drawer = Drawer::of(self.source, self.model)?;
+        (0..self.samples)
+            .into_par_iter()
+            .map_init(
+                || drawer.empty(),
+                |(counts, people), sample| {
+                    let mut key = *b"-------- nacreous bootstrap seed";
+                    key[..8].copy_from_slice(&self.seed.to_le_bytes());
+                    let mut random = ChaCha8Rng::from_seed(key);
+                    random.set_stream(sample as u64);
+                    drawer.draw(&mut random, counts, people);
+                    let found = self.scale_of(counts, people, stop);
+                    done.fetch_add(1, Ordering::Relaxed);
+                    found
+                },
+            )
+            .collect()
+    }
+
+    fn scale_of(
+        &self,
+        counts: &Counts,
+        people: &[u32],
+        stop: &AtomicBool,
+    ) -> Result<Resampled, ScalingError> {
+        let untied = self.model.ties && counts.totals()[2] == 0.0; // most likely with ties of width 0
+        let own = Model { ties: self.model.ties && !untied, ..self.model.clone() };
+        let (model, n) = (if untied { &own } else { self.model }, counts.stimuli);
+        let start = self.parameters[..model.parameters(n)].to_vec();
+        let prior = Penalty::of(model, n);
+        let mut placed =
+            model.design.is_some() || existence_of_seen(model, counts) == Existence::Exists;
+        let mut penalty = prior;
+        let fit = match placed.then(|| climb(model, counts, penalty.as_ref(), start.clone(), stop))
+        {
+            Some(Ok(fit)) if !self.ran_away(&fit, model, n) => fit,
+            Some(Err(ScalingError::Stopped)) => return Err(ScalingError::Stopped),
+            _ => {
+                placed = false;
+                penalty = Some(self.leash(model, &start, penalty.as_ref(), n));
+                climb(model, counts, penalty.as_ref(), start, stop)?
+            }
+        };
+        let se = if self.studentised {
+            match self.source {
+                Source::People(ledger) => {
+                    spread::by_people(model, counts, penalty.as_ref(), &fit, ledger, people)?
+                }
+                Source::Answers(_) => spread::by_answers(model, counts, penalty.as_ref(), &fit)?,
+            }
+        } else {
+            Vec::new()
+        };
+        let width = model.ties_at(n).map(|i| fit.parameters[i]);
+        let ties = width.map_or(0.0, |s| if model.link == Link::Logit { libm::exp(s) } else { s });
+        let order = model.order_at(n).map_or(0.0, |i| fit.parameters[i]);
+        Ok(Resampled { values: fit.values, se, order, ties, placed })
+    }
+
+    /// A design has no test for existence as cheap as a fit: what is farther apart than any answers
+    /// could tell has none.
+    fn ran_away(&self, fit: &Fit, model: &Model, n: usize) -> bool {
+        let (low, high) = range(&fit.values);
+        let (low_before, high_before) = range(&model.values(self.parameters, n));
+        model.design.is_some() && high - low > 12.0 * self.unit() + 2.0 * (high_before - low_before)
+    }
+
+    /// What holds a sample without a maximum: a normal prior about the fit to all answers, so wide
+    /// that what the sample does say, it says unhindered, and the rest goes as far as is plausible.
+    ///
+    /// Leaving such samples out, or drawing them again, would keep just those in which nobody
+    /// disagreed out of the interval, and make it too short on the side that is open.
+    fn leash(&self, model: &Model, centre: &[f64], prior: Option<&Penalty>, n: usize) -> Penalty {
+        let (low, high) = range(&model.values(centre, n));
+        let spread = LEASH * self.unit() + (high - low);
+        let added = |i: usize| prior.map_or(0.0, |prior| prior.precision[i]);
+        let precision = (0..centre.len()).map(|i| added(i) + 1.0 / (spread * spread)).collect();
+        Penalty { centre: centre.to_vec(), precision }
+    }
+
+    fn unit(&self) -> f64 {
+        if self.model.link == Link::Logit { 1.7 } else { 1.0 }
+    }
+}
+
+fn range(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::MAX, f64::MIN), |(low, high), &v| (low.min(v), high.max(v)))
+}
+
+/// Draws counts that the model sees, always for the same rows.
+enum Drawer<'a> {
+    People(&'a Ledger),
+    Answers { counts: &'a Counts, seen: Counts, rows: Vec<u32>, model: &'a Model },
+}
+
+impl<'a> Drawer<'a> {
+    fn of(source: &'a Source, model: &'a Model) -> Result<Self, ScalingError> {
+        match source {
+            Source::People(ledger) => Ok(Self::People(ledger)),
+            Source::Answers(counts) => {
+                let odd = |c: &&f64| c.fract() != 0.0 || **c > 9e15;
+                if let Some(&bad) = counts.answers.iter().flatten().find(odd) {
+                    return Err(ScalingError::OutOfRange {
+                        quantity: "a count of which answers are drawn",
+                        value: bad,
+                        allowed: "whole numbers below 9e15",
+                    });
+                }
+                let all = counts.seen_by(model);
+                let place = |&pair: &[u32; 2]| {
+                    let (pair, _) = seen(model, pair, [0.0; 3]);
+                    all.pairs.binary_search(&pair).unwrap_or(usize::MAX) as u32
+                };
+                let rows = counts.pairs.iter().map(place).collect();
+                Ok(Self::Answers { counts, seen: all, rows, model })
+            }
+        }
+    }
+
+    /// Counts and multiplicities of people to draw into.
+    fn empty(&self) -> (Counts, Vec<u32>) {
+        match self {
+            Self::People(ledger) => (ledger.counts.clone(), vec![0; ledger.people()]),
+            Self::Answers { seen, .. } => (seen.clone(), Vec::new()),
+        }
+    }
+
+    fn draw(&self, random: &mut ChaCha8Rng, into: &mut Counts, people: &mut [u32]) {
+        into.answers.fill([0.0; 3]);
+        people.fill(0);
+        match self {
+            Self::People(ledger) => {
+                for _ in 0..people.len() {
+                    // Of 2^64 equal numbers; the bias is below 1e-13 for a million people.
+                    let one = (u128::from(random.next_u64()) * people.len() as u128) >> 64;
+                    people[one as usize] += 1;
+                }
+                for (person, &times) in people.iter().enumerate().filter(|(_, times)| **times > 0) {
+                    for (row, answers) in ledger.of(person) {
+                        let sum = &mut into.answers[*row as usize];
+                        for k in 0..3 {
+                            sum[k] += f64::from(times) * answers[k];
+                        }
+                    }
+                }
+            }
+            Self::Answers { counts, rows, model, .. } => {
+                let mut left = counts.total();
+                let mut to_draw = left as u64;
+                for ((&pair, answers), &row) in counts.pairs.iter().zip(&counts.answers).zip(rows) {
+                    let drawn = answers.map(|count| {
+                        let share = (count / left).clamp(0.0, 1.0);
+                        left -= count;
+                        let one = Binomial::new(to_draw, share).map_or(0, |b| b.sample(random));
+                        to_draw -= one;
+                        one as f64
+                    });
+                    let (_, drawn) = seen(model, pair, drawn);
+                    if let Some(sum) = into.answers.get_mut(row as usize) {
+                        for k in 0..3 {
+                            sum[k] += drawn[k];
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+"""`nacreous scale`: answers in, a scale and its report out."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from nacreous.scaling.report.analysis import Study
+    from nacreous.scaling.report.settings import Settings
+
+_EXAMPLES = """\
+examples:
+  nacreous scale paper                             the paper's example, as report.html
+  nacreous scale answers.csv -o report.html -o scale.csv
+  nacreous scale answers.csv --question "Which shines more?" --group sex --language ja
+  nacreous scale answers.csv --column left=first --column right=second --unit JOD
+  nacreous scale counts.csv --counts               a square table: row chosen over column
+"""
+
+#: The name that stands for the built-in example.
+PAPER = "paper"
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Describe the command."""
+    parser = subparsers.add_parser(
+        "scale",
+        help="turn choices between two things into a scale, with a report",
+        description="Turn answers to 'which of these two ...?' into a scale, and write a report "
+        "that reads without statistics. Answers are a .csv or .parquet file, a row an answer, with "
+        "the columns left, right and chosen, and where known person, time, response_s and groups.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("answers", help=f"a .csv or .parquet file, or {PAPER}")
+    parser.add_argument(
+        "-o",
+        "--output",
+        action="append",
+        default=[],
+        help="report.html, or .csv (the scale), .json (every number); may be repeated",
+    )
+    parser.add_argument("--question", help="as it was put to people, for the report")
+    parser.add_argument("--language", choices=("en", "ja"), default="en", help="of the report (en)")
+    _add_data(parser)
+    _add_model(parser)
+    parser.set_defaults(run=run)
+
+
+def _add_data(parser: argparse.ArgumentParser) -> None:
+    data = parser.add_argument_group("the data")
+    data.add_argument("--counts", action="store_true", help="the file is a square table of counts")
+    data.add_argument(
+        "--column",
+        action="append",
+        default=[],
+        metavar="ROLE=NAME",
+        help="left, right, chosen, person, time, trial, response_s, response_ms by another name",
+    )
+    data.add_argument("--tie", metavar="WORD", help="what chosen holds where neither was (tie)")
+    data.add_argument(
+        "--no-sides", action="store_true", help="left and right were no places before the eye"
+    )
+    data.add_argument("--repeats", action="store_true", help="take answers given twice")
+    data.add_argument("--group", metavar="COLUMN", help="compare the groups of this column")
+
+
+def _add_model(parser: argparse.ArgumentParser) -> None:
+    model = parser.add_argument_group("the model")
+    model.add_argument(
+        "--model",
+        choices=("probit", "logit"),
+        default="probit",
+        help="Thurstone's case V, or Bradley and Terry's (probit)",
+    )
+    model.add_argument(
+        "--method",
+        choices=("maximum-likelihood", "least-squares"),
+        default="maximum-likelihood",
+        help="least-squares: as in the paper of 1996 (maximum-likelihood)",
+    )
+    model.add_argument("--ties", action="store_true", help="fit how near things are called equal")
+    model.add_argument("--order", action="store_true", help="fit the advantage of the left one")
+    model.add_argument("--prior", type=float, metavar="SPREAD", help="draw the places together")
+    model.add_argument("--unit", choices=("z", "d'", "JOD", "JND", "logit"), help="of the scale")
+    model.add_argument("--level", type=float, default=0.95, help="of intervals and tests (0.95)")
+    model.add_argument(
+        "--bootstrap", type=int, default=1000, metavar="N", help="resamplings, 0 for none (1000)"
+    )
+    model.add_argument("--seed", type=int, default=1, help="of the resamplings (1)")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Check everything, compute, write, say what was found."""
+    from nacreous import file
+    from nacreous.commands.progress import bar
+    from nacreous.scaling.report.analysis import SUFFIXES, study
+
+    outputs = args.output or ["report.html"]
+    for output in outputs:
+        file.check_output(output, SUFFIXES)
+    settings, data = _settings(args), _data(args)
+    begin = time.monotonic()
+    with bar("resampling") as show:
+        found = study(data, settings, example=args.answers == PAPER, progress=show)
+    _write(found, outputs, args.language)
+    print(_told(found, time.monotonic() - begin))
+    for output in outputs:
+        print(f"{output}: written")
+    return 0
+
+
+def _settings(args: argparse.Namespace) -> Settings:
+    from nacreous.scaling.report.settings import Settings
+
+    return Settings(**{name: getattr(args, name) for name in Settings.__dataclass_fields__})
+
+
+def _data(args: argparse.Namespace) -> Any:
+    from nacreous.problem import InputError
+    from nacreous.scaling import Answers, Comparisons, paper
+
+    names = _columns(args)
+    unneeded = [
+        f"--{name}" for name in ("column", "tie", "no_sides", "repeats") if getattr(args, name)
+    ]
+    if (args.counts or args.answers == PAPER) and unneeded:
+        given = unneeded[0].replace("_", "-")
+        raise InputError(f"{given} is given with counts; allowed: with a table of answers")
+    if args.answers == PAPER:
+        return paper()
+    if args.counts:
+        return Comparisons.read_counts(args.answers)
+    return Answers.read(args.answers, repeats=args.repeats, sided=not args.no_sides, **names)
+
+
+def _columns(args: argparse.Namespace) -> dict[str, Any]:
+    """The columns' names by role."""
+    from nacreous.problem import InputError
+
+    names: dict[str, Any] = {} if args.tie is None else {"tie": args.tie}
+    for setting in args.column:
+        role, equals, name = setting.partition("=")
+        if not equals or not role or not name or role == "tie":
+            raise InputError(f'--column "{setting}": wanted: role=name, such as left=first')
+        if role in names:
+            raise InputError(f"--column {role} is given twice; allowed: once")
+        names[role] = name
+    return names
+
+
+def _write(found: Study, outputs: list[str], language: str) -> None:
+    """All files or none: each is written beside its place, and all take their places at the end."""
+    from contextlib import ExitStack
+
+    from nacreous import file
+
+    texts = [found.text(output, language) for output in outputs]
+    with ExitStack() as stack:
+        places = [stack.enter_context(file.atomic(output)) for output in outputs]
+        for place, text in zip(places, texts, strict=True):
+            place.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _told(found: Study, seconds: float) -> str:
+    """In a few lines what was found."""
+    fit, doubt = found.fit, found.doubt
+    width = max(len(label) for label in fit.stimuli)
+    lines = [
+        f"{found.comparisons.total:g} answers on {len(fit.stimuli)} stimuli, {fit.model}, "
+        f"{fit.method}, in {fit.unit}; {100 * found.settings.level:g} % intervals by "
+        f"{_BY[doubt.by]}, {seconds:.1f} s"
+    ]
+    for at in found.order:
+        low, high = doubt.intervals[at]
+        lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
+    lines.append(found.goodness.verdict)
+    return "\n".join(lines)
+
+
+_BY = {
+    "people": "resampling people",
+    "answers": "resampling answers",
+    "clusters": "the model, people as clusters",
+    "information": "the model",
+}

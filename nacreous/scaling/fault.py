@@ -1,0 +1,89 @@
+"""Faults of a table: all of them looked for, the first few said, each with its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from difflib import get_close_matches
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.problem import InputError
+
+#: A column of a million bad cells is one mistake, not a million.
+MOST_LINES = 20
+MOST_OF_A_KIND = 5
+
+
+class Faults:
+    """Collects what is wrong at one place, and raises it all at once.
+
+    >>> faults = Faults("answers.csv")
+    >>> faults.say("has no column chosen")
+    >>> faults.stop()
+    Traceback (most recent call last):
+    nacreous.problem.InputError: answers.csv: has no column chosen
+    """
+
+    def __init__(self, place: str, first_row: int = 0) -> None:
+        self._place = place
+        self._first_row = first_row
+        self._lines: list[str] = []
+        self._count = 0
+
+    def __bool__(self) -> bool:
+        """Whether anything was noted."""
+        return bool(self._lines)
+
+    def say(self, verdict: str) -> None:
+        """Note one problem of the whole."""
+        self._lines.append(f"{self._place}: {verdict}")
+        self._count += 1
+
+    def say_of_rows(self, rows: NDArray[np.int64], verdict: Callable[[int], str]) -> None:
+        """Note a problem of each of these rows (positions from 0), naming the first few."""
+        for row in rows[:MOST_OF_A_KIND].tolist():
+            self._lines.append(f"{self._place}: row {row + self._first_row}: {verdict(row)}")
+        self._count += len(rows)
+
+    def stop(self) -> None:
+        """Raise `InputError` if anything was noted."""
+        if not self._lines:
+            return
+        lines = self._lines[:MOST_LINES]
+        if self._count > len(lines):
+            lines.append(f"{self._place}: {self._count} problems in all")
+        raise InputError("\n".join(lines))
+
+
+def quoted(label: object) -> str:
+    """A label in quotes, on one line and never long.
+
+    >>> quoted("a pearl")
+    '"a pearl"'
+    """
+    text = " ".join(str(label).split())
+    text = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
+    return f'"{text}"' if len(text) <= 40 else f'"{text[:37]}..."'
+
+
+def listed(labels: Iterable[object], most: int = 8) -> str:
+    """Labels in quotes, the first few of them.
+
+    >>> listed(range(12), most=3)
+    '"0", "1", "2" and 9 more'
+    """
+    names = [quoted(label) for label in labels]
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
+
+
+def nearest(word: str, choices: Iterable[str]) -> str | None:
+    """The choice that a mistyped word most probably meant, or None.
+
+    >>> nearest("chossen", ["left", "right", "chosen"])
+    'chosen'
+    """
+    by_lower = {choice.lower(): choice for choice in choices}
+    close = get_close_matches(word.lower(), list(by_lower), n=1, cutoff=0.6)
+    return by_lower[close[0]] if close else None

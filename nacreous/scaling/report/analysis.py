@@ -1,0 +1,167 @@
+"""All that a report says, computed once: `study` of answers, before a word is written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nacreous import file
+from nacreous.problem import InputError
+from nacreous.scaling.answers import Answers
+from nacreous.scaling.bradley import bradley_terry
+from nacreous.scaling.case_v import thurstone
+from nacreous.scaling.checkup import Consistency, consistency
+from nacreous.scaling.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.groups import GroupComparison, compare_groups
+from nacreous.scaling.misfit import Goodness, goodness
+from nacreous.scaling.report.doubt import Doubt, Neighbours, doubt_of, neighbours_of
+from nacreous.scaling.report.settings import MODELS, Settings
+from nacreous.scaling.scale import Scale
+
+__all__ = ["SUFFIXES", "Study", "study"]
+
+SUFFIXES = (".html", ".csv", ".json")
+#: The share of the time that resampling takes.
+_RESAMPLING = 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """Answers and all that was found in them.
+
+    `answers` is None where only counts are known; `groups` where no column was named; `example`:
+    the data are the paper's, reconstructed from its table.
+    """
+
+    settings: Settings
+    comparisons: Comparisons
+    answers: Answers | None
+    fit: Scale
+    doubt: Doubt
+    neighbours: tuple[Neighbours, ...]
+    goodness: Goodness
+    consistency: Consistency
+    groups: GroupComparison | None
+    example: bool
+
+    @property
+    def order(self) -> list[int]:
+        """Indices of the stimuli from the top of the scale."""
+        return [int(at) for at in np.argsort(-self.fit.scale, kind="stable")]
+
+    @property
+    def ranking(self) -> list[str]:
+        """Labels from the top of the scale."""
+        return [self.fit.stimuli[at] for at in self.order]
+
+    def save(self, path: str | PathLike[str], language: str = "en") -> None:
+        """Write a report (.html, in "en" or "ja"), the scale (.csv) or every number (.json).
+
+        Same study, same bytes. Raises `InputError` for other endings and languages, and where the
+        file cannot be written; then there is no file.
+        """
+        file.check_output(path, SUFFIXES)
+        text = self.text(path, language)
+        with file.atomic(path) as temporary:
+            temporary.write_text(text, encoding="utf-8", newline="\n")
+
+    def text(self, path: str | PathLike[str], language: str = "en") -> str:
+        """What `save` writes to a path of that ending."""
+        import nacreous.scaling.report.page as page
+        import nacreous.scaling.report.record as record
+
+        kind = Path(path).suffix.lower()
+        if kind == ".html":
+            return page.html(self, language)
+        return record.csv(self) if kind == ".csv" else record.json_text(self)
+
+
+def study(
+    data: Any,
+    settings: Settings | None = None,
+    *,
+    example: bool = False,
+    progress: Callable[[float], None] | None = None,
+    **asked: Any,
+) -> Study:
+    """Fit a scale to answers or counts and look at it from all sides, as the report does.
+
+    data: what `thurstone` takes. What is asked for comes as a `Settings`, or by its names:
+    question, model, method, ties, order, prior, unit, level, bootstrap, seed, group. progress:
+    called with the finished share. Raises `InputError` where there is no scale, and for bad
+    settings.
+
+    >>> import nacreous as nc
+    >>> found = nc.scaling.study(nc.scaling.paper(), bootstrap=100)
+    >>> found.ranking
+    ['2', '4', '3', '1', '5', '6', '7']
+    >>> [(pair.first, pair.second) for pair in found.neighbours if not pair.apart]
+    [('4', '3'), ('3', '1')]
+    """
+    wanted = _settings(settings, asked)
+    show = progress or (lambda _: None)
+    answers = data if isinstance(data, Answers) else None
+    comparisons = comparisons_of(data)
+    if wanted.group is not None and answers is None:
+        raise InputError(f"group is {wanted.group!r}; allowed: none, for the data are counts")
+    if wanted.group is not None and answers is not None:
+        answers.split(wanted.group)  # says at once if there is no such column
+    own = _fitted(data if answers is None else answers, wanted)
+    fit = own.to(wanted.unit or MODELS[wanted.model])
+    # Without anyone to show to, resampling need not stop to say how far it is.
+    watch = None if progress is None else lambda share: show(_RESAMPLING * share)
+    doubt = doubt_of(fit, wanted, watch)
+    groups = _groups(answers, wanted)
+    show(1.0)
+    return Study(
+        settings=wanted,
+        comparisons=comparisons,
+        answers=answers,
+        fit=fit,
+        doubt=doubt,
+        neighbours=neighbours_of(fit, doubt, wanted.level),
+        goodness=goodness(own, wanted.level),
+        consistency=consistency(comparisons if answers is None else answers, own.scale),
+        groups=groups,
+        example=example,
+    )
+
+
+def _settings(settings: Settings | None, asked: dict[str, Any]) -> Settings:
+    known = set(Settings.__dataclass_fields__)
+    unknown = sorted(set(asked) - known)
+    if unknown:
+        raise InputError(f"{unknown[0]} is no setting; allowed: {', '.join(sorted(known))}")
+    return replace(settings or Settings(), **asked)
+
+
+def _fitted(data: Any, wanted: Settings) -> Scale:
+    if wanted.model == "logit":
+        return bradley_terry(data, ties=wanted.ties, order=wanted.order, prior=wanted.prior)
+    return thurstone(data, wanted.method, ties=wanted.ties, order=wanted.order, prior=wanted.prior)
+
+
+def _groups(answers: Answers | None, wanted: Settings) -> GroupComparison | None:
+    if wanted.group is None or answers is None:
+        return None
+    parts = answers.split(wanted.group)
+    return compare_groups(
+        parts,
+        wanted.model,
+        ties=wanted.ties,
+        order=wanted.order,
+        same_people=None if _apart(parts) else True,
+        level=wanted.level,
+        seed=wanted.seed,
+    )
+
+
+def _apart(parts: dict[str, Answers]) -> bool:
+    """Whether nobody is in two groups. Within one file a label is one person."""
+    people = [label for part in parts.values() for label in part.people]
+    return len(people) == len(set(people))

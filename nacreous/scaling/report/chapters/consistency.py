@@ -1,0 +1,143 @@
+"""How consistent the answers are: circles, agreement, people, sides, repeats, times."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.words import Html, Words, number, percent, thousands
+
+__all__ = ["chapter"]
+
+_MOST_CIRCLES, _MOST_PEOPLE = 4, 12
+
+
+def chapter(study: Study, words: Words) -> Html:
+    """One sentence or two for each thing that these answers allow to say."""
+    found = [
+        *_triads(study, words),
+        *_agreement(study, words),
+        *_people(study, words),
+        *_retest(study, words),
+        *_side(study, words),
+        *_response(study, words),
+    ]
+    return Html("".join(f"<p>{said}</p>\n" for said in found or [words("consistency.nothing")]))
+
+
+def _triads(study: Study, words: Words) -> list[Html]:
+    triads, broken = study.consistency.triads, study.consistency.transitivity
+    if triads is None or broken is None or not triads.complete:
+        return []
+    if triads.circular:
+        named = [
+            words("consistency.triad", **dict(zip("abc", map(words.name, triad), strict=True)))
+            for triad in triads.named
+        ]
+        said = words(
+            "consistency.triads_some",
+            complete=thousands(triads.complete),
+            circular=thousands(triads.circular),
+            named=words("consistency.named", inside=words.listed(named, _MOST_CIRCLES))
+            if named
+            else "",
+        )
+    else:
+        said = words("consistency.triads_none")
+    if triads.zeta is not None:
+        said = words.sentences(said, words("consistency.zeta", zeta=number(triads.zeta)))
+    rules = words(
+        "consistency.transitivity",
+        weak=broken.weak,
+        moderate=broken.moderate,
+        strong=broken.strong,
+        triads=thousands(broken.triads),
+    )
+    return [said, rules]
+
+
+def _agreement(study: Study, words: Words) -> list[Html]:
+    agreed = study.consistency.agreement
+    if agreed is None:
+        return []
+    return [words("consistency.agreement", u=number(agreed.u), same=percent((1 + agreed.u) / 2))]
+
+
+def _people(study: Study, words: Words) -> list[Html]:
+    people = study.consistency.people
+    full = len(study.fit.stimuli)
+    # Only those who saw all the things: a zeta of three things says little beside one of seven.
+    known = [
+        (own.triads.zeta, own.person)
+        for own in people
+        if own.triads.zeta is not None and len(own.triads.wins) == full
+    ]
+    if not people or full < 3:
+        return []
+    if not known:
+        return [words("consistency.people_none")]
+    zetas = np.array([zeta for zeta, _ in known])
+    least = int(zetas.argmin())
+    return [
+        words(
+            "consistency.people",
+            median=number(float(np.median(zetas))),
+            least=number(float(zetas[least])),
+            person=words.name(known[least][1]),
+        )
+    ]
+
+
+def _retest(study: Study, words: Words) -> list[Html]:
+    again = study.consistency.retest
+    if again is None:
+        return []
+    return [words("consistency.retest", **_share(again.agreement))]
+
+
+def _side(study: Study, words: Words) -> list[Html]:
+    side = study.consistency.side
+    if side is None:
+        return []
+    verdict = "some" if side.p_value < 1 - study.settings.level else "none"
+    said = [
+        words("consistency.side", **_share(side.left), verdict=words(f"consistency.side_{verdict}"))
+    ]
+    if study.fit.order_effect is not None:
+        said.append(
+            words("consistency.order_effect", value=number(study.fit.order_effect, sign=True))
+        )
+    if side.biased:
+        people = words.names(side.biased, _MOST_PEOPLE)
+        said.append(words("consistency.side_people", people=people))
+    return [words.sentences(*said)]
+
+
+def _response(study: Study, words: Words) -> list[Html]:
+    times = study.consistency.response
+    if times is None:
+        return []
+    said = [words("consistency.response", median=number(times.median_s))]
+    if len(times.too_fast):
+        values = {
+            "count": words.count("answer", len(times.too_fast)),
+            "fastest": f"{times.fastest_s:g}",
+        }
+        if times.hasty:
+            people = words.names(times.hasty, _MOST_PEOPLE)
+            said.append(words("consistency.response_hasty", people=people, **values))
+        else:
+            said.append(words("consistency.response_fast", **values))
+    if times.correlation is not None and times.p_value is not None:
+        near = times.correlation < 0 and times.p_value < 1 - study.settings.level
+        key = "consistency.response_near" if near else "consistency.response_flat"
+        said.append(words(key, r=number(times.correlation)))
+    return [words.sentences(*said)]
+
+
+def _share(share: object) -> dict[str, str]:
+    return {
+        "share": percent(share.share),  # type: ignore[attr-defined]
+        "low": percent(share.low),  # type: ignore[attr-defined]
+        "high": percent(share.high),  # type: ignore[attr-defined]
+    }

@@ -1,0 +1,104 @@
+"""Whether one scale describes the answers, and where it does not."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nacreous.scaling.figure import matrix_plot
+from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.picture import picture
+from nacreous.scaling.report.table import facts, table
+from nacreous.scaling.report.words import Html, Words, chance, number, percent
+
+__all__ = ["chapter", "shares"]
+
+MOST_SIDES = 40
+_MOST_MISFITS = 3
+#: Two maps stand side by side.
+_MAP_PT = 256.0
+
+
+def chapter(study: Study, words: Words) -> Html:
+    """Verdict, largest misfits, the two maps, the tests."""
+    verdict = {None: "none", True: "good", False: "bad"}[study.goodness.describes]
+    parts = [words.paragraph(f"fit.{verdict}")]
+    if study.goodness.describes is False:
+        parts.append(_largest(study, words))
+    if len(study.fit.stimuli) <= MOST_SIDES:
+        parts.append(_maps(study, words))
+    else:
+        parts.append(words.paragraph("fit.too_many"))
+    if study.goodness.df:
+        parts.append(_tests(study, words))
+    return Html("".join(parts))
+
+
+def shares(study: Study) -> np.typing.NDArray[np.float64]:
+    """[n, n], the share of answers that chose i over j, a tie half; NaN where not compared."""
+    half = study.comparisons.tie_matrix / 2
+    wins = study.comparisons.matrix + half
+    total = wins + wins.T
+    return np.divide(wins, total, out=np.full_like(wins, np.nan), where=total > 0)
+
+
+def _largest(study: Study, words: Words) -> Html:
+    residuals, observed = study.goodness.residuals, shares(study)
+    expected = study.fit.proportions
+    rows = []
+    upper = np.triu(np.nan_to_num(np.abs(residuals)), 1)
+    for flat in np.argsort(-upper, axis=None, kind="stable")[:_MOST_MISFITS]:
+        i, j = (int(at) for at in np.unravel_index(flat, upper.shape))
+        if upper[i, j] == 0:
+            break
+        i, j = (i, j) if residuals[i, j] > 0 else (j, i)
+        first, second = (words.name(study.fit.stimuli[at]) for at in (i, j))
+        rows.append(
+            (
+                words("neighbours.over", first=first, second=second),
+                percent(float(observed[i, j])),
+                percent(float(expected[i, j])),
+                number(float(residuals[i, j]), 1, sign=True),
+            )
+        )
+    if not rows:
+        return Html("")
+    heads = ["", words("fit.observed"), words("fit.foretold"), words("fit.residual")]
+    return Html(words.paragraph("fit.largest") + table(heads, rows, ["", "n", "n", "n"]))
+
+
+def _maps(study: Study, words: Words) -> Html:
+    ends = {"first": study.ranking[0], "last": study.ranking[-1]}
+    stimuli, order = study.fit.stimuli, study.order
+    observed = picture(
+        lambda path, width: matrix_plot(shares(study), stimuli, path, order=order, width_pt=width),
+        "shares",
+        words.alt("fit.proportions_alt", **ends),
+        words("fit.proportions_caption"),
+        _MAP_PT,
+    )
+    missed = picture(
+        lambda path, width: matrix_plot(
+            study.goodness.residuals, stimuli, path, kind="residuals", order=order, width_pt=width
+        ),
+        "misfits",
+        words.alt("fit.residuals_alt", **ends),
+        words("fit.residuals_caption"),
+        _MAP_PT,
+    )
+    return Html(f'<div class="pair">{observed}{missed}</div>\n')
+
+
+def _tests(study: Study, words: Words) -> Html:
+    good = study.goodness
+    rows = [("G2", "statistic", good.g2, good.g2_p_value)]
+    rows += [("X2", "statistic_x", good.x2, good.x2_p_value)]
+    if good.mosteller is not None:
+        rows += [("mosteller", "statistic_x", good.mosteller, good.mosteller_p_value)]
+    items = [
+        (
+            words(f"fit.{name}"),
+            words(f"fit.{form}", value=number(value), df=good.df, p=words.equals(chance(p or 0.0))),
+        )
+        for name, form, value, p in rows
+    ]
+    return Html(f'<p class="quiet">{words("fit.tests")}</p>\n' + facts(items))

@@ -1,0 +1,107 @@
+"""Groups of people side by side."""
+
+from __future__ import annotations
+
+from nacreous.scaling.figure import interval_plot, scale_plot
+from nacreous.scaling.groups import GroupComparison
+from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.chapters.scale import MOST_ROWS
+from nacreous.scaling.report.picture import picture
+from nacreous.scaling.report.table import table
+from nacreous.scaling.report.words import Html, Words, chance, number
+from nacreous.scaling.unit import factor
+
+__all__ = ["chapter"]
+
+#: As many as the drawing has marks for.
+_MOST_COLOURS = 6
+_MOST_DIFFERENCES = 30
+
+
+def chapter(study: Study, words: Words) -> Html:
+    """Verdict, who is in which group, the scales below each other, what stands differently."""
+    groups = study.groups
+    if groups is None:
+        return Html("")
+    differ = groups.p_value < 1 - study.settings.level
+    verdict = words.sentences(
+        words(
+            "groups.differ" if differ else "groups.alike", p=words.equals(chance(groups.p_value))
+        ),
+        words(f"groups.method.{groups.tests[0].name}"),
+    )
+    return Html(
+        f"<p>{verdict}</p>\n"
+        + _sizes(study, words)
+        + _plots(study, groups, words)
+        + _differences(study, groups, words)
+    )
+
+
+def _sizes(study: Study, words: Words) -> Html:
+    if study.answers is None or study.settings.group is None:
+        return Html("")
+    items = ""
+    for name, part in study.answers.split(study.settings.group).items():
+        key = "groups.size" if part.people else "groups.size_answers"
+        said = words(
+            key,
+            name=words.name(name),
+            people=words.count("person", len(part.people)),
+            answers=words.count("answer", len(part)),
+        )
+        items += f"<li>{said}</li>\n"
+    return Html(f"<ul>\n{items}</ul>\n")
+
+
+def _plots(study: Study, groups: GroupComparison, words: Words) -> Html:
+    unit = words.unit(study.fit.unit)
+    fits = {name: fit.to(study.fit.unit) for name, fit in groups.fits.items()}
+    shown = picture(
+        lambda path, width: scale_plot(fits, path, unit=unit, width_pt=width),
+        "groups",
+        words.alt("groups.alt"),
+        words("groups.lead"),
+    )
+    if len(fits) > _MOST_COLOURS or len(study.fit.stimuli) > MOST_ROWS:
+        return shown
+    kind = "people" if groups.clustered else "expected"
+    bounds = {name: fit.intervals(study.settings.level, kind=kind) for name, fit in fits.items()}
+    level = f"{100 * study.settings.level:g}"
+    doubt = picture(
+        lambda path, width: interval_plot(fits, path, intervals=bounds, unit=unit, width_pt=width),
+        "groups-doubt",
+        words.alt("groups.interval_alt"),
+        words("scale.interval_caption", level=level),
+    )
+    return Html(shown + doubt)
+
+
+def _differences(study: Study, groups: GroupComparison, words: Words) -> Html:
+    times = factor("z" if groups.model == "probit" else "logit", study.fit.unit)
+    beyond = [one for one in groups.differences if one.p_adjusted < 1 - study.settings.level]
+    if not beyond:
+        return words.paragraph("groups.stands_none")
+    rows = []
+    for one in sorted(beyond, key=lambda each: each.p_adjusted)[:_MOST_DIFFERENCES]:
+        first, second, low, high = one.first, one.second, one.low, one.high
+        if one.difference < 0:
+            first, second, low, high = second, first, -high, -low
+        span = words.span(low * times, high * times)
+        rows.append(
+            (
+                words.name(one.stimulus),
+                words.name(first),
+                words.name(second),
+                Html(f"{number(abs(one.difference) * times)} <small>{span}</small>"),
+                chance(one.p_adjusted),
+            )
+        )
+    heads = [
+        words("scale.stimulus"),
+        words("groups.first"),
+        words("groups.second"),
+        words("neighbours.difference"),
+        words("neighbours.p"),
+    ]
+    return Html(words.paragraph("groups.stands") + table(heads, rows, ["", "", "", "n", "n"]))

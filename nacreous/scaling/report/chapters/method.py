@@ -1,0 +1,110 @@
+"""How it was done, and how to do it again."""
+
+from __future__ import annotations
+
+import platform
+import tomllib
+from base64 import b64encode
+from html import escape
+from importlib.metadata import version
+from pathlib import Path
+
+import nacreous
+from nacreous.scaling.report import record
+from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.words import Html, Words
+
+__all__ = ["MOST_BYTES", "chapter"]
+
+_REFERENCES = Path(__file__).parent.parent / "references.toml"
+#: Data larger than this are not put into the page, which phones should still open.
+MOST_BYTES = 2_000_000
+
+
+def chapter(study: Study, words: Words) -> Html:
+    """The methods, the data, the command, the references."""
+    parts = [f"<p>{sentence}</p>\n" for sentence in _methods(study, words)]
+    parts += [f"<h3>{words('method.again')}</h3>\n", again(study, words)]
+    parts.append(f"<h3>{words('method.references')}</h3>\n")
+    listed = "".join(f"<li>{escape(text)}</li>\n" for text in _cited(study))
+    parts.append(f'<ol class="quiet">\n{listed}</ol>\n')
+    return Html("".join(parts))
+
+
+def _methods(study: Study, words: Words) -> list[Html]:
+    wanted = study.settings
+    found = [words(f"method.{wanted.model}.{wanted.method}")]
+    if wanted.ties:
+        found.append(words("method.ties"))
+    elif study.comparisons.ties.any():
+        found.append(words("method.ties_half"))
+    if wanted.order:
+        found.append(words("method.order"))
+    if wanted.prior is not None:
+        found.append(words("method.prior", prior=f"{wanted.prior:g}"))
+    if wanted.prior is None and wanted.method == "maximum-likelihood":
+        found.append(words("method.exists"))
+    found.append(words("method.apart"))
+    found.append(words("method.fit", risk=words.risk(wanted.level)))
+    found.append(words("method.consistency"))
+    return found
+
+
+def again(study: Study, words: Words) -> Html:
+    """The data as a link, the command, the versions."""
+    options = study.settings.options(words.language)
+    if study.example:
+        text, key = record.data_csv(study), "method.data_paper"
+        link = _link("paper-counts.csv", "text/csv", text)
+        command = f"nacreous scale paper -o report.html {options}"
+    else:
+        name = "counts.csv" if study.answers is None else "answers.csv"
+        text = record.data_csv(study)
+        small = len(text.encode()) <= MOST_BYTES
+        link = _link(name, "text/csv", text) if small else Html("")
+        kind = "counts" if study.answers is None else "answers"
+        key = f"method.data_{kind}" if small else "method.data_large"
+        flag = "--counts " if study.answers is None else ""
+        sides = "--no-sides " if study.answers is not None and not study.answers.sided else ""
+        command = f"nacreous scale {name} {flag}{sides}-o report.html {options}"
+    scale = _link("scale.csv", "text/csv", record.csv(study))
+    everything = _link("scale.json", "application/json", record.json_text(study))
+    lines = [
+        words(key, link=link) if link else words(key),
+        Html(f"<code>{escape(command.strip())}</code>"),
+        words("method.record", csv=scale, json=everything),
+        words("method.versions", versions=versions(), seed=study.settings.seed),
+    ]
+    return Html("".join(f"<p>{line}</p>\n" for line in lines))
+
+
+def versions() -> str:
+    """The programs whose numbers these are."""
+    names = ("numpy", "scipy", "matplotlib")
+    own = [f"nacreous {nacreous.__version__}", f"Python {platform.python_version()}"]
+    return ", ".join(own + [f"{name} {version(name)}" for name in names])
+
+
+def _link(name: str, kind: str, text: str) -> Html:
+    data = b64encode(text.encode()).decode("ascii")
+    return Html(
+        f'<a download="{name}" href="data:{kind};charset=utf-8;base64,{data}">{escape(name)}</a>'
+    )
+
+
+def _cited(study: Study) -> list[str]:
+    texts = tomllib.loads(_REFERENCES.read_text(encoding="utf-8"))
+    wanted = study.settings
+    used = {
+        "thurstone": wanted.model == "probit",
+        "ford": wanted.prior is None and wanted.method == "maximum-likelihood",
+        "bradley": wanted.model == "logit",
+        "glenn": wanted.ties and wanted.model == "probit",
+        "davidson": wanted.ties and wanted.model == "logit",
+        "beaver": wanted.order and wanted.model == "logit",
+        "efron": wanted.bootstrap > 0,
+        "nagata": study.example or wanted.method == "least-squares",
+        "perez": study.fit.unit in ("JOD", "JND"),
+        "mosteller": study.goodness.mosteller is not None,
+    }
+    return [text for key, text in texts.items() if used.get(key, True)]

@@ -1,0 +1,122 @@
+"""The scale: its drawings and its table."""
+
+from __future__ import annotations
+
+from math import erf, exp
+
+import numpy as np
+
+from nacreous.scaling.figure import interval_plot, scale_plot
+from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.doubt import FEW_PEOPLE
+from nacreous.scaling.report.picture import picture
+from nacreous.scaling.report.table import table
+from nacreous.scaling.report.words import Html, Words, number, percent, thousands
+from nacreous.scaling.unit import factor
+
+__all__ = ["chapter", "doubt"]
+
+#: Beyond, rows of dots are a wall; the table has them all.
+MOST_ROWS = 60
+
+
+def chapter(study: Study, words: Words) -> Html:
+    """Line, intervals, how to read them, table."""
+    fit, level = study.fit, study.settings.level
+    ends = {"first": study.ranking[0], "last": study.ranking[-1]}
+    unit = words.unit(fit.unit)
+    line = picture(
+        lambda path, width: scale_plot(fit, path, unit=unit, width_pt=width),
+        "line",
+        words.alt("scale.line_alt", **ends),
+        words("scale.line_caption"),
+    )
+    parts = [words.paragraph("scale.lead"), line]
+    if len(fit.stimuli) <= MOST_ROWS:
+        bounds = study.doubt.intervals
+        parts.append(
+            picture(
+                lambda path, width: interval_plot(
+                    fit, path, intervals=bounds, unit=unit, width_pt=width
+                ),
+                "doubt",
+                words.alt("scale.interval_alt", **ends),
+                words("scale.interval_caption", level=f"{100 * level:g}"),
+            )
+        )
+    parts += [_example(study, words), doubt(study, words), _table(study, words)]
+    return Html("".join(parts))
+
+
+def _example(study: Study, words: Words) -> Html:
+    """A distance in words: from the first to the one in the middle."""
+    order = study.order
+    first, second = order[0], order[(len(order) + 1) // 2 if len(order) > 2 else 1]
+    fit = study.fit
+    return words.paragraph(
+        "scale.example",
+        first=words.name(fit.stimuli[first]),
+        second=words.name(fit.stimuli[second]),
+        distance=number(fit.scale[first] - fit.scale[second]),
+        percent=percent(float(fit.proportions[first, second])),
+        one=_one(study, words),
+    )
+
+
+def _one(study: Study, words: Words) -> Html:
+    """What one unit is; not said with ties, where it hangs on how many there are."""
+    if study.fit.tie_threshold is not None:
+        return Html("")
+    own = study.fit.own_unit
+    lead = factor(study.fit.unit, own)
+    share = 0.5 * (1 + erf(lead / 2**0.5)) if own == "z" else 1 / (1 + exp(-lead))
+    return words("scale.one", percent=percent(share))
+
+
+def doubt(study: Study, words: Words) -> Html:
+    """Where the margins come from, and when not to trust them."""
+    people = () if study.answers is None else study.answers.people
+    found = study.doubt
+    sentences = [
+        words("scale.zero"),
+        words(
+            f"scale.doubt.{found.by}",
+            samples=thousands(found.samples),
+            people=words.count("person", len(people)),
+        ),
+    ]
+    if found.by in ("people", "clusters") and len(people) < FEW_PEOPLE:
+        sentences.append(words("scale.doubt.few", people=words.count("person", len(people))))
+    if found.by in ("answers", "information") and study.goodness.describes is False:
+        sentences.append(words("scale.doubt.misfit"))
+    return Html(f'<p class="quiet">{words.sentences(*sentences)}</p>\n')
+
+
+def _table(study: Study, words: Words) -> Html:
+    fit, bounds = study.fit, study.doubt.intervals
+    half = study.comparisons.tie_matrix / 2
+    wins = (study.comparisons.matrix + half).sum(axis=1)
+    total = wins + (study.comparisons.matrix + half).sum(axis=0)
+    rows = [
+        (
+            str(rank + 1),
+            words.name(fit.stimuli[at]),
+            number(fit.scale[at]),
+            words.span(bounds[at, 0], bounds[at, 1]),
+            words("scale.of", wins=_count(wins[at]), total=_count(total[at])),
+        )
+        for rank, at in enumerate(study.order)
+    ]
+    level = f"{100 * study.settings.level:g}"
+    heads = [
+        words("scale.rank"),
+        words("scale.stimulus"),
+        words("scale.value"),
+        words("scale.margin", level=level),
+        words("scale.chosen"),
+    ]
+    return table(heads, rows, ["n rank", "", "n", "n", "n"])
+
+
+def _count(value: float) -> str:
+    return thousands(float(np.round(value, 6)))

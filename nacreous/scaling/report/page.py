@@ -1,0 +1,109 @@
+"""The report as one HTML page that needs nothing else: drawings inside, no script, no request."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.chapters import (
+    consistency,
+    fit,
+    groups,
+    method,
+    neighbours,
+    scale,
+    short,
+)
+from nacreous.scaling.report.words import Html, Words, thousands
+
+__all__ = ["html"]
+
+_STYLE = Path(__file__).with_name("page.css")
+
+_CHAPTERS: dict[str, Callable[[Study, Words], Html]] = {
+    "scale": scale.chapter,
+    "neighbours": neighbours.chapter,
+    "fit": fit.chapter,
+    "groups": groups.chapter,
+    "consistency": consistency.chapter,
+    "method": method.chapter,
+}
+
+
+def html(study: Study, language: str = "en") -> str:
+    """The page in a language, "en" or "ja". Same study, same text."""
+    words = Words(language)
+    column = words.name(study.settings.group) if study.settings.group else ""
+    title = {key: words(f"{key}.title", column=column) for key in _CHAPTERS}
+    used = [key for key in _CHAPTERS if key != "groups" or study.groups is not None]
+    chapters = "".join(
+        f'<section id="{key}">\n<h2>{title[key]}</h2>\n{_CHAPTERS[key](study, words)}</section>\n'
+        for key in used
+    )
+    links = "\n".join(f'<a href="#{key}">{title[key]}</a>' for key in used)
+    return f"""<!DOCTYPE html>
+<html lang="{language}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{_title(study, words)}</title>
+<style>
+{_STYLE.read_text(encoding="utf-8")}</style>
+</head>
+<body>
+<header>
+<h1>{_title(study, words)}</h1>
+{_asked(study, words)}</header>
+<main>
+<section id="short">
+<h2>{words("short.title")}</h2>
+{short.chapter(study, words)}<nav aria-label="{words("page.contents")}">
+{links}
+</nav>
+</section>
+{chapters}</main>
+</body>
+</html>
+"""
+
+
+def _title(study: Study, words: Words) -> Html:
+    asked = words.question(study.settings.question, study.example)
+    return words("page.title") if asked is None else words("page.asked", question=asked)
+
+
+def _asked(study: Study, words: Words) -> Html:
+    asked = words.question(study.settings.question, study.example)
+    said = [words("head.unasked" if asked is None else "head.asked")]
+    counts = study.comparisons.unsided()
+    each = counts.left_wins + counts.right_wins + counts.ties
+    people = 0 if study.answers is None else len(study.answers.people)
+    said.append(
+        words(
+            "head.answered" if people else "head.counted",
+            people=words.count("person", people),
+            stimuli=words.count("stimulus", len(counts.stimuli)),
+            answers=words.count("answer", counts.total),
+            pairs=words.count("pair", len(each)),
+            each=_range(each, words),
+        )
+    )
+    missing = len(counts.stimuli) * (len(counts.stimuli) - 1) // 2 - len(each)
+    if missing:
+        said.append(words("head.missing", pairs=words.count("pair", missing)))
+    if counts.ties.any():
+        said.append(words("head.ties", ties=thousands(float(counts.ties.sum()))))
+    shown = f"<p>{words.sentences(*said)}</p>\n"
+    if study.example:
+        shown += f'<p class="note">{words("head.paper")}</p>\n'
+    return Html(shown)
+
+
+def _range(each: np.typing.NDArray[np.float64], words: Words) -> Html:
+    least, most = thousands(float(each.min())), thousands(float(each.max()))
+    if least == most:
+        return Html(least)
+    return words("head.between", least=least, most=most)

@@ -1,0 +1,163 @@
+"""The numbers of a report: the scale as a table, everything as JSON, the data as they came."""
+
+from __future__ import annotations
+
+import csv as tables
+import io
+import json
+from dataclasses import asdict, is_dataclass
+from typing import Any
+
+import numpy as np
+
+import nacreous
+from nacreous.scaling.answers import Answers
+from nacreous.scaling.comparisons import Comparisons
+from nacreous.scaling.report.analysis import Study
+
+__all__ = ["csv", "data_csv", "json_text"]
+
+_ROLES = ("person", "left", "right", "chosen", "time", "response_s")
+
+
+def csv(study: Study) -> str:
+    """A line for each stimulus, from the top of the scale."""
+    fit, doubt = study.fit, study.doubt
+    wins = study.comparisons.matrix
+    ties = study.comparisons.tie_matrix
+    heads = ("place", "stimulus", "scale", "unit", "low", "high", "se", "chosen", "passed", "ties")
+    rows = [
+        (
+            place + 1,
+            fit.stimuli[at],
+            *(f"{value:.6f}" for value in (fit.scale[at],)),
+            fit.unit,
+            *(f"{value:.6f}" for value in (*doubt.intervals[at], doubt.se[at])),
+            *(f"{value:g}" for value in (wins[at].sum(), wins[:, at].sum(), ties[at].sum())),
+        )
+        for place, at in enumerate(study.order)
+    ]
+    return _table(heads, rows)
+
+
+def json_text(study: Study) -> str:
+    """Every number of the report; a person's label stands only where the report names it."""
+    fit = study.fit
+    found = {
+        "made_by": f"nacreous {nacreous.__version__}",
+        "settings": asdict(study.settings),
+        "reconstructed_from_the_published_table": study.example,
+        "answers": study.comparisons.total,
+        "people": None if study.answers is None else len(study.answers.people),
+        "unit": fit.unit,
+        "stimuli": [
+            {
+                "stimulus": fit.stimuli[at],
+                "scale": fit.scale[at],
+                "low": study.doubt.intervals[at, 0],
+                "high": study.doubt.intervals[at, 1],
+                "se": study.doubt.se[at],
+            }
+            for at in study.order
+        ],
+        "order_effect": fit.order_effect,
+        "tie_threshold": fit.tie_threshold,
+        "log_likelihood": fit.log_likelihood,
+        "resampled": {"by": study.doubt.by, "samples": study.doubt.samples},
+        "covariance": study.doubt.covariance,
+        "neighbours": study.neighbours,
+        "pairs": _pairs(study),
+        "goodness": study.goodness,
+        "consistency": study.consistency,
+        "groups": _groups(study),
+    }
+    return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def _pairs(study: Study) -> dict[str, Any]:
+    return {
+        "stimuli": study.fit.stimuli,
+        "wins": study.comparisons.matrix,
+        "ties": study.comparisons.tie_matrix,
+        "fitted_shares": study.fit.proportions,
+    }
+
+
+def _groups(study: Study) -> Any:
+    groups = study.groups
+    if groups is None:
+        return None
+    return {
+        "tests": groups.tests,
+        "scales": {name: fit.to(study.fit.unit).scale for name, fit in groups.fits.items()},
+        "differences_in_own_unit": groups.differences,
+    }
+
+
+def _plain(value: Any) -> Any:
+    """What JSON can hold; NaN, which marks pairs never compared, becomes null."""
+    if is_dataclass(value) and not isinstance(value, type):
+        value = {name: getattr(value, name) for name in value.__dataclass_fields__}
+    if isinstance(value, dict):
+        return {str(key): _plain(each) for key, each in value.items()}
+    if hasattr(value, "_asdict"):
+        return _plain(value._asdict())
+    if isinstance(value, np.ndarray):
+        return _plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    return value
+
+
+def data_csv(study: Study) -> str:
+    """The data in the form that `nacreous scale` reads: answers, or a matrix of counts."""
+    if study.answers is None:
+        return _counts_csv(study.comparisons)
+    return _answers_csv(study.answers)
+
+
+def _counts_csv(counts: Comparisons) -> str:
+    rows = [
+        (label, *(f"{count:.12g}" for count in row))
+        for label, row in zip(counts.stimuli, counts.matrix.tolist(), strict=True)
+    ]
+    return _table(("", *counts.stimuli), rows)
+
+
+def _answers_csv(answers: Answers) -> str:
+    names = answers.stimuli
+    columns: dict[str, list[Any]] = {}
+    if answers.person is not None:
+        columns["person"] = [answers.people[at] for at in answers.person.tolist()]
+    columns["left"] = [names[at] for at in answers.left.tolist()]
+    columns["right"] = [names[at] for at in answers.right.tolist()]
+    columns["chosen"] = [
+        left if outcome == 1 else right if outcome == -1 else "tie"
+        for left, right, outcome in zip(
+            columns["left"], columns["right"], answers.outcome.tolist(), strict=True
+        )
+    ]
+    if answers.time is not None:
+        columns["time"] = [_cell(value) for value in answers.time.tolist()]
+    if answers.response_s is not None:
+        columns["response_s"] = [_cell(value) for value in answers.response_s.tolist()]
+    for name, group in answers.groups.items():
+        if name not in _ROLES:
+            columns[name] = [group.levels[at] if at >= 0 else "" for at in group.code.tolist()]
+    return _table(tuple(columns), zip(*columns.values(), strict=True))
+
+
+def _cell(value: float) -> str:
+    return "" if value != value else repr(value)
+
+
+def _table(heads: Any, rows: Any) -> str:
+    text = io.StringIO()
+    writer = tables.writer(text, lineterminator="\n")
+    writer.writerow(heads)
+    writer.writerows(rows)
+    return text.getvalue()

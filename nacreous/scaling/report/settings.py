@@ -1,0 +1,83 @@
+"""What was asked for: everything that decides what a report says, besides the data."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass
+
+from nacreous.number import number_of, said
+from nacreous.problem import InputError
+
+__all__ = ["BOOTSTRAP", "LEVELS", "METHODS", "MODELS", "Settings"]
+
+MODELS = {"probit": "z", "logit": "logit"}
+METHODS = ("maximum-likelihood", "least-squares")
+#: Resamplings allowed; 0: none, margins come from the number of answers alone.
+BOOTSTRAP = (100, 100_000)
+LEVELS = (0.5, 0.9999)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How to fit, and what to say of it.
+
+    question: as it was put to people, or None. unit: "z", "d'", "JOD", "JND", "logit"; None: the
+    model's own. level: of all intervals and tests. bootstrap: resamplings, 0 for none. group: a
+    column of the answers, or None. prior: its spread in the model's own unit, or None.
+    Raises `InputError` for what cannot be.
+    """
+
+    question: str | None = None
+    model: str = "probit"
+    method: str = "maximum-likelihood"
+    ties: bool = False
+    order: bool = False
+    prior: float | None = None
+    unit: str | None = None
+    level: float = 0.95
+    bootstrap: int = 1000
+    seed: int = 1
+    group: str | None = None
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        for name, value, allowed in (
+            ("model", self.model, tuple(MODELS)),
+            ("method", self.method, METHODS),
+        ):
+            if value not in allowed:
+                raise InputError(f"{name} is {said(value)}; allowed: {', '.join(allowed)}")
+        if self.method == "least-squares" and (self.model, self.ties, self.order) != (
+            "probit",
+            False,
+            False,
+        ):
+            raise InputError("method is 'least-squares'; allowed: with model probit alone")
+        level = number_of("level", self.level)
+        if not LEVELS[0] <= level <= LEVELS[1]:
+            raise InputError(f"level is {level:g}; allowed: {LEVELS[0]:g} to {LEVELS[1]:g}")
+        least, most = BOOTSTRAP
+        if self.bootstrap != 0 and not least <= self.bootstrap <= most:
+            raise InputError(f"bootstrap is {self.bootstrap}; allowed: 0, or {least} to {most}")
+        if not 0 <= self.seed < 2**63:
+            raise InputError(f"seed is {self.seed}; allowed: 0 to {2**63 - 1}")
+
+    def options(self, language: str) -> str:
+        """The options of `nacreous scale` that stand for these settings.
+
+        >>> Settings(unit="JOD", ties=True).options("en")
+        '--ties --unit JOD'
+        """
+        plain = Settings()
+        words = ["--language", language] if language != "en" else []
+        for name in ("question", "model", "method", "ties", "order", "prior"):
+            words += self._option(name, plain)
+        for name in ("unit", "level", "bootstrap", "seed", "group"):
+            words += self._option(name, plain)
+        return shlex.join(words)
+
+    def _option(self, name: str, plain: Settings) -> list[str]:
+        value = getattr(self, name)
+        if value == getattr(plain, name):
+            return []
+        return [f"--{name}"] if value is True else [f"--{name}", str(value)]

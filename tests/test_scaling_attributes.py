@@ -1,0 +1,193 @@
+"""Laws of a scale made of attributes: an optimiser's numbers, planted truths, named mistakes."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from scipy.optimize import minimize
+from scipy.special import log_expit, log_ndtr
+from scipy.stats import chi2
+
+from nacreous.problem import InputError
+from nacreous.scaling import comparisons_of, thurstone
+from nacreous.scaling.attributes import fit_attributes
+from nacreous.scaling.simulation import simulate
+
+LABELS = [f"pearl {k}" for k in range(1, 9)]
+LUSTRE = np.array([0.1, 0.9, 0.4, 0.7, 0.2, 0.5, 1.0, 0.3])
+GRAIN = np.array([3.0, 2.0, 8.0, 1.0, 5.0, 9.0, 4.0, 7.0])
+TABLE = pd.DataFrame({"stimulus": LABELS, "lustre": LUSTRE, "grain": GRAIN})
+
+
+def judged(values, people=60, **more):
+    return simulate(dict(zip(LABELS, values, strict=True)), people, **more)
+
+
+@pytest.fixture(scope="module")
+def answers():
+    return judged(1.5 * LUSTRE - 0.1 * GRAIN, person_spread=0.3)
+
+
+@pytest.mark.parametrize(("model", "log_chance"), [("probit", log_ndtr), ("logit", log_expit)])
+def test_coefficients_are_those_of_a_general_optimiser(answers, model, log_chance):
+    counts = comparisons_of(answers).matrix
+    columns = np.column_stack([LUSTRE, GRAIN])
+
+    def loss(weights):
+        values = columns @ weights
+        return -(counts * log_chance(values[:, None] - values[None, :])).sum()
+
+    peer = minimize(loss, [0.0, 0.0], method="BFGS", options={"gtol": 1e-8})
+    found = fit_attributes(answers, TABLE, model=model)
+    assert [one.value for one in found.weights] == pytest.approx(peer.x, abs=1e-5)
+    assert found.fit.log_likelihood == pytest.approx(-peer.fun)
+    assert found.aic == pytest.approx(2 * peer.fun + 4)
+    assert found.bic == pytest.approx(2 * peer.fun + 2 * np.log(len(answers)))
+
+
+def test_as_many_attributes_as_can_be_are_the_free_scale(answers):
+    table = {label: {str(j): float(i == j) for j in range(7)} for i, label in enumerate(LABELS)}
+    found = fit_attributes(answers, table)
+    assert found.fit.scale == pytest.approx(thurstone(answers).scale, abs=1e-7)
+    assert found.explained == pytest.approx(1)
+    assert found.misfit is None
+
+
+def test_without_people_models_are_compared_by_likelihood(answers):
+    counts = answers.comparisons()
+    both, lustre = fit_attributes(counts, TABLE), fit_attributes(counts, TABLE, ["lustre"])
+    test = both.against(lustre)
+    ratio = 2 * (both.fit.log_likelihood - lustre.fit.log_likelihood)
+    assert (test.name, test.df) == ("likelihood-ratio", 1)
+    assert test.statistic == pytest.approx(ratio)
+    assert test.p_value == pytest.approx(chi2.sf(ratio, 1))
+    free = 2 * (thurstone(counts).log_likelihood - both.fit.log_likelihood)
+    assert both.misfit.statistic == pytest.approx(free)
+    assert both.misfit.df == 8 - 1 - 2
+
+
+def test_people_who_differ_make_weights_less_sure(answers):
+    known, unknown = fit_attributes(answers, TABLE), fit_attributes(answers.comparisons(), TABLE)
+    assert known.clustered
+    assert not unknown.clustered
+    for one, two in zip(known.weights, unknown.weights, strict=True):
+        assert one.value == two.value
+        assert one.se > two.se
+
+
+def test_a_scale_that_is_no_sum_of_attributes_is_said_to_be_none():
+    bent = 1.5 * LUSTRE + np.where(np.arange(8) == 3, 1.0, 0.0)
+    assert fit_attributes(judged(bent), TABLE).misfit.p_value < 0.001
+    assert fit_attributes(judged(1.5 * LUSTRE), TABLE).misfit.p_value > 0.01
+
+
+def test_a_product_is_found_where_it_was_planted():
+    values = LUSTRE + 0.2 * GRAIN - 0.4 * LUSTRE * GRAIN
+    answers = judged(values, 200)
+    terms = ["lustre", "grain", "lustre:grain"]
+    found = fit_attributes(answers, TABLE, terms)
+    assert found.terms == tuple(terms)
+    for weight, truth in zip(found.weights, (1.0, 0.2, -0.4), strict=True):
+        assert weight.low < truth < weight.high
+    assert found.against(fit_attributes(answers, TABLE, terms[:2])).p_value < 0.001
+
+
+def test_standardised_weights_are_per_standard_deviation(answers):
+    plain = fit_attributes(answers, TABLE)
+    standard = fit_attributes(answers, TABLE, standardise=True)
+    for one, two, column in zip(plain.weights, standard.weights, (LUSTRE, GRAIN), strict=True):
+        assert two.value == pytest.approx(one.value * column.std(ddof=1))
+        assert two.p_value == pytest.approx(one.p_value)
+    assert standard.fit.log_likelihood == pytest.approx(plain.fit.log_likelihood)
+
+
+def test_units_of_attributes_change_nothing_but_the_weights(answers):
+    metres = TABLE.assign(grain=GRAIN * 1e-9)
+    plain, small = fit_attributes(answers, TABLE), fit_attributes(answers, metres)
+    assert small.weights[1].value == pytest.approx(plain.weights[1].value * 1e9)
+    assert small.misfit.statistic == pytest.approx(plain.misfit.statistic)
+    assert small.fit.scale == pytest.approx(plain.fit.scale)
+
+
+def test_prediction_of_a_judged_stimulus_is_its_place_on_the_line(answers):
+    found = fit_attributes(answers, TABLE)
+    for k in range(8):
+        there = found.predict({"lustre": LUSTRE[k], "grain": GRAIN[k]})
+        assert there.value == pytest.approx(found.fit.scale[k])
+        assert there.se == pytest.approx(np.sqrt(found.fit.covariance("people")[k, k]))
+        assert there.beyond == ()
+
+
+def test_prediction_says_what_is_outside_of_what_was_seen(answers):
+    there = fit_attributes(answers, TABLE).predict({"lustre": 2.0, "grain": 5.0})
+    assert there.beyond == ("lustre",)
+
+
+def test_prediction_intervals_hold_new_stimuli_that_are_off_the_line():
+    """Stimuli 0.3 off the line, of which one is held back each time."""
+    random = np.random.default_rng(9)
+    held = 0
+    for study in range(120):
+        lustre = random.uniform(0, 1, 12)
+        values = 2 * lustre + random.normal(0, 0.3, 12)
+        names = [str(k) for k in range(12)]
+        kept = dict(zip(names[:11], values[:11], strict=True))
+        found = fit_attributes(
+            simulate(kept, 40, seed=study),
+            {name: {"lustre": x} for name, x in zip(names, lustre, strict=True)},
+        )
+        there = found.predict({"lustre": float(lustre[11])})
+        held += there.low < values[11] - values[:11].mean() < there.high
+    assert 105 <= held <= 120  # 95 % of 120 is 114, binomial 99.9 % limits
+
+
+def test_every_way_to_hand_over_a_table_is_the_same(answers, tmp_path):
+    TABLE.to_csv(tmp_path / "attributes.csv", index=False)
+    ways = [
+        TABLE,
+        TABLE.iloc[::-1],
+        TABLE.to_dict("list"),
+        TABLE.set_index("stimulus").to_dict("index"),
+        tmp_path / "attributes.csv",
+    ]
+    fits = [fit_attributes(answers, way).weights for way in ways]
+    for other in fits[1:]:
+        assert [w.value for w in other] == pytest.approx([w.value for w in fits[0]])
+
+
+@pytest.mark.parametrize(
+    ("table", "terms", "message"),
+    [
+        (TABLE.iloc[1:], None, 'attributes lack the stimuli "pearl 1"'),
+        (TABLE.assign(lustre=2.0), None, "lustre is 2 for every stimulus"),
+        (TABLE.assign(twice=2 * LUSTRE - 1), None, 'twice says nothing that "lustre" do not say'),
+        (TABLE, ["lustr"], 'terms: "lustr" is no attribute; did you mean lustre?'),
+        (TABLE, ["lustre", "lustre"], 'terms has "lustre" again'),
+        (TABLE, "lustre", "terms is 'lustre'"),
+        (TABLE.assign(lustre=np.nan), None, "lustre is nan"),
+        (TABLE.rename(columns={"stimulus": "stimuls"}), None, "did you mean stimuls?"),
+        (TABLE.assign(stimulus="pearl 1"), None, 'stimulus is "pearl 1" again'),
+        (TABLE.assign(lustre="shiny"), None, 'lustre is "shiny"'),
+        (TABLE.assign(**{str(k): GRAIN**k for k in range(2, 9)}), None, "9 terms for 8 stimuli"),
+        ({"pearl 1": {"lustre": True}}, None, "lustre"),
+        ({"pearl 1": {"a": 1}, "pearl 2": {"b": 1}}, None, "not the same as others: a"),
+    ],
+)
+def test_tables_that_cannot_serve_are_refused_by_name(answers, table, terms, message):
+    with pytest.raises(InputError) as refusal:
+        fit_attributes(answers, table, terms)
+    assert message in str(refusal.value)
+
+
+def test_an_attribute_that_explains_every_answer_is_refused():
+    table = {"a": {"x": 0.0}, "b": {"x": 1.0}, "c": {"x": 2.0}}
+    with pytest.raises(InputError, match="explains every answer"):
+        fit_attributes([("c", "b"), ("b", "a"), ("c", "a")], table)
+
+
+def test_only_smaller_models_of_the_same_answers_are_compared(answers):
+    lustre, grain = (fit_attributes(answers, TABLE, [name]) for name in ("lustre", "grain"))
+    with pytest.raises(InputError, match="allowed: some, not all"):
+        lustre.against(grain)
+    other = fit_attributes(answers.take(np.arange(900)), TABLE)
+    with pytest.raises(InputError, match="not of the same answers"):
+        other.against(lustre)
