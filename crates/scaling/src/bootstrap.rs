@@ -221,6 +221,9 @@ impl<'a> Drawer<'a> {
                 let mut to_draw = left as u64;
                 for ((&pair, answers), &row) in counts.pairs.iter().zip(&counts.answers).zip(rows) {
                     let drawn = answers.map(|count| {
+                        if count == 0.0 {
+                            return 0.0;
+                        }
                         let share = (count / left).clamp(0.0, 1.0);
                         left -= count;
                         let one = Binomial::new(to_draw, share).map_or(0, |b| b.sample(random));
