@@ -188,16 +188,18 @@ class Scale:
         inverse = uncertainty.inverse(bread, len(self.stimuli) if floats else 0)
         return clustering.sandwich(model, self.answers, self.parameters, inverse)
 
-    def difference(self, first: str, second: str, level: float = 0.95) -> uncertainty.Difference:
-        """How far `first` is above `second`, with standard error and interval, in `unit`.
+    def difference(
+        self, first: str, second: str, level: float = 0.95, kind: str = "expected"
+    ) -> uncertainty.Difference:
+        """How far `first` is above `second`, in `unit`; kind as in `covariance`.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> thurstone(paper()).difference("2", "4")
         Difference(2 - 4: 0.478, 0.331 to 0.625 z)
         """
-        i, j = (self._index(label) for label in (first, second))
+        pairs = [(self._index(first), self._index(second))]
         return uncertainty.differences(
-            self.stimuli, self.scale, self.covariance(), self.unit, level, "none", [(i, j)]
+            self.stimuli, self.scale, self.covariance(kind), self.unit, level, "none", pairs
         )[0]
 
     def differences(
