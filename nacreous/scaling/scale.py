@@ -138,8 +138,6 @@ class Scale:
         values = len(self.stimuli) - 1 if self.design is None else self.design.shape[1]
         return values + (self.order_effect is not None) + (self.tie_threshold is not None)
 
-    # --- how sure it is
-
     @property
     def se(self) -> Array:
         """float64 [n]: standard errors by expected information, in `unit`; mean held at 0."""
@@ -278,8 +276,6 @@ class Scale:
             scale_se=uncertainty.root_of_diagonal(self.covariance(kind)),
             sample_se=None if se is None else se * times,
         )
-
-    # --- inside
 
     @property
     def _model(self) -> PairModel:
