@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import os
 import pty
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -90,7 +92,7 @@ def test_the_same_command_gives_the_same_bytes(desk: Path) -> None:
 
 
 def test_the_command_in_the_report_makes_the_report_again(desk: Path) -> None:
-    options = ["--question", 'Which\'s "more"?', "--language", "ja", "--unit", "d'"]
+    options = ['--question=-Which\'s "more"?', "--language", "ja", "--unit", "d'"]
     options += ["--model", "logit", "--level", "0.9", "--bootstrap", "100", "--seed", "7"]
     options += ["--ties", "--prior", "2.5", "--group", "place"]
     assert cli.main(["scale", "answers.csv", "-o", "report.html", *options]) == 0
@@ -98,6 +100,23 @@ def test_the_command_in_the_report_makes_the_report_again(desk: Path) -> None:
     command = unescape(re.findall(r"<code>(.*?)</code>", first)[-1])
     script = command.replace("nacreous", f"'{sys.executable}' -m nacreous", 1)
     subprocess.run(["sh", "-c", script], check=True, capture_output=True)
+    assert Path("report.html").read_text(encoding="utf-8") == first
+
+
+def test_awkward_data_are_read_again_as_they_were_meant(desk: Path) -> None:
+    """A stimulus called tie, answers that nothing tells apart, pairs without sides."""
+    pairs = ["tie,b,tie", "b,tie,b", "tie,b,none", "b,c,b", "c,b,c", "b,tie,b"]
+    Path("answers.csv").write_text(
+        "person,left,right,chosen\n" + "".join(f"mika,{row}\n" for row in pairs)
+    )
+    options = ["--tie", "none", "--repeats", "--no-sides", "--bootstrap", "0"]
+    assert cli.main(["scale", "answers.csv", "-o", "report.html", *options]) == 0
+    first = Path("report.html").read_text(encoding="utf-8")
+    data = re.search(r'download="answers.csv" href="data:[^,]*,([^"]*)"', first)
+    assert data is not None
+    Path("answers.csv").write_bytes(base64.b64decode(data[1]))
+    words = shlex.split(unescape(re.findall(r"<code>(.*?)</code>", first)[-1]))
+    assert cli.main(words[1:]) == 0
     assert Path("report.html").read_text(encoding="utf-8") == first
 
 

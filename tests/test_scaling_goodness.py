@@ -81,6 +81,30 @@ def test_where_case_v_holds_the_statistics_are_chi_squared():
     assert found[0].advice == ""
 
 
+@pytest.mark.parametrize("answers", [2, 5, 15])
+def test_few_answers_a_pair_condemn_no_model(answers):
+    """Simulated: where case V holds, about one study in twenty may be refused, and not nearly all,
+    as by G2 with few answers."""
+    random = np.random.default_rng(answers)
+    values = np.linspace(-0.6, 0.6, 12)
+    left, right = np.triu_indices(12, 1)
+    refused, by_g2 = [], []
+    for _ in range(300):
+        wins = random.binomial(answers, norm.cdf(values[left] - values[right]))
+        counts = np.zeros((12, 12), int)
+        counts[left, right], counts[right, left] = wins, answers - wins
+        try:
+            found = goodness(thurstone(counts))
+        except nc.InputError:  # one always won
+            continue
+        assert found.sparse > 0.2
+        refused.append(not found.describes)
+        by_g2.append(found.g2_p_value < 0.05)
+    assert len(refused) > 200
+    assert 0.01 < np.mean(refused) < 0.1
+    assert answers > 5 or np.mean(by_g2) > 0.2
+
+
 def test_two_stimuli_leave_nothing_to_test():
     found = goodness(thurstone([[0, 7], [3, 0]]))
     assert (found.df, found.g2_p_value, found.describes) == (0, None, None)

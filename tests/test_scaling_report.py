@@ -223,7 +223,7 @@ def test_equals_are_too_close_to_call_and_good_answers_fit():
     found = nc.scaling.study(counts, bootstrap=200)
     assert not any(pair.apart for pair in found.neighbours)
     said = told(found)
-    assert "Every step down this order is too close to call" in said
+    assert "All neighbours in this order are too close to call" in said
     assert "One scale describes the answers" in said
 
 

@@ -67,6 +67,18 @@ class Cells:
         return float(np.sum(gap**2 / self._least[:, cells]))
 
     @property
+    def x2_variance(self) -> float:
+        """Of Pearson's chi-squared where the model holds: 2 df with many answers, more with few.
+
+        J. B. S. Haldane (Biometrika 29, 1937) has it for a row of known shares; that shares are
+        fitted takes away the part that it takes from df.
+        """
+        c = self.outcomes
+        shares = self._least[:, :c] / self.total[:, None]
+        rows = 2 * (c - 1) + (np.sum(1 / shares, axis=1) - c**2 - 2 * c + 2) / self.total
+        return float(np.sum(rows)) * self.degrees / (len(rows) * (c - 1))
+
+    @property
     def residuals(self) -> NDArray[np.float64]:
         """float64 [row], standard deviations by which the first was chosen too often."""
         mean = self.expected @ WORTH / self.total

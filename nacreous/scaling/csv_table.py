@@ -5,6 +5,7 @@ All cells stay text, so that the label "01" is not the label "1".
 
 from __future__ import annotations
 
+import re
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,7 +32,7 @@ def parse_csv(place: str, content: bytes, header: bool = True) -> list[tuple[str
 
     check_text(place, content)
     content = content.lstrip(b"\r\n")
-    first = content.split(b"\n", 1)[0]
+    first = re.split(rb"[\r\n]", content, maxsplit=1)[0]
     if not first.strip():
         raise InputError(f"{place}: is empty; allowed: a line of column names, then answers")
     separator = max((b",", b";", b"\t"), key=first.count).decode()
@@ -88,8 +89,8 @@ def check_text(place: str, content: bytes) -> None:
 def _cells(line: bytes, separator: str) -> list[str]:
     import csv as plain
 
-    text = line.decode("utf-8-sig").strip("\r\n")
-    return [cell.strip() for cell in next(plain.reader([text], delimiter=separator))]
+    reader = plain.reader([line.decode("utf-8-sig")], delimiter=separator)
+    return [cell.strip() for cell in next(reader)]
 
 
 def _check_names(place: str, names: list[str]) -> None:

@@ -14,8 +14,9 @@ from nacreous.scaling.share import level_of
 if TYPE_CHECKING:
     from nacreous.scaling.scale import Scale
 
-#: Expected counts below this make the chi-squared tests rough (W. G. Cochran, 1954).
+#: With more than a fifth of the expected counts below 5, G2 is no chi-squared (Cochran 1954).
 LEAST_EXPECTED = 5.0
+MOST_SPARSE = 0.2
 #: The variance of an angle in square degrees is 821 over the number of answers, Mosteller's (4).
 MOSTELLER = 821.0
 #: Beyond, residuals are not divided by what the fit leaves free of them: that takes n³ steps.
@@ -40,20 +41,24 @@ class Goodness:
     """How well a fitted scale describes its answers.
 
     - `g2`, `g2_p_value`: the likelihood-ratio statistic against one free share a pair (deviance)
-    - `x2`, `x2_p_value`: Pearson's chi-squared
+    - `x2`, `x2_p_value`: Pearson's chi-squared; its p-value is from a chi-squared scaled to the
+      variance that it has with so few answers, and holds down to one answer a pair
     - `mosteller`, `mosteller_p_value`: F. Mosteller's test (Psychometrika 16, 1951), which compares
       shares as angles, the arcsines of their roots; None for fits with ties or an order effect
     - `df`: degrees of freedom of all three: free shares less fitted values. 0: nothing to test, and
       the p-values are None
-    - `overdispersion`: g2 / df, near 1 where the model holds; None without df
+    - `overdispersion`: g2 / df, or x2 / df where more than a fifth of pairs are `sparse`; near 1
+      where the model holds; None without df
     - `residuals`: float64 [n, n], by how many standard deviations i was chosen over j more often
       than fitted (Pearson's; a tie counts half), NaN where not compared
     - `adjusted`: the same, divided by the share that the fit leaves free, so that their standard
       deviation is 1 where the model holds (S. J. Haberman, 1973); None for fits by least squares,
       with ties, order effect, prior or design, and beyond 500 stimuli
     - `largest`: the pair of the largest residual, positive: the first was chosen more often
-    - `sparse`: the share of pairs with an expected count below 5, for which p-values are rough
-    - `describes`: whether g2 leaves the model standing at `level`; None without df
+    - `sparse`: the share of pairs with an expected count below 5, for which the p-values of g2 and
+      of Mosteller's test are too small
+    - `describes`: whether g2, or x2 where more than a fifth of pairs are sparse, leaves the model
+      standing at `level`; None without df
     - `verdict`: the same in words; `advice`: what follows for the errors of the scale, or ""
     """
 
@@ -94,28 +99,32 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
     plain = fit.order_effect is None and cells.outcomes == 2
     g2, x2 = cells.g2, cells.x2
     mosteller = _mosteller(cells) if plain else None
-    p_values = [_p_value(statistic, df) for statistic in (g2, x2, mosteller)]
-    describes = None if p_values[0] is None else p_values[0] >= 1 - level
+    g2_p_value, mosteller_p_value = _p_value(g2, df), _p_value(mosteller, df)
+    x2_p_value = _p_value(x2, df, cells.x2_variance)
+    sparse = float(np.mean((cells.expected[:, : cells.outcomes] < LEAST_EXPECTED).any(axis=1)))
+    few = sparse > MOST_SPARSE
+    decisive = x2_p_value if few else g2_p_value
+    describes = None if decisive is None else decisive >= 1 - level
     residuals = _matrix(cells, cells.residuals)
     free = _free(fit, cells) if plain and cells.floating and _most_likely(fit) else None
     largest = _largest(cells, cells.residuals)
-    overdispersion = g2 / df if df else None
+    overdispersion = (x2 if few else g2) / df if df else None
     return Goodness(
         g2=g2,
-        g2_p_value=p_values[0],
+        g2_p_value=g2_p_value,
         x2=x2,
-        x2_p_value=p_values[1],
+        x2_p_value=x2_p_value,
         mosteller=mosteller,
-        mosteller_p_value=p_values[2],
+        mosteller_p_value=mosteller_p_value,
         df=df,
         overdispersion=overdispersion,
         residuals=residuals,
         adjusted=None if free is None else _matrix(cells, cells.residuals / np.sqrt(free)),
         largest=largest,
-        sparse=float(np.mean((cells.expected[:, : cells.outcomes] < LEAST_EXPECTED).any(axis=1))),
+        sparse=sparse,
         describes=describes,
         verdict=_verdict(_MODELS[fit.model], describes, largest),
-        advice=_advice(describes, overdispersion),
+        advice=_advice("X2" if few else "G2", describes, overdispersion),
     )
 
 
@@ -124,10 +133,14 @@ def _most_likely(fit: Scale) -> bool:
     return fit.method == "maximum-likelihood" and fit.prior is None
 
 
-def _p_value(statistic: float | None, df: int) -> float | None:
+def _p_value(statistic: float | None, df: int, variance: float | None = None) -> float | None:
+    """From chi-squared, scaled so that its mean is df and its variance as given (else 2 df)."""
     from scipy.stats import chi2
 
-    return None if statistic is None or df == 0 else float(chi2.sf(statistic, df))
+    if statistic is None or df == 0:
+        return None
+    scale = 1.0 if variance is None else max(variance, 1e-9) / (2 * df)
+    return float(chi2.sf(statistic / scale, df / scale))
 
 
 def _mosteller(cells: Cells) -> float:
@@ -192,10 +205,10 @@ def _verdict(model: str, describes: bool | None, largest: Misfit) -> str:
     return f"{model} does not describe these data; largest misfit {pair}"
 
 
-def _advice(describes: bool | None, overdispersion: float | None) -> str:
+def _advice(name: str, describes: bool | None, overdispersion: float | None) -> str:
     if describes is not False or overdispersion is None or overdispersion < OVERDISPERSED:
         return ""
     return (
-        f"G2/df is {overdispersion:.1f}, where 1 is expected: errors that take answers as "
+        f"{name}/df is {overdispersion:.1f}, where 1 is expected: errors that take answers as "
         "independent are too small; resample people"
     )

@@ -68,12 +68,11 @@ class Scale:
 
     def __str__(self) -> str:
         """A line for each stimulus, with its unit above and standard errors beside."""
-        head = f"scale in {self.unit} ({self.model}, {self.method}, "
-        rows = [f"{head}{self.comparisons.total:g} answers)"]
-        width = max(len(label) for label in self.stimuli)
-        for label, value, se in zip(self.stimuli, self.scale, self.se, strict=True):
-            rows.append(f"{label:{width}}  {value:6.3f} +- {se:.3f}")
-        return "\n".join(rows)
+        of = f"{self.model}, {self.method}, {self.comparisons.total:g} answers"
+        width = max(map(len, self.stimuli))
+        rows = zip(self.stimuli, self.scale, self.se, strict=True)
+        lines = (f"{label:{width}}  {value:6.3f} +- {se:.3f}" for label, value, se in rows)
+        return "\n".join((f"scale in {self.unit} ({of})", *lines))
 
     def __repr__(self) -> str:
         """In one line what was fitted."""
@@ -139,8 +138,6 @@ class Scale:
         values = len(self.stimuli) - 1 if self.design is None else self.design.shape[1]
         return values + (self.order_effect is not None) + (self.tie_threshold is not None)
 
-    # --- how sure it is
-
     @property
     def se(self) -> Array:
         """float64 [n]: standard errors by expected information, in `unit`; mean held at 0."""
@@ -189,16 +186,18 @@ class Scale:
         inverse = uncertainty.inverse(bread, len(self.stimuli) if floats else 0)
         return clustering.sandwich(model, self.answers, self.parameters, inverse)
 
-    def difference(self, first: str, second: str, level: float = 0.95) -> uncertainty.Difference:
-        """How far `first` is above `second`, with standard error and interval, in `unit`.
+    def difference(
+        self, first: str, second: str, level: float = 0.95, kind: str = "expected"
+    ) -> uncertainty.Difference:
+        """How far `first` is above `second`, in `unit`; kind as in `covariance`.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> thurstone(paper()).difference("2", "4")
         Difference(2 - 4: 0.478, 0.331 to 0.625 z)
         """
-        i, j = (self._index(label) for label in (first, second))
+        pairs = [(self._index(first), self._index(second))]
         return uncertainty.differences(
-            self.stimuli, self.scale, self.covariance(), self.unit, level, "none", [(i, j)]
+            self.stimuli, self.scale, self.covariance(kind), self.unit, level, "none", pairs
         )[0]
 
     def differences(
@@ -253,9 +252,7 @@ class Scale:
         True
         """
         if self.method == "least-squares":
-            raise InputError(
-                "method is 'least-squares'; allowed for a bootstrap: maximum-likelihood"
-            )
+            raise InputError("method is 'least-squares'; allowed here: maximum-likelihood")
         known = self.answers is not None and self.answers.person is not None
         drawn_by = by if by is not None else ("people" if known else "answers")
         if drawn_by not in ("people", "answers"):
@@ -265,9 +262,7 @@ class Scale:
             self._model, people, self.parameters, samples, seed, progress
         )
         times = factor(self.own_unit, self.unit)
-        within = uncertainty.root_of_diagonal(
-            self.covariance("people" if drawn_by == "people" else "observed")
-        )
+        kind = "people" if drawn_by == "people" else "observed"
         ties = effects[:, 1] * (times if self.model == "probit" else 1.0)
         return Bootstrap(
             stimuli=self.stimuli,
@@ -278,11 +273,9 @@ class Scale:
             without_maximum=unplaced,
             order_effects=None if self.order_effect is None else effects[:, 0] * times,
             tie_thresholds=None if self.tie_threshold is None else ties,
-            scale_se=within,
+            scale_se=uncertainty.root_of_diagonal(self.covariance(kind)),
             sample_se=None if se is None else se * times,
         )
-
-    # --- inside
 
     @property
     def _model(self) -> PairModel:

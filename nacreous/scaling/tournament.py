@@ -1,6 +1,8 @@
-"""Who beats whom: the majority of answers by pair, as triads and transitivity need it."""
+"""Who beats whom: the shares of answers by pair, as triads and transitivity need them."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,34 +14,37 @@ from nacreous.scaling.comparisons import Comparisons
 EQUAL = 1e-9
 
 
-def preference(comparisons: Comparisons) -> NDArray[np.float64]:
-    """float64 [n, n]: the share that chose i over j, NaN where nobody compared them.
+class Shares(NamedTuple):
+    """Pairs first < second in the order of (first, second), and the share that chose the first."""
 
-    A tie counts as half an answer for each.
+    stimuli: int
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    share: NDArray[np.float64]
 
-    >>> preference(Comparisons.of_counts([[0, 3], [1, 0]]))
-    array([[ nan, 0.75],
-           [0.25,  nan]])
+    def of(self, first: NDArray[np.int64], second: NDArray[np.int64]) -> NDArray[np.float64]:
+        """The shares of some pairs first < second; NaN where nobody compared them."""
+        codes = self.first * self.stimuli + self.second
+        asked = first * self.stimuli + second
+        row = np.minimum(np.searchsorted(codes, asked), len(codes) - 1)
+        return np.where(codes[row] == asked, self.share[row], np.nan)
+
+    @property
+    def majority(self) -> NDArray[np.float64]:
+        """float64 [pair]: 1 where most chose the first, 0 where most chose the second, else 0.5."""
+        even = np.abs(self.share - 0.5) < EQUAL
+        return np.where(even, 0.5, (self.share > 0.5).astype(np.float64))
+
+
+def shares_of(comparisons: Comparisons) -> Shares:
+    """The shares of three or more stimuli. A tie counts as half an answer for each.
+
+    >>> shares_of(Comparisons.of_counts([[0, 3, 0], [1, 0, 2], [0, 2, 0]])).share.tolist()
+    [0.75, 0.5]
     """
-    wins, ties = comparisons.matrix, comparisons.tie_matrix
-    wins += ties / 2
-    total = wins + wins.T
-    with np.errstate(invalid="ignore"):
-        return np.where(total > 0, wins / total, np.nan)
-
-
-def majority(comparisons: Comparisons) -> NDArray[np.float64]:
-    """float64 [n, n]: 1 where most chose i over j, 0 where most chose j, 0.5 where as many did.
-
-    NaN where nobody compared them, and on the diagonal.
-    """
-    share = preference(comparisons)
-    with np.errstate(invalid="ignore"):
-        even = np.abs(share - 0.5) < EQUAL
-        return np.where(np.isnan(share), np.nan, np.where(even, 0.5, (share > 0.5).astype(float)))
-
-
-def check_three(comparisons: Comparisons) -> None:
-    """Refuse two stimuli, which have no triad."""
-    if len(comparisons.stimuli) < 3:
-        raise InputError(f"{len(comparisons.stimuli)} stimuli; allowed: 3 or more, for triads")
+    count = len(comparisons.stimuli)
+    if count < 3:
+        raise InputError(f"{count} stimuli; allowed: 3 or more, for triads")
+    pairs = comparisons.unsided()
+    total = pairs.left_wins + pairs.right_wins + pairs.ties
+    return Shares(count, pairs.left, pairs.right, (pairs.left_wins + pairs.ties / 2) / total)

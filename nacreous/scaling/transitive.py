@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.comparisons import comparisons_of
-from nacreous.scaling.tournament import EQUAL, check_three, preference
+from nacreous.scaling.tournament import EQUAL, shares_of
 
 #: Up to so many triads, 200 stimuli, each is looked at; beyond, as many are drawn.
 MOST_TRIADS = 1_313_400
@@ -66,17 +66,18 @@ def transitivity(data: Any, seed: int = 1) -> Transitivity:
     (1, 1)
     """
     comparisons = comparisons_of(data)
-    check_three(comparisons)
+    shares = shares_of(comparisons)
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise InputError(f"seed is {said(seed)}; allowed: a whole number, 0 or more")
-    share = preference(comparisons)
-    count = len(share)
-    sampled = comb(count, 3) > MOST_TRIADS
-    triads = _drawn(count, seed) if sampled else _all(count)
+    sampled = comb(shares.stimuli, 3) > MOST_TRIADS
+    triads = _drawn(shares.stimuli, seed) if sampled else _all(shares.stimuli)
     first, second, third = triads.T
-    compared = ~np.isnan(share[first, second] + share[second, third] + share[first, third])
-    triads = triads[compared]
-    level, order = _levels(share, triads)
+    share = np.stack(
+        [shares.of(first, second), shares.of(first, third), shares.of(second, third)], axis=1
+    )
+    compared = ~np.isnan(share).any(axis=1)
+    triads, share = triads[compared], share[compared]
+    level, order = _levels(share)
     return Transitivity(
         weak=int(np.count_nonzero(level >= 3)),
         moderate=int(np.count_nonzero(level >= 2)),
@@ -109,15 +110,19 @@ def _drawn(count: int, seed: int) -> NDArray[np.int64]:
     return triads[(triads[:, 0] < triads[:, 1]) & (triads[:, 1] < triads[:, 2])]
 
 
-def _levels(
-    share: NDArray[np.float64], triads: NDArray[np.int64]
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _over(share: NDArray[np.float64], one: int, other: int) -> NDArray[np.float64]:
+    """The share that chose one place of a triad over another; `share` has 0-1, 0-2 and 1-2."""
+    low, high = min(one, other), max(one, other)
+    column = share[..., low + high - 1]
+    return column if one < other else 1 - column
+
+
+def _levels(share: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """For each triad 3 weak, 2 moderate, 1 strong violation, 0 none; and in which order."""
-    level = np.full(len(triads), 9, np.int64)
-    best = np.zeros(len(triads), np.int64)
-    for index, order in enumerate(_ORDERS):
-        a, b, c = triads[:, order].T
-        ab, bc, ac = share[a, b], share[b, c], share[a, c]
+    level = np.full(len(share), 9, np.int64)
+    best = np.zeros(len(share), np.int64)
+    for index, (a, b, c) in enumerate(_ORDERS):
+        ab, bc, ac = _over(share, a, b), _over(share, b, c), _over(share, a, c)
         here = (
             (ac < np.maximum(ab, bc) - EQUAL).astype(np.int64)
             + (ac < np.minimum(ab, bc) - EQUAL)
@@ -139,8 +144,9 @@ def _worst(
     rows = rows[np.argsort(-level[rows], kind="stable")][:MOST_NAMED]
     found = []
     for row in rows.tolist():
-        a, b, c = (int(triads[row, place]) for place in _ORDERS[order[row]])
-        shares = (float(share[a, b]), float(share[b, c]), float(share[a, c]))
-        triad = (stimuli[a], stimuli[b], stimuli[c])
+        a, b, c = _ORDERS[order[row]]
+        own = share[row]
+        shares = (float(_over(own, a, b)), float(_over(own, b, c)), float(_over(own, a, c)))
+        triad = (stimuli[triads[row, a]], stimuli[triads[row, b]], stimuli[triads[row, c]])
         found.append(Violation(triad, *shares, _KINDS[level[row]]))
     return tuple(found)

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.scaling.circle import count_open
 from nacreous.scaling.comparisons import comparisons_of
-from nacreous.scaling.tournament import check_three, majority
+from nacreous.scaling.tournament import Shares, shares_of
 
 #: Up to so many stimuli chance is counted out exactly.
 MOST_EXACT = 8
 #: Circular triads are listed by name up to this many stimuli.
 MOST_LISTED = 100
-_BLOCK = 512
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,27 +54,27 @@ class Triads:
 def circular_triads(data: Any) -> Triads:
     """Count the circular triads in the majority of all answers.
 
-    `data` is whatever `comparisons_of` takes, of 3 or more stimuli. Memory grows as n².
+    `data` is whatever `comparisons_of` takes, of 3 or more stimuli.
 
     >>> triads = circular_triads([("a", "b"), ("b", "c"), ("c", "a")])
     >>> triads.circular, triads.zeta, triads.named
     (1.0, 0.0, (('a', 'b', 'c'),))
     """
     comparisons = comparisons_of(data)
-    check_three(comparisons)
-    beats = majority(comparisons)
-    count = len(beats)
-    wins = np.nansum(beats, axis=1)
-    tied = int(np.count_nonzero(beats == 0.5)) // 2
+    shares = shares_of(comparisons)
+    count, beats = shares.stimuli, shares.majority
+    wins = np.zeros(count)
+    np.add.at(wins, shares.first, beats)
+    np.add.at(wins, shares.second, 1 - beats)
+    tied = int(np.count_nonzero(beats == 0.5))
     most = most_circular(count)
-    full = np.count_nonzero(~np.isnan(beats)) == count * (count - 1)
+    full = len(beats) == comb(count, 2)
     if full:
         # Equation (1) there, less what the coins of ties add to the variance of wins.
         circular = count * (count - 1) * (2 * count - 1) / 12 - float(wins @ wins) / 2 - tied / 4
-        circular = max(0.0, circular)
-        complete = comb(count, 3)
+        circular, complete = max(0.0, circular), comb(count, 3)
     else:
-        circular, complete = _count_open(beats)
+        circular, complete = count_open(shares)
     return Triads(
         circular=circular,
         complete=complete,
@@ -83,7 +83,7 @@ def circular_triads(data: Any) -> Triads:
         zeta=1 - circular / most if full else None,
         p_value=chance(count, circular, tied) if full else None,
         wins=wins,
-        named=_named(beats, comparisons.stimuli) if count <= MOST_LISTED else (),
+        named=_named(shares, comparisons.stimuli) if count <= MOST_LISTED else (),
     )
 
 
@@ -142,24 +142,14 @@ def _ways(count: int) -> dict[int, int]:
     return dict(result)
 
 
-def _count_open(beats: NDArray[np.float64]) -> tuple[float, int]:
-    """Circular and complete triads where some pairs were not compared; in blocks of rows."""
-    compared = (~np.isnan(beats)).astype(np.float32)
-    chosen = np.nan_to_num(beats, nan=0.0).astype(np.float32)
-    circles = triangles = 0.0
-    for start in range(0, len(beats), _BLOCK):
-        rows = slice(start, start + _BLOCK)
-        # A triad with ties is circular with the product of its halves, as coins would have it.
-        circles += float(np.sum((chosen[rows] @ chosen) * chosen.T[rows], dtype=np.float64))
-        triangles += float(np.sum((compared[rows] @ compared) * compared[rows], dtype=np.float64))
-    return circles / 3, round(triangles / 6)
-
-
-def _named(beats: NDArray[np.float64], stimuli: tuple[str, ...]) -> tuple[Any, ...]:
-    wins = beats == 1
+def _named(shares: Shares, stimuli: tuple[str, ...]) -> tuple[Any, ...]:
+    beats = shares.majority
+    wins = np.zeros((shares.stimuli, shares.stimuli), bool)
+    wins[shares.first, shares.second] = beats == 1
+    wins[shares.second, shares.first] = beats == 0
     found = []
-    for first in range(len(beats)):
-        later = np.arange(len(beats)) > first
+    for first in range(shares.stimuli):
+        later = np.arange(shares.stimuli) > first
         # first over second, second over third, third over first
         second, third = np.nonzero(wins & np.outer(wins[first] & later, wins[:, first] & later))
         found += [(first, j, k) for j, k in zip(second.tolist(), third.tolist(), strict=True)]

@@ -95,38 +95,46 @@ impl Bootstrap<'_> {
         people: &[u32],
         stop: &AtomicBool,
     ) -> Result<Resampled, ScalingError> {
-        let untied = self.model.ties && counts.totals()[2] == 0.0; // most likely with ties of width 0
+        // Without a tie their most likely width is 0.
+        let untied = self.model.ties && counts.totals()[2] == 0.0;
         let own = Model { ties: self.model.ties && !untied, ..self.model.clone() };
         let (model, n) = (if untied { &own } else { self.model }, counts.stimuli);
-        let start = self.parameters[..model.parameters(n)].to_vec();
-        let prior = Penalty::of(model, n);
-        let mut placed =
-            model.design.is_some() || existence_of_seen(model, counts) == Existence::Exists;
-        let mut penalty = prior;
-        let fit = match placed.then(|| climb(model, counts, penalty.as_ref(), start.clone(), stop))
-        {
-            Some(Ok(fit)) if !self.ran_away(&fit, model, n) => fit,
-            Some(Err(ScalingError::Stopped)) => return Err(ScalingError::Stopped),
-            _ => {
-                placed = false;
-                penalty = Some(self.leash(model, &start, penalty.as_ref(), n));
-                climb(model, counts, penalty.as_ref(), start, stop)?
+        let (fit, penalty, placed) = self.climbed(model, counts, stop)?;
+        let se = match (self.studentised, self.source) {
+            (false, _) => Vec::new(),
+            (true, Source::People(ledger)) => {
+                spread::by_people(model, counts, penalty.as_ref(), &fit, ledger, people)?
             }
-        };
-        let se = if self.studentised {
-            match self.source {
-                Source::People(ledger) => {
-                    spread::by_people(model, counts, penalty.as_ref(), &fit, ledger, people)?
-                }
-                Source::Answers(_) => spread::by_answers(model, counts, penalty.as_ref(), &fit)?,
+            (true, Source::Answers(_)) => {
+                spread::by_answers(model, counts, penalty.as_ref(), &fit)?
             }
-        } else {
-            Vec::new()
         };
         let width = model.ties_at(n).map(|i| fit.parameters[i]);
         let ties = width.map_or(0.0, |s| if model.link == Link::Logit { libm::exp(s) } else { s });
         let order = model.order_at(n).map_or(0.0, |i| fit.parameters[i]);
         Ok(Resampled { values: fit.values, se, order, ties, placed })
+    }
+
+    /// The fit to a sample, what held it, and whether it had a maximum of its own.
+    fn climbed(
+        &self,
+        model: &Model,
+        counts: &Counts,
+        stop: &AtomicBool,
+    ) -> Result<(Fit, Option<Penalty>, bool), ScalingError> {
+        let n = counts.stimuli;
+        let start = self.parameters[..model.parameters(n)].to_vec();
+        let prior = Penalty::of(model, n);
+        if model.design.is_some() || existence_of_seen(model, counts) == Existence::Exists {
+            match climb(model, counts, prior.as_ref(), start.clone(), stop) {
+                Ok(fit) if !self.ran_away(&fit, model, n) => return Ok((fit, prior, true)),
+                Err(ScalingError::Stopped) => return Err(ScalingError::Stopped),
+                _ => {}
+            }
+        }
+        let leash = self.leash(model, &start, prior.as_ref(), n);
+        let fit = climb(model, counts, Some(&leash), start, stop)?;
+        Ok((fit, Some(leash), false))
     }
 
     /// A design has no test for existence as cheap as a fit: what is farther apart than any answers
@@ -221,6 +229,9 @@ impl<'a> Drawer<'a> {
                 let mut to_draw = left as u64;
                 for ((&pair, answers), &row) in counts.pairs.iter().zip(&counts.answers).zip(rows) {
                     let drawn = answers.map(|count| {
+                        if count == 0.0 {
+                            return 0.0;
+                        }
                         let share = (count / left).clamp(0.0, 1.0);
                         left -= count;
                         let one = Binomial::new(to_draw, share).map_or(0, |b| b.sample(random));

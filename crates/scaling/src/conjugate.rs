@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::{
     Counts, Model,
-    likelihood::{Penalty, spread_out},
+    likelihood::{Penalty, to_coefficients},
     model::centre,
 };
 
@@ -70,7 +70,7 @@ impl System<'_> {
         for (&pair, &[aa, cross, ss]) in self.counts.pairs.iter().zip(self.bends) {
             let lead = x[pair[0] as usize] - x[pair[1] as usize] + order;
             let along = aa * lead + cross * width;
-            spread_out(self.model, pair, along, &mut image);
+            to_coefficients(self.model, pair, along, &mut image);
             order_sum += along;
             width_sum += cross * lead + ss * width;
         }

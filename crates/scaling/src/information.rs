@@ -2,7 +2,7 @@
 
 use crate::{
     Counts, Model,
-    likelihood::{Penalty, landscape, leads},
+    likelihood::{Penalty, landscape, leads, to_coefficients, to_parameters},
     terms,
 };
 
@@ -42,51 +42,45 @@ pub fn assembled(
 ) -> Vec<f64> {
     let (n, size) = (counts.stimuli, model.parameters(counts.stimuli));
     let coefficients = model.coefficients(n);
-    let (order_at, ties_at) = (model.order_at(n), model.ties_at(n));
     let mut matrix = vec![0.0; size * size];
-    let mut difference = vec![0.0; coefficients];
-    for (&[left, right], &[aa, cross, ss]) in counts.pairs.iter().zip(bends) {
-        let (l, r) = (left as usize, right as usize);
-        match &model.design {
-            None => {
-                matrix[l * size + l] += aa;
-                matrix[r * size + r] += aa;
-                matrix[l * size + r] -= aa;
-                matrix[r * size + l] -= aa;
-            }
-            Some(design) => {
-                let rows = design.row(l).iter().zip(design.row(r));
-                difference.iter_mut().zip(rows).for_each(|(d, (x, y))| *d = x - y);
-                for (i, x) in difference.iter().enumerate() {
-                    for (j, y) in difference.iter().enumerate() {
-                        matrix[i * size + j] += aa * x * y;
-                    }
-                }
-            }
-        }
-        for (place, amount) in [(order_at, aa), (ties_at, cross)] {
-            if let Some(row) = place {
-                let into = &mut matrix[row * size..][..coefficients];
-                crate::likelihood::spread_out(model, [left, right], amount, into);
-            }
-        }
-        if let Some(i) = order_at {
+    for (&pair, &[aa, cross, ss]) in counts.pairs.iter().zip(bends) {
+        add_pair(model, pair, aa, &mut matrix, size);
+        if let Some(i) = model.order_at(n) {
+            to_coefficients(model, pair, aa, &mut matrix[i * size..][..coefficients]);
             matrix[i * size + i] += aa;
         }
-        if let Some(i) = ties_at {
-            matrix[i * size + i] += ss;
-        }
-        if let (Some(i), Some(j)) = (order_at, ties_at) {
-            matrix[j * size + i] += cross;
+        if let Some(i) = model.ties_at(n) {
+            to_parameters(model, n, pair, [cross, ss], &mut matrix[i * size..][..size]);
         }
     }
     for i in 0..size {
         matrix[i * size + i] += penalty.map_or(0.0, |penalty| penalty.precision[i]);
-        for j in i + 1..size {
-            if j >= coefficients {
-                matrix[i * size + j] = matrix[j * size + i];
-            }
+        for j in coefficients.max(i + 1)..size {
+            matrix[i * size + j] = matrix[j * size + i];
         }
     }
     matrix
+}
+
+/// Adds what a pair says about its lead to the square of the coefficients.
+fn add_pair(model: &Model, [left, right]: [u32; 2], bend: f64, matrix: &mut [f64], size: usize) {
+    let (l, r) = (left as usize, right as usize);
+    let Some(design) = &model.design else {
+        matrix[l * size + l] += bend;
+        matrix[r * size + r] += bend;
+        matrix[l * size + r] -= bend;
+        matrix[r * size + l] -= bend;
+        return;
+    };
+    for i in 0..design.columns {
+        let x = design.row(l)[i] - design.row(r)[i];
+        if x != 0.0 {
+            to_coefficients(
+                model,
+                [left, right],
+                bend * x,
+                &mut matrix[i * size..][..design.columns],
+            );
+        }
+    }
 }

@@ -37,8 +37,6 @@ pub struct Landscape {
     pub height: f64,
     /// The slope along each parameter.
     pub gradient: Vec<f64>,
-    /// What its parts would add to if they did not cancel: rounding may move it by eps times that.
-    pub gradient_scale: Vec<f64>,
     /// Minus the second derivatives (aa, as, ss) of each row.
     pub bends: Vec<[f64; 3]>,
 }
@@ -50,33 +48,14 @@ pub fn landscape(
     penalty: Option<&Penalty>,
     parameters: &[f64],
 ) -> Landscape {
-    let n = counts.stimuli;
     let terms = row_terms(model, counts, parameters);
     let log_likelihood = terms
         .chunks(AT_ONCE)
         .map(|part| part.iter().map(|terms| terms.value).sum::<f64>())
         .sum::<f64>();
     let mut gradient = vec![0.0; parameters.len()];
-    let mut gradient_scale = vec![0.0; parameters.len()];
-    for ((&pair, answers), terms) in counts.pairs.iter().zip(&counts.answers).zip(&terms) {
-        let [a, s] = terms.slope;
-        spread_out(model, pair, a, &mut gradient);
-        if let Some(i) = model.order_at(n) {
-            gradient[i] += a;
-        }
-        if let Some(i) = model.ties_at(n) {
-            gradient[i] += s;
-        }
-        // At the top the slopes of the answers cancel; the root of their squares does not.
-        let total: f64 = answers.iter().sum();
-        let [a, s] = [terms.bend[0], terms.bend[2]].map(|bend| (total * bend).sqrt());
-        spread_out_sizes(model, pair, a, &mut gradient_scale);
-        if let Some(i) = model.order_at(n) {
-            gradient_scale[i] += a;
-        }
-        if let Some(i) = model.ties_at(n) {
-            gradient_scale[i] += s;
-        }
+    for (&pair, terms) in counts.pairs.iter().zip(&terms) {
+        to_parameters(model, counts.stimuli, pair, terms.slope, &mut gradient);
     }
     let mut height = log_likelihood;
     if let Some(penalty) = penalty {
@@ -84,11 +63,40 @@ pub fn landscape(
             let away = value - penalty.centre[i];
             height -= 0.5 * penalty.precision[i] * away * away;
             gradient[i] -= penalty.precision[i] * away;
-            gradient_scale[i] += (penalty.precision[i] * away).abs();
         }
     }
     let bends = terms.iter().map(|terms| terms.bend).collect();
-    Landscape { log_likelihood, height, gradient, gradient_scale, bends }
+    Landscape { log_likelihood, height, gradient, bends }
+}
+
+/// What the parts of each slope would add to if they did not cancel: rounding may move the slope by
+/// eps times that. At the top the slopes of answers do cancel; the roots of their squares do not.
+pub fn gradient_scale(model: &Model, counts: &Counts, bends: &[[f64; 3]], size: usize) -> Vec<f64> {
+    let n = counts.stimuli;
+    let mut scale = vec![0.0; size];
+    for ((&[left, right], answers), bend) in counts.pairs.iter().zip(&counts.answers).zip(bends) {
+        let total: f64 = answers.iter().sum();
+        let [lead, width] = [bend[0], bend[2]].map(|bend| (total * bend).sqrt());
+        match &model.design {
+            None => {
+                scale[left as usize] += lead;
+                scale[right as usize] += lead;
+            }
+            Some(design) => {
+                let rows = design.row(left as usize).iter().zip(design.row(right as usize));
+                for (sum, (x, y)) in scale.iter_mut().zip(rows) {
+                    *sum += (x - y).abs() * lead;
+                }
+            }
+        }
+        if let Some(i) = model.order_at(n) {
+            scale[i] += lead;
+        }
+        if let Some(i) = model.ties_at(n) {
+            scale[i] += width;
+        }
+    }
+    scale
 }
 
 /// The log-likelihood of counts, without constant terms and without a prior.
@@ -96,33 +104,34 @@ pub fn log_likelihood(model: &Model, counts: &Counts, parameters: &[f64]) -> f64
     landscape(model, &counts.seen_by(model), None, parameters).log_likelihood
 }
 
-/// Adds what a row says about its lead to the coefficients behind it.
-pub fn spread_out(model: &Model, [left, right]: [u32; 2], amount: f64, into: &mut [f64]) {
-    match &model.design {
-        None => {
-            into[left as usize] += amount;
-            into[right as usize] -= amount;
-        }
-        Some(design) => {
-            let rows = design.row(left as usize).iter().zip(design.row(right as usize));
-            for (sum, (x, y)) in into.iter_mut().zip(rows) {
-                *sum += (x - y) * amount;
-            }
-        }
+/// Adds what a row says about its lead, and about the width of ties, to the parameters behind them.
+pub fn to_parameters(
+    model: &Model,
+    stimuli: usize,
+    pair: [u32; 2],
+    [lead, width]: [f64; 2],
+    into: &mut [f64],
+) {
+    to_coefficients(model, pair, lead, into);
+    if let Some(i) = model.order_at(stimuli) {
+        into[i] += lead;
+    }
+    if let Some(i) = model.ties_at(stimuli) {
+        into[i] += width;
     }
 }
 
-/// As [`spread_out`], but adds sizes.
-fn spread_out_sizes(model: &Model, [left, right]: [u32; 2], size: f64, into: &mut [f64]) {
+/// The same for the coefficients alone.
+pub fn to_coefficients(model: &Model, [left, right]: [u32; 2], lead: f64, into: &mut [f64]) {
     match &model.design {
         None => {
-            into[left as usize] += size;
-            into[right as usize] += size;
+            into[left as usize] += lead;
+            into[right as usize] -= lead;
         }
         Some(design) => {
             let rows = design.row(left as usize).iter().zip(design.row(right as usize));
             for (sum, (x, y)) in into.iter_mut().zip(rows) {
-                *sum += (x - y).abs() * size;
+                *sum += (x - y) * lead;
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::{
     cholesky::Factor,
     conjugate,
     information::assembled,
-    likelihood::{Landscape, Penalty, landscape},
+    likelihood::{Landscape, Penalty, gradient_scale, landscape},
     model::centre,
     normal,
 };
@@ -184,9 +184,14 @@ impl Ascent<'_> {
         here: &Landscape,
         steps: usize,
     ) -> Result<Fit, ScalingError> {
-        let flat = here.gradient.iter().zip(&here.gradient_scale).all(|(g, scale)| {
-            g.abs() <= 1e-8 * scale // also false for what is no number
-        });
+        let mut scale = gradient_scale(self.model, self.seen, &here.bends, parameters.len());
+        if let Some(penalty) = self.penalty {
+            for (i, sum) in scale.iter_mut().enumerate() {
+                *sum += penalty.precision[i] * (parameters[i] - penalty.centre[i]).abs();
+            }
+        }
+        // Also false for what is no number.
+        let flat = here.gradient.iter().zip(&scale).all(|(g, scale)| g.abs() <= 1e-8 * scale);
         if !flat || self.stop.load(Ordering::Relaxed) {
             return Err(if flat {
                 ScalingError::Stopped

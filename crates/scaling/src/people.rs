@@ -3,7 +3,7 @@
 use crate::{
     Counts, Model, Outcome, ScalingError,
     counts::{last, seen},
-    likelihood::{leads, spread_out},
+    likelihood::{leads, to_parameters},
     terms,
 };
 
@@ -112,14 +112,8 @@ impl Ledger {
         let mut scores = vec![0.0; self.people() * parameters.len()];
         for (person, score) in scores.chunks_mut(parameters.len()).enumerate() {
             for &(row, ref answers) in self.of(person) {
-                let [a, s] = terms::of_counts(model, leads[row as usize], width, answers).slope;
-                spread_out(model, self.counts.pairs[row as usize], a, score);
-                if let Some(i) = model.order_at(n) {
-                    score[i] += a;
-                }
-                if let Some(i) = model.ties_at(n) {
-                    score[i] += s;
-                }
+                let slope = terms::of_counts(model, leads[row as usize], width, answers).slope;
+                to_parameters(model, n, self.counts.pairs[row as usize], slope, score);
             }
         }
         scores

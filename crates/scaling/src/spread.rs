@@ -4,7 +4,7 @@ use crate::{
     Counts, Fit, Model, Outcome, ScalingError,
     cholesky::Factor,
     information::assembled,
-    likelihood::{Penalty, landscape, leads, spread_out},
+    likelihood::{Penalty, landscape, leads, to_parameters},
     people::Ledger,
     terms,
 };
@@ -30,14 +30,8 @@ pub fn by_people(
         let mut score = vec![0.0; fit.parameters.len()];
         for &(row, ref answers) in ledger.of(person) {
             let each = &slopes[row as usize];
-            let [a, s] = [0, 1].map(|k| (0..3).map(|o| answers[o] * each[o][k]).sum::<f64>());
-            spread_out(model, counts.pairs[row as usize], a, &mut score);
-            if let Some(i) = model.order_at(n) {
-                score[i] += a;
-            }
-            if let Some(i) = model.ties_at(n) {
-                score[i] += s;
-            }
+            let slope = [0, 1].map(|k| (0..3).map(|o| answers[o] * each[o][k]).sum::<f64>());
+            to_parameters(model, n, counts.pairs[row as usize], slope, &mut score);
         }
         let moved = model.values(&bread.solved(&score), n);
         variance.iter_mut().zip(moved).for_each(|(sum, d)| *sum += f64::from(times) * d * d);

@@ -15,7 +15,7 @@ from nacreous.scaling.answers import Answers
 from nacreous.scaling.comparisons import Comparisons
 from nacreous.scaling.report.analysis import Study
 
-__all__ = ["csv", "data_csv", "json_text"]
+__all__ = ["csv", "data_csv", "data_options", "json_text"]
 
 _ROLES = ("person", "left", "right", "chosen", "time", "response_s")
 
@@ -120,6 +120,34 @@ def data_csv(study: Study) -> str:
     return _answers_csv(study.answers)
 
 
+def data_options(study: Study) -> list[str]:
+    """What `nacreous scale` must be told to read `data_csv` as it was meant."""
+    answers = study.answers
+    if answers is None:
+        return ["--counts"]
+    tie = _tie_word(answers)
+    words = [] if tie == "tie" else ["--tie", tie]
+    words += [] if answers.sided else ["--no-sides"]
+    return words + (["--repeats"] if _repeats(answers) else [])
+
+
+def _tie_word(answers: Answers) -> str:
+    """A word for ties that is no stimulus."""
+    word = "tie"
+    while word in answers.stimuli:
+        word += "-"
+    return word
+
+
+def _repeats(answers: Answers) -> bool:
+    """Whether nothing tells some answers apart, so that a reader would ask about them."""
+    known = [column for column in (answers.person, answers.time) if column is not None]
+    if not known:
+        return False
+    rows = np.column_stack([answers.left, answers.right, *known])
+    return len(np.unique(rows, axis=0)) < len(rows)
+
+
 def _counts_csv(counts: Comparisons) -> str:
     rows = [
         (label, *(f"{count:.12g}" for count in row))
@@ -135,8 +163,9 @@ def _answers_csv(answers: Answers) -> str:
         columns["person"] = [answers.people[at] for at in answers.person.tolist()]
     columns["left"] = [names[at] for at in answers.left.tolist()]
     columns["right"] = [names[at] for at in answers.right.tolist()]
+    tie = _tie_word(answers)
     columns["chosen"] = [
-        left if outcome == 1 else right if outcome == -1 else "tie"
+        left if outcome == 1 else right if outcome == -1 else tie
         for left, right, outcome in zip(
             columns["left"], columns["right"], answers.outcome.tolist(), strict=True
         )

@@ -80,4 +80,8 @@ class Settings:
         value = getattr(self, name)
         if value == getattr(plain, name):
             return []
-        return [f"--{name}"] if value is True else [f"--{name}", str(value)]
+        if value is True:
+            return [f"--{name}"]
+        # What begins with a dash would be taken for an option.
+        dashed = str(value).startswith("-")
+        return [f"--{name}={value}"] if dashed else [f"--{name}", str(value)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import shlex
 import tomllib
 from base64 import b64encode
 from html import escape
@@ -64,15 +65,19 @@ def again(study: Study, words: Words) -> Html:
         link = _link(name, "text/csv", text) if small else Html("")
         kind = "counts" if study.answers is None else "answers"
         key = f"method.data_{kind}" if small else "method.data_large"
-        flag = "--counts " if study.answers is None else ""
-        sides = "--no-sides " if study.answers is not None and not study.answers.sided else ""
-        command = f"nacreous scale {name} {flag}{sides}-o report.html {options}"
+        flags = shlex.join([*record.data_options(study), "-o", "report.html"])
+        command = f"nacreous scale {name} {flags} {options}"
     scale = _link("scale.csv", "text/csv", record.csv(study))
-    everything = _link("scale.json", "application/json", record.json_text(study))
+    text = record.json_text(study)
+    if len(text) <= MOST_BYTES:
+        everything = _link("scale.json", "application/json", text)
+        numbers = words("method.record", csv=scale, json=everything)
+    else:
+        numbers = words("method.record_large", csv=scale)
     lines = [
         words(key, link=link) if link else words(key),
         Html(f"<code>{escape(command.strip())}</code>"),
-        words("method.record", csv=scale, json=everything),
+        numbers,
         words("method.versions", versions=versions(), seed=study.settings.seed),
     ]
     return Html("".join(f"<p>{line}</p>\n" for line in lines))
