@@ -9,7 +9,7 @@ from scipy.special import log_expit, log_ndtr
 from scipy.stats import chi2
 
 from nacreous.problem import InputError
-from nacreous.scaling import bradley_terry, paper, thurstone
+from nacreous.scaling import Answers, bradley_terry, paper, thurstone
 from nacreous.scaling.groups import compare_groups
 from nacreous.scaling.ratio import cluster_ratio, compare_ratios
 from nacreous.scaling.simulation import simulate
@@ -197,3 +197,40 @@ def test_clusters_that_are_none_are_refused(first, second, message):
     with pytest.raises(InputError) as refusal:
         cluster_ratio(paper(), first, second)
     assert message in str(refusal.value)
+
+
+def test_two_stimuli_are_enough_to_compare_groups():
+    groups = {name: simulate([0.3, 0.0], 40, seed=k) for k, name in enumerate("ab")}
+    found = compare_groups(groups, same_people=False)
+    assert found.df == 1
+    assert 0 < found.p_value <= 1
+
+
+def test_fewer_people_than_stimuli_get_no_wald_test_and_finite_numbers():
+    truth = np.linspace(-1, 1, 20)
+    groups = {name: simulate(truth, 8, seed=k) for k, name in enumerate("ab")}
+    found = compare_groups(groups, same_people=False)
+    assert [test.name for test in found.tests] == ["permutation", "likelihood-ratio"]
+    assert all(np.isfinite(one.se) and one.se > 0 for one in found.differences)
+
+
+def test_a_single_person_tells_nothing_of_how_people_differ():
+    alone = simulate(TRUTH[:3], 1, repeats=30)
+    with pytest.raises(InputError, match="2 or more people"):
+        compare_groups({"a": alone, "b": alone}, same_people=False)
+
+
+def test_people_who_all_answer_alike_are_refused_but_not_their_counts():
+    table = {"left": list("abc") * 4, "right": list("bca") * 4, "chosen": ["tie"] * 12}
+    people = [str(k // 3) for k in range(12)]
+    alike = Answers.of_table({**table, "person": people})
+    with pytest.raises(InputError, match="all people answered alike"):
+        compare_groups({"a": alike, "b": alike}, same_people=True)
+    counts = alike.comparisons()
+    assert compare_groups({"a": counts, "b": counts}).p_value == pytest.approx(1)
+
+
+def test_refusals_offer_no_prior_which_tests_do_not_have():
+    with pytest.raises(InputError) as refusal:
+        compare_groups({"a": BEFORE, "b": np.triu(AFTER)})
+    assert "prior" not in str(refusal.value)
