@@ -10,6 +10,7 @@ from scipy.stats import chi2
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, bradley_terry, paper, thurstone
+from nacreous.scaling.estimate import estimate
 from nacreous.scaling.groups import compare_groups
 from nacreous.scaling.ratio import cluster_ratio, compare_ratios
 from nacreous.scaling.simulation import simulate
@@ -135,6 +136,17 @@ def test_ties_and_side_are_part_of_the_hypothesis():
     # Two sides of 0.6: about 1200 answers each, whose odds differ.
     ratios = [found.test("likelihood-ratio").statistic for found in (plain, sided)]
     assert ratios[1] > ratios[0] + 50
+
+
+def test_errors_are_those_of_statsmodels():
+    """GLM of statsmodels 0.15.0, clusters by person, use_correction=False, times sqrt(40 / 39)."""
+    scale = np.array([0.3, 0.85, 0.3, 0.4, -0.3, -0.6, -0.95])
+    found = estimate(simulate(scale, 40, person_spread=0.6, seed=3))
+    values = [0.21353463, 0.76990702, 0.28212722, 0.29638984, -0.33160042, -0.51256743, -0.71779087]
+    errors = [0.09158638, 0.11467733, 0.10646469, 0.07800875, 0.09407185, 0.10566183, 0.11118176]
+    assert found.fit.scale == pytest.approx(values, abs=1e-7)
+    assert np.sqrt(np.diag(found.covariance)) == pytest.approx(errors, abs=1e-7)
+    assert found.covariance == pytest.approx(found.fit.covariance("people"), abs=1e-12)
 
 
 def test_fits_are_those_of_each_group_alone():
