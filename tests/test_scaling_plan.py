@@ -68,7 +68,7 @@ def test_people_needed_reach_the_power_asked_for():
 
 def test_alike_stimuli_need_more_people_than_there_are(monkeypatch):
     monkeypatch.setattr("nacreous.scaling.plan._MOST_PEOPLE", 2000)
-    with pytest.raises(InputError, match="2000 people would not .* stimuli that differ more"):
+    with pytest.raises(InputError, match=r"2000 people would not .* stimuli that differ more"):
         Plan([0.0, 0.0, 0.5], 200).people_needed("1", "2", studies=20)
 
 
