@@ -233,6 +233,14 @@ def test_two_stimuli_make_a_report_without_a_test_of_fit():
     assert "一つの尺度" in told(found, "ja")
 
 
+def test_one_answer_a_pair_is_said_to_be_too_few_to_test_the_fit():
+    table = {"left": [*"abca"], "right": [*"bcdd"], "chosen": [*"abcd"]}
+    found = nc.scaling.study(nc.scaling.Answers.of_table(table), bootstrap=0)
+    assert found.goodness.describes is None
+    assert "too few answers a pair" in told(found)
+    assert "G² =" not in told(found)
+
+
 def test_people_are_resampled_where_they_are_known(answered):
     assert answered.doubt.by == "people"
     assert "drawing the 25 people anew" in told(answered)
