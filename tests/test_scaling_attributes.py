@@ -44,6 +44,23 @@ def test_coefficients_are_those_of_a_general_optimiser(answers, model, log_chanc
     assert found.bic == pytest.approx(2 * peer.fun + 2 * np.log(len(answers)))
 
 
+@pytest.mark.parametrize(
+    ("model", "values", "errors"),
+    [
+        ("probit", [0.8304005, 0.00894491], [0.0803369, 0.08130669]),
+        ("logit", [1.38075971, 0.01563109], [0.14261077, 0.13617573]),
+    ],
+)
+def test_weights_and_errors_are_those_of_statsmodels(model, values, errors):
+    """GLM of statsmodels 0.15.0, clusters by person, use_correction=False, times sqrt(40 / 39)."""
+    scale = np.array([0.3, 0.85, 0.3, 0.4, -0.3, -0.6, -0.95])
+    table = {str(k + 1): {"x": float(scale[k]), "odd": float(k % 2)} for k in range(7)}
+    answers = simulate(scale, 40, person_spread=0.6, seed=3)
+    found = fit_attributes(answers, table, model=model)
+    assert [one.value for one in found.weights] == pytest.approx(values, abs=1e-7)
+    assert [one.se for one in found.weights] == pytest.approx(errors, abs=1e-7)
+
+
 def test_as_many_attributes_as_can_be_are_the_free_scale(answers):
     table = {label: {str(j): float(i == j) for j in range(7)} for i, label in enumerate(LABELS)}
     found = fit_attributes(answers, table)

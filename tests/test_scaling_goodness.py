@@ -81,7 +81,7 @@ def test_where_case_v_holds_the_statistics_are_chi_squared():
     assert found[0].advice == ""
 
 
-@pytest.mark.parametrize("answers", [2, 5, 15])
+@pytest.mark.parametrize("answers", [3, 5, 15])
 def test_few_answers_a_pair_condemn_no_model(answers):
     """Simulated: where case V holds, about one study in twenty may be refused, and not nearly all,
     as by G2 with few answers."""
@@ -103,6 +103,18 @@ def test_few_answers_a_pair_condemn_no_model(answers):
     assert len(refused) > 200
     assert 0.01 < np.mean(refused) < 0.1
     assert answers > 5 or np.mean(by_g2) > 0.2
+
+
+def test_one_answer_a_pair_tells_nothing_of_the_fit():
+    random = np.random.default_rng(9)
+    counts = np.triu(random.integers(0, 2, (30, 30)), 1)
+    counts += np.tril(1 - counts.T, -1)
+    found = goodness(bradley_terry(counts))
+    assert found.describes is None
+    assert found.verdict.startswith(
+        "too few answers a pair to tell whether the Bradley-Terry model"
+    )
+    assert found.advice == ""
 
 
 def test_two_stimuli_leave_nothing_to_test():

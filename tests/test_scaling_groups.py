@@ -9,7 +9,8 @@ from scipy.special import log_expit, log_ndtr
 from scipy.stats import chi2
 
 from nacreous.problem import InputError
-from nacreous.scaling import bradley_terry, paper, thurstone
+from nacreous.scaling import Answers, bradley_terry, paper, thurstone
+from nacreous.scaling.estimate import estimate
 from nacreous.scaling.groups import compare_groups
 from nacreous.scaling.ratio import cluster_ratio, compare_ratios
 from nacreous.scaling.simulation import simulate
@@ -137,6 +138,17 @@ def test_ties_and_side_are_part_of_the_hypothesis():
     assert ratios[1] > ratios[0] + 50
 
 
+def test_errors_are_those_of_statsmodels():
+    """GLM of statsmodels 0.15.0, clusters by person, use_correction=False, times sqrt(40 / 39)."""
+    scale = np.array([0.3, 0.85, 0.3, 0.4, -0.3, -0.6, -0.95])
+    found = estimate(simulate(scale, 40, person_spread=0.6, seed=3))
+    values = [0.21353463, 0.76990702, 0.28212722, 0.29638984, -0.33160042, -0.51256743, -0.71779087]
+    errors = [0.09158638, 0.11467733, 0.10646469, 0.07800875, 0.09407185, 0.10566183, 0.11118176]
+    assert found.fit.scale == pytest.approx(values, abs=1e-7)
+    assert np.sqrt(np.diag(found.covariance)) == pytest.approx(errors, abs=1e-7)
+    assert found.covariance == pytest.approx(found.fit.covariance("people"), abs=1e-12)
+
+
 def test_fits_are_those_of_each_group_alone():
     found = compare_groups({"a": BEFORE, "b": AFTER}, model="logit")
     assert found.fits["b"].scale == pytest.approx(bradley_terry(AFTER).scale)
@@ -197,3 +209,40 @@ def test_clusters_that_are_none_are_refused(first, second, message):
     with pytest.raises(InputError) as refusal:
         cluster_ratio(paper(), first, second)
     assert message in str(refusal.value)
+
+
+def test_two_stimuli_are_enough_to_compare_groups():
+    groups = {name: simulate([0.3, 0.0], 40, seed=k) for k, name in enumerate("ab")}
+    found = compare_groups(groups, same_people=False)
+    assert found.df == 1
+    assert 0 < found.p_value <= 1
+
+
+def test_fewer_people_than_stimuli_get_no_wald_test_and_finite_numbers():
+    truth = np.linspace(-1, 1, 20)
+    groups = {name: simulate(truth, 8, seed=k) for k, name in enumerate("ab")}
+    found = compare_groups(groups, same_people=False)
+    assert [test.name for test in found.tests] == ["permutation", "likelihood-ratio"]
+    assert all(np.isfinite(one.se) and one.se > 0 for one in found.differences)
+
+
+def test_a_single_person_tells_nothing_of_how_people_differ():
+    alone = simulate(TRUTH[:3], 1, repeats=30)
+    with pytest.raises(InputError, match="2 or more people"):
+        compare_groups({"a": alone, "b": alone}, same_people=False)
+
+
+def test_people_who_all_answer_alike_are_refused_but_not_their_counts():
+    table = {"left": list("abc") * 4, "right": list("bca") * 4, "chosen": ["tie"] * 12}
+    people = [str(k // 3) for k in range(12)]
+    alike = Answers.of_table({**table, "person": people})
+    with pytest.raises(InputError, match="all people answered alike"):
+        compare_groups({"a": alike, "b": alike}, same_people=True)
+    counts = alike.comparisons()
+    assert compare_groups({"a": counts, "b": counts}).p_value == pytest.approx(1)
+
+
+def test_refusals_offer_no_prior_which_tests_do_not_have():
+    with pytest.raises(InputError) as refusal:
+        compare_groups({"a": BEFORE, "b": np.triu(AFTER)})
+    assert "prior" not in str(refusal.value)

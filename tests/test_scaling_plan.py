@@ -56,19 +56,20 @@ def test_people_who_differ_take_power_away():
 
 
 def test_people_needed_reach_the_power_asked_for():
-    needed = Plan(TRUTH, 10).people_needed("a", "b", power=0.9, seed=2)
+    needed = Plan(TRUTH, 10).people_needed("a", "b", power=0.9, studies=600, seed=2)
     assert needed.low <= needed.people <= needed.high
     again = Plan(TRUTH, needed.people).power("a", "b", studies=2000, seed=11)
     assert again.power == pytest.approx(0.9, abs=0.03)
     # It does not matter where the search starts.
-    assert Plan(TRUTH, 400).people_needed("a", "b", power=0.9).people == pytest.approx(
+    assert Plan(TRUTH, 400).people_needed("a", "b", power=0.9, studies=600).people == pytest.approx(
         needed.people, rel=0.12
     )
 
 
-def test_alike_stimuli_need_more_people_than_there_are():
-    with pytest.raises(InputError, match="allowed: stimuli that differ more"):
-        Plan([0.0, 0.0, 0.5], 200).people_needed("1", "2", studies=10)
+def test_alike_stimuli_need_more_people_than_there_are(monkeypatch):
+    monkeypatch.setattr("nacreous.scaling.plan._MOST_PEOPLE", 2000)
+    with pytest.raises(InputError, match=r"2000 people would not .* stimuli that differ more"):
+        Plan([0.0, 0.0, 0.5], 200).people_needed("1", "2", studies=20)
 
 
 @pytest.mark.parametrize(

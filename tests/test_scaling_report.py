@@ -233,12 +233,49 @@ def test_two_stimuli_make_a_report_without_a_test_of_fit():
     assert "一つの尺度" in told(found, "ja")
 
 
+def test_one_answer_a_pair_is_said_to_be_too_few_to_test_the_fit():
+    table = {"left": [*"abca"], "right": [*"bcdd"], "chosen": [*"abcd"]}
+    found = nc.scaling.study(nc.scaling.Answers.of_table(table), bootstrap=0)
+    assert found.goodness.describes is None
+    assert "too few answers a pair" in told(found)
+    assert "G² =" not in told(found)
+
+
 def test_people_are_resampled_where_they_are_known(answered):
     assert answered.doubt.by == "people"
     assert "drawing the 25 people anew" in told(answered)
     unknown = nc.scaling.study(survey().comparisons(), bootstrap=100)
     assert unknown.doubt.by == "answers"
     assert "the true margins are wider" in told(unknown)
+
+
+HARD = {
+    "one person": {"left": [*"aabbca"], "right": [*"bccaab"], "chosen": [*"acbaab"]},
+    "ties only": {"left": ["a", "b"], "right": ["b", "c"], "chosen": ["tie", "tie"]},
+}
+
+
+@pytest.mark.parametrize("case", HARD)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_hard_cases_make_a_report_without_nan(case, language):
+    count = len(HARD[case]["left"])
+    table = HARD[case] | {"person": ["x"] * count, "time": list(range(count))}
+    found = nc.scaling.study(nc.scaling.Answers.of_table(table), bootstrap=100)
+    said = told(found, language)
+    for word in ("nan", "inf ", "None"):
+        assert word not in said
+    assert found.doubt.by == "answers"
+    json.loads(found.text("a.json"))
+
+
+def test_a_prior_places_what_the_answers_alone_do_not():
+    pairs = [("a", "b")] * 5 + [("b", "c")]
+    with pytest.raises(nc.InputError, match="no scale holds"):
+        nc.scaling.study(pairs)
+    found = nc.scaling.study(pairs, prior=1.0, bootstrap=100)
+    assert found.ranking == ["a", "b", "c"]
+    assert "drawn together by a normal prior with spread 1" in told(found)
+    assert "(Ford)" not in told(found)
 
 
 def test_few_people_are_said_to_be_few():

@@ -6,7 +6,7 @@ from scipy.stats import kendalltau, pearsonr, spearmanr
 
 from nacreous.problem import InputError
 from nacreous.scaling import paper, thurstone
-from nacreous.scaling.alignment import align
+from nacreous.scaling.alignment import align, shifts
 from nacreous.scaling.sets import compare_sets
 from nacreous.scaling.simulation import simulate
 
@@ -107,3 +107,33 @@ def test_sets_that_cannot_be_compared_are_refused():
     flat = np.full((4, 4), 5) - 5 * np.eye(4, dtype=int)
     with pytest.raises(InputError, match=r"alike; no order to compare"):
         compare_sets(flat, flat)
+
+
+def test_offsets_are_those_from_the_line_without_the_stimulus():
+    """All at once, against each line laid anew; errors everywhere alike."""
+    random = np.random.default_rng(8)
+    x, y = (TRUTH + random.normal(0, 0.1, 7) for _ in range(2))
+    joint = np.diag(np.full(14, 0.1**2))
+    found = shifts(x, y, joint, align(x, y, joint, 0.95).value, 0.95, np.inf)
+    for k in range(7):
+        others = np.arange(7) != k
+        both = np.diag(np.full(12, 0.1**2))
+        slope = align(x[others], y[others], both, 0.95).value
+        off = y - slope * x
+        assert found.value[k] == pytest.approx(off[k] - off[others].mean(), abs=0.03)
+
+
+def test_more_stimuli_than_people_give_finite_answers():
+    truth = np.random.default_rng(2).normal(0, 0.7, 40)
+    one, two = (simulate(truth, 15, seed=seed) for seed in (1, 2))
+    found = compare_sets(one, two, same_people=False)
+    assert found.slope.low < 1 < found.slope.high
+    assert found.p_value > 0.001
+    assert len(found.moved) <= 1
+    assert all(np.isfinite(move.se) for move in found.moves)
+
+
+def test_a_set_without_a_scale_leaves_the_slope_unbounded_or_wide():
+    flat = simulate(np.zeros(4), 10, seed=2)
+    found = compare_sets(simulate([0.05, 0.0, 0.0, 0.0], 10, seed=1), flat, same_people=False)
+    assert found.slope.low is None or found.slope.high is None

@@ -6,7 +6,7 @@ from scipy.stats import studentized_range
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, bradley_terry, paper, thurstone
-from nacreous.scaling.uncertainty import largest_of_normal
+from nacreous.scaling.uncertainty import inverse, largest_of_normal
 
 
 def study(seed, people=40, stimuli=5, spread=0.5):
@@ -199,3 +199,15 @@ def test_one_person_has_no_clusters():
     fit = thurstone(mixed, prior=1.0)
     with pytest.raises(InputError, match="those of 1 person; allowed: 2 or more"):
         fit.bootstrap(10)
+
+
+def test_large_and_small_matrices_are_inverted_alike():
+    random = np.random.default_rng(3)
+    half = random.standard_normal((300, 900))
+    matrix = half @ half.T
+    assert np.abs(inverse(matrix) @ matrix - np.eye(300)).max() < 1e-10
+    small = matrix[:150, :150]
+    assert np.abs(inverse(small) @ small - np.eye(150)).max() < 1e-10
+    for size in (150, 300):
+        with pytest.raises(InputError, match="unknown"):
+            inverse(np.ones((size, size)) * 2 - np.eye(size))

@@ -28,11 +28,12 @@ if TYPE_CHECKING:
     from nacreous.scaling.design import Design, cyclic_design, full_design, random_design
     from nacreous.scaling.example import paper, paper_proportions
     from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
+    from nacreous.scaling.forecast import Needed, Power, Precision
     from nacreous.scaling.groups import GroupComparison, GroupDifference, GroupTest, compare_groups
     from nacreous.scaling.kendall import Agreement, agreement
     from nacreous.scaling.misfit import Goodness, Misfit, goodness
     from nacreous.scaling.person import PersonalTriads, triads_by_person
-    from nacreous.scaling.plan import Needed, Plan, Power, Precision
+    from nacreous.scaling.plan import Plan
     from nacreous.scaling.ratio import ClusterRatio, RatioChange, cluster_ratio, compare_ratios
     from nacreous.scaling.repetition import Retest, retest
     from nacreous.scaling.report.analysis import Study, study
@@ -66,12 +67,12 @@ _HOME = {
     "GroupDifference": "groups",
     "GroupTest": "groups",
     "Misfit": "misfit",
-    "Needed": "plan",
+    "Needed": "forecast",
     "NextPair": "selection",
     "PersonalTriads": "person",
     "Plan": "plan",
-    "Power": "plan",
-    "Precision": "plan",
+    "Power": "forecast",
+    "Precision": "forecast",
     "Prediction": "attribute_line",
     "RatioChange": "ratio",
     "ResponseTime": "response",

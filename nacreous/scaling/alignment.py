@@ -17,7 +17,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.estimate import pseudo_inverse
 from nacreous.scaling.side import holm
 
 __all__ = ["Alignment", "Shifts", "align", "shifts"]
@@ -105,15 +104,17 @@ def _offsets(
     x: Array, y: Array, joint: Array, moved: NDArray[np.bool_], slope: float
 ) -> tuple[Array, Array]:
     """Each stimulus's offset from the line through the other unmoved ones, with its error."""
-    size = len(x)
-    value, se = np.empty(size), np.empty(size)
-    for k in range(size):
-        kept = np.flatnonzero(~moved & (np.arange(size) != k))
-        line = _Line(x, y, joint, kept)
-        angle = line.angle_near(float(np.arctan(slope)), np.pi / 6)
-        direction = line.direction(k, float(np.tan(angle)))
-        value[k] = line.apart(k, float(np.tan(angle))) @ (y - np.tan(angle) * x)
-        se[k] = np.sqrt(direction @ line.spread(float(np.tan(angle))) @ direction)
+    kept = np.flatnonzero(~moved)
+    line = _Line(x, y, joint, kept)
+    own = float(np.tan(line.angle_near(float(np.arctan(slope)), np.pi / 6)))
+    off = y - own * x
+    value, se = np.empty(len(x)), np.empty(len(x))
+    value[kept], se[kept] = line.left_out(off, own)
+    for k in np.flatnonzero(moved):
+        apart = line.apart(int(k), own)
+        direction = line.direction(apart, own)
+        value[k] = apart @ off
+        se[k] = np.sqrt(direction @ line.spread(own) @ direction)
     return value, se
 
 
@@ -149,22 +150,41 @@ class _Line:
 
         bounds = (max(angle - reach, -np.pi / 2 + 1e-9), min(angle + reach, np.pi / 2 - 1e-9))
         found = minimize_scalar(
-            self.misfit, bounds=bounds, method="bounded", options={"xatol": 1e-9}
+            self.misfit, bounds=bounds, method="bounded", options={"xatol": 1e-8}
         )
         return float(found.x)
+
+    def left_out(self, off: Array, slope: float) -> tuple[Array, Array]:
+        """Offset of each of the line's stimuli from the line without it, and its error.
+
+        All at once: least squares with a term for one stimulus gives (P off)_k / P_kk with variance
+        1 / P_kk, P what the line leaves of the inverse covariance (Cook and Weisberg 1982, 2.2).
+        The line's x are freed of the noise that they share with the offsets.
+        """
+        spread = self.spread(slope)
+        inner = spread[np.ix_(self._kept, self._kept)] + np.trace(spread) / len(spread)
+        inverse = np.linalg.inv(inner)
+        with_x = (self._blocks[1] / 2 - slope * self._blocks[2])[np.ix_(self._kept, self._kept)]
+        residual = off[self._kept] - off[self._kept] @ inverse.sum(axis=1) / inverse.sum()
+        freed = self._x[self._kept] - with_x @ inverse @ residual
+        line = np.column_stack([np.ones(len(inner)), freed])
+        weighed = inverse @ line
+        left = inverse - weighed @ np.linalg.pinv(line.T @ weighed, hermitian=True) @ weighed.T
+        own = np.maximum(np.diag(left), 1e-12 / np.diag(inner))
+        return (left @ residual) / own, 1 / np.sqrt(own)
 
     def apart(self, k: int, slope: float) -> Array:
         """Weights that take from stimulus k the best guess of the line's constant."""
         spread = self.spread(slope)
-        inverse = pseudo_inverse(spread[np.ix_(self._kept, self._kept)] + np.trace(spread))
+        inner = spread[np.ix_(self._kept, self._kept)] + np.trace(spread) / len(spread)
+        sums = np.linalg.solve(inner, np.ones(len(inner)))
         weights = np.zeros(len(spread))
-        weights[self._kept] = -inverse.sum(axis=1) / inverse.sum()
+        weights[self._kept] = -sums / sums.sum()
         weights[k] += 1.0
         return weights
 
-    def direction(self, k: int, slope: float) -> Array:
-        """Weights of the errors of y - slope x in the offset of k, also by way of the slope."""
-        apart = self.apart(k, slope)
+    def direction(self, apart: Array, slope: float) -> Array:
+        """Weights of the errors of y - slope x in that offset, also by way of the slope."""
         along = self._ends[1]
         across = np.linalg.solve(self._contrasts @ self.spread(slope) @ self._contrasts.T, along)
         gain = across / max(float(along @ across), 1e-12)

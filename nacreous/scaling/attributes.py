@@ -20,9 +20,7 @@ from numpy.typing import NDArray
 from nacreous.problem import InputError
 from nacreous.scaling.attribute_line import Line, Prediction
 from nacreous.scaling.attribute_table import AttributeTable, check_columns
-from nacreous.scaling.bradley import bradley_terry
-from nacreous.scaling.case_v import thurstone
-from nacreous.scaling.estimate import Estimate, estimate, hotelling, names_of
+from nacreous.scaling.estimate import Estimate, estimate, fit_of, hotelling, names_of
 from nacreous.scaling.fault import listed
 from nacreous.scaling.maximum_likelihood import counted
 from nacreous.scaling.scale import Scale
@@ -147,9 +145,8 @@ def fit_attributes(
     data, comparisons = counted(data)
     line = Line.through(table, parts, comparisons.stimuli, standardise)
     check_columns(line.columns, names)
-    fitted = thurstone if model == "probit" else bradley_terry
     # In steps of each column's spread, so that units do not cost digits.
-    fit = fitted(data, ties=ties, order=order, design=line.columns / line.steps)
+    fit = fit_of(data, model, ties=ties, order=order, design=line.columns / line.steps)
     free = _free(data, model, ties, order)
     clustered = fit.answers is not None and fit.answers.person is not None
     freedom = len(names_of(fit.answers)) - 1.0 if fit.answers and clustered else np.inf

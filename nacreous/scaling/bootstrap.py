@@ -36,7 +36,8 @@ class Bootstrap:
     - `samples`: float64 [sample, n], each with mean 0, in `unit`
     - `scale`: float64 [n], the fit to all answers
     - `by`: "people" or "answers", what was drawn
-    - `without_maximum`: how many samples had no finite scale of their own, see above
+    - `without_maximum`: how many samples had no finite scale of their own, see above; where they
+      are more than a few of a hundred, ends of intervals rest on that prior, and are open in truth
     - `order_effects`, `tie_thresholds`: float64 [sample], as in `Scale`; None where not fitted
 
     >>> from nacreous.scaling import paper, thurstone

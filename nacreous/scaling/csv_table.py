@@ -28,7 +28,6 @@ def parse_csv(place: str, content: bytes, header: bool = True) -> list[tuple[str
     are left out.
     """
     import pyarrow as pa
-    from pyarrow import csv
 
     check_text(place, content)
     content = content.lstrip(b"\r\n")
@@ -36,38 +35,46 @@ def parse_csv(place: str, content: bytes, header: bool = True) -> list[tuple[str
     if not first.strip():
         raise InputError(f"{place}: is empty; allowed: a line of column names, then answers")
     separator = max((b",", b";", b"\t"), key=first.count).decode()
+    names = _cells(first, separator)
+    if header:
+        _check_names(place, names)
+    else:
+        names = [f"f{index}" for index in range(len(names))]
     ragged: list[_Ragged] = []
+    try:
+        columns = _columns(content, names, separator, header, ragged)
+    except pa.ArrowInvalid as problem:
+        raise InputError(f"{place}: is no CSV file that can be read ({problem})") from problem
+    _refuse(place, ragged, len(names))
+    return list(zip(names, columns, strict=True))
+
+
+def _columns(
+    content: bytes, names: list[str], separator: str, header: bool, ragged: list[_Ragged]
+) -> list[Any]:
+    """The columns as text, empty cells null; rows of another length go to `ragged`."""
+    import pyarrow as pa
+    from pyarrow import csv
 
     def skip(row: Any) -> str:
         ragged.append(_Ragged(row.number or 0, row.actual_columns))
         return "skip"
 
-    try:
-        names = _cells(first, separator)
-        if header:
-            _check_names(place, names)
-        else:
-            names = [f"f{index}" for index in range(len(names))]
-        table = csv.read_csv(
-            pa.BufferReader(content),
-            # One thread: only so are the rows that do not fit numbered.
-            read_options=csv.ReadOptions(
-                use_threads=False, column_names=names, skip_rows=int(header)
-            ),
-            parse_options=csv.ParseOptions(
-                delimiter=separator, newlines_in_values=True, invalid_row_handler=skip
-            ),
-            convert_options=csv.ConvertOptions(
-                column_types=dict.fromkeys(names, pa.large_string()),
-                null_values=[""],
-                strings_can_be_null=True,
-                quoted_strings_can_be_null=True,
-            ),
-        )
-    except pa.ArrowInvalid as problem:
-        raise InputError(f"{place}: is no CSV file that can be read ({problem})") from problem
-    _refuse(place, ragged, len(names))
-    return list(zip(names, table.columns, strict=True))
+    table = csv.read_csv(
+        pa.BufferReader(content),
+        # One thread: only so are the rows that do not fit numbered.
+        read_options=csv.ReadOptions(use_threads=False, column_names=names, skip_rows=int(header)),
+        parse_options=csv.ParseOptions(
+            delimiter=separator, newlines_in_values=True, invalid_row_handler=skip
+        ),
+        convert_options=csv.ConvertOptions(
+            column_types=dict.fromkeys(names, pa.large_string()),
+            null_values=[""],
+            strings_can_be_null=True,
+            quoted_strings_can_be_null=True,
+        ),
+    )
+    return list(table.columns)
 
 
 def check_text(place: str, content: bytes) -> None:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 #: With more than a fifth of the expected counts below 5, G2 is no chi-squared (Cochran 1954).
 LEAST_EXPECTED = 5.0
 MOST_SPARSE = 0.2
+#: With fewer answers a pair on average, no statistic here can tell.
+LEAST_ANSWERS = 2.0
 #: The variance of an angle in square degrees is 821 over the number of answers, Mosteller's (4).
 MOSTELLER = 821.0
 #: Beyond, residuals are not divided by what the fit leaves free of them: that takes n³ steps.
@@ -42,7 +44,7 @@ class Goodness:
 
     - `g2`, `g2_p_value`: the likelihood-ratio statistic against one free share a pair (deviance)
     - `x2`, `x2_p_value`: Pearson's chi-squared; its p-value is from a chi-squared scaled to the
-      variance that it has with so few answers, and holds down to one answer a pair
+      mean and variance that it has with so few answers, and holds down to 3 answers a pair
     - `mosteller`, `mosteller_p_value`: F. Mosteller's test (Psychometrika 16, 1951), which compares
       shares as angles, the arcsines of their roots; None for fits with ties or an order effect
     - `df`: degrees of freedom of all three: free shares less fitted values. 0: nothing to test, and
@@ -58,7 +60,7 @@ class Goodness:
     - `sparse`: the share of pairs with an expected count below 5, for which the p-values of g2 and
       of Mosteller's test are too small
     - `describes`: whether g2, or x2 where more than a fifth of pairs are sparse, leaves the model
-      standing at `level`; None without df
+      standing at `level`; None without df, or with fewer than 2 answers a pair
     - `verdict`: the same in words; `advice`: what follows for the errors of the scale, or ""
     """
 
@@ -100,11 +102,12 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
     g2, x2 = cells.g2, cells.x2
     mosteller = _mosteller(cells) if plain else None
     g2_p_value, mosteller_p_value = _p_value(g2, df), _p_value(mosteller, df)
-    x2_p_value = _p_value(x2, df, cells.x2_variance)
+    x2_p_value = _p_value(x2, df, *cells.x2_moments)
     sparse = float(np.mean((cells.expected[:, : cells.outcomes] < LEAST_EXPECTED).any(axis=1)))
     few = sparse > MOST_SPARSE
     decisive = x2_p_value if few else g2_p_value
-    describes = None if decisive is None else decisive >= 1 - level
+    enough = float(np.mean(cells.total)) >= LEAST_ANSWERS
+    describes = None if decisive is None or not enough else decisive >= 1 - level
     residuals = _matrix(cells, cells.residuals)
     free = _free(fit, cells) if plain and cells.floating and _most_likely(fit) else None
     largest = _largest(cells, cells.residuals)
@@ -123,7 +126,7 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
         largest=largest,
         sparse=sparse,
         describes=describes,
-        verdict=_verdict(_MODELS[fit.model], describes, largest),
+        verdict=_verdict(_MODELS[fit.model], describes, df, largest),
         advice=_advice("X2" if few else "G2", describes, overdispersion),
     )
 
@@ -133,14 +136,18 @@ def _most_likely(fit: Scale) -> bool:
     return fit.method == "maximum-likelihood" and fit.prior is None
 
 
-def _p_value(statistic: float | None, df: int, variance: float | None = None) -> float | None:
-    """From chi-squared, scaled so that its mean is df and its variance as given (else 2 df)."""
+def _p_value(
+    statistic: float | None, df: int, mean: float | None = None, variance: float = 0.0
+) -> float | None:
+    """From chi-squared with df, or from one scaled to a mean and a variance."""
     from scipy.stats import chi2
 
     if statistic is None or df == 0:
         return None
-    scale = 1.0 if variance is None else max(variance, 1e-9) / (2 * df)
-    return float(chi2.sf(statistic / scale, df / scale))
+    if mean is None:
+        return float(chi2.sf(statistic, df))
+    scale = max(variance, 1e-9) / (2 * mean)
+    return float(chi2.sf(statistic / scale, mean / scale))
 
 
 def _mosteller(cells: Cells) -> float:
@@ -196,7 +203,9 @@ def _largest(cells: Cells, residuals: NDArray[np.float64]) -> Misfit:
     return Misfit(first, second, observed, expected, residual)
 
 
-def _verdict(model: str, describes: bool | None, largest: Misfit) -> str:
+def _verdict(model: str, describes: bool | None, df: int, largest: Misfit) -> str:
+    if describes is None and df > 0:
+        return f"too few answers a pair to tell whether {model} describes them"
     if describes is None:
         return f"nothing to test: {model} has as many values as there are shares"
     if describes:

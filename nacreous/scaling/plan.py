@@ -7,8 +7,8 @@ being simulated a finite number of times (Monte-Carlo error).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -19,11 +19,12 @@ from nacreous.scaling.answers import Answers
 from nacreous.scaling.estimate import Estimate, estimate, fit_of
 from nacreous.scaling.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.fault import listed, quoted
+from nacreous.scaling.forecast import Needed, Power, Precision
 from nacreous.scaling.permutation import permutation_test
 from nacreous.scaling.pool import pooled
 from nacreous.scaling.simulation import Pairs, seed_of, simulate, truth_of, whole, within
 
-__all__ = ["Needed", "Plan", "Power", "Precision"]
+__all__ = ["Plan"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -31,67 +32,6 @@ Progress = Callable[[float], None]
 _MOST_PEOPLE = 100_000
 #: People are dealt anew this often in a simulated test of groups: enough to know p at 5 %.
 _DEALS = 399
-
-
-@dataclass(frozen=True)
-class Power:
-    """Share of simulated studies that find what is there.
-
-    power     the share, with its Monte-Carlo standard error `se`
-    studies   how many were simulated; people: how many simulated observers each had (a group)
-    unplaced  share of studies whose answers give no scale; they count as not having found it
-    """
-
-    power: float
-    se: float
-    studies: int
-    people: int
-    unplaced: float
-    simulated: bool = field(default=True, init=False)
-
-    def __str__(self) -> str:
-        """In one line, with what it rests on."""
-        return (
-            f"power {self.power:.3f} +- {self.se:.3f} "
-            f"({self.people} people; simulated, {self.studies} studies)"
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Precision:
-    """How far fitted values are off, from simulated studies; float64 [stimulus] each.
-
-    error       root mean square of fitted value less the value that endless answers would give
-    error_se    its Monte-Carlo standard error
-    half_width  mean half width of the interval of each value
-    coverage    share of intervals that hold the value
-    """
-
-    stimuli: tuple[str, ...]
-    error: Array
-    error_se: Array
-    half_width: Array
-    coverage: Array
-    level: float
-    studies: int
-    people: int
-    unplaced: float
-    simulated: bool = field(default=True, init=False)
-
-
-@dataclass(frozen=True)
-class Needed:
-    """How many people a study needs: `people`, and low..high by Monte-Carlo error (95 %).
-
-    power: of a study with so many people, from fresh simulated studies.
-    """
-
-    people: int
-    low: int
-    high: int
-    target: float
-    power: Power
-    simulated: bool = field(default=True, init=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -308,7 +248,7 @@ def _differ(found: Estimate, i: int, j: int, alpha: float) -> bool:
     return bool(lead > stdtrit(found.freedom, 1 - alpha / 2) * se)
 
 
-def _studies(studies: int, seed: int, progress: Progress | None) -> Any:
+def _studies(studies: int, seed: int, progress: Progress | None) -> Iterator[int]:
     """Seeds of so many studies, unlike those of other seeds."""
     whole("studies", studies, 10, 1_000_000)
     start = np.random.SeedSequence(seed_of(seed)).generate_state(1, np.uint64)[0]

@@ -88,11 +88,13 @@ def cluster_ratio(
     first, second  labels; together three or more, none twice. Other stimuli are left aside.
 
     The interval is Fieller's (1954) for the ratio of the squares, both freed of what noise adds,
-    with people as clusters where they are known. (Of a bootstrap the scales are noisier, hence
-    their clusters wider, than the scale itself; its intervals of tight clusters sat too low, and
-    covered 80 % instead of 95 % in simulations.) Raises `InputError` for labels that are not there,
-    and where the first cluster does not stand higher or nothing is spread, so that there is no
-    ratio.
+    with people as clusters where they are known. In 500 simulated studies each (the paper's scale,
+    people spread 0.5 z) it covered 97 % with 104 people and 93 % with 50, and 93 % for clusters
+    a third as wide. Percentiles of a bootstrap over people covered 93, 90 and 68 %: resampled
+    scales are noisier than the scale, so that their clusters are wider and their ratios too small.
+
+    Raises `InputError` for labels that are not there, and where the first cluster does not stand
+    higher or nothing is spread, so that there is no ratio.
 
     >>> from nacreous.scaling.simulation import simulate
     >>> answers = simulate([1.1, 0.8, 0.5, -0.5, -0.8, -1.1], people=200)

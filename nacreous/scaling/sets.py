@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.alignment import Alignment, Shifts, align, shifts
-from nacreous.scaling.estimate import estimates, shared_people, spread_over
+from nacreous.scaling.estimate import estimates, firm_spread_over, shared_people
 from nacreous.scaling.fault import quoted
 from nacreous.scaling.scale import Scale
 from nacreous.scaling.simulation import check_model, seed_of, whole, within
@@ -24,6 +24,9 @@ from nacreous.scaling.simulation import check_model, seed_of, whole, within
 __all__ = ["Coefficient", "Move", "SetComparison", "compare_sets"]
 
 Array = NDArray[np.float64]
+
+#: Values at a time, 32 MB of them.
+_AT_ONCE = 1 << 22
 
 
 @dataclass(frozen=True)
@@ -143,7 +146,7 @@ def compare_sets(
             raise InputError(
                 f"{name}: all stimuli of {quoted(name)} are alike; no order to compare"
             )
-    joint = spread_over(found, same)
+    joint = firm_spread_over(found, same)
     freedom = min(each.freedom for each in found.values())
     whole_set = align(one.scale, two.scale, joint, level)
     offsets = shifts(one.scale, two.scale, joint, whole_set.value, level, freedom)
@@ -185,7 +188,12 @@ def _coefficient(
     level: float,
 ) -> Coefficient:
     value = float(measure(one, two))
-    ends = np.quantile(measure(*draws), [(1 - level) / 2, (1 + level) / 2])
+    at_once = max(1, _AT_ONCE // len(one) ** 2)  # pairs of stimuli, for Kendall's
+    parts = [
+        measure(draws[0][start : start + at_once], draws[1][start : start + at_once])
+        for start in range(0, len(draws[0]), at_once)
+    ]
+    ends = np.quantile(np.concatenate(parts), [(1 - level) / 2, (1 + level) / 2])
     low, high = min(ends[0], 2 * value - ends[1]), max(ends[1], 2 * value - ends[0])
     return Coefficient(value, float(max(low, -1.0)), float(min(high, 1.0)))
 

@@ -47,18 +47,11 @@ def inverse(information: Array, floating: int = 0) -> Array:
     floating: how many of the first parameters have only differences, and get mean 0; their common
     shift, about which nothing is known, is taken out. Raises `InputError` where more is unknown.
     """
-    from scipy.linalg.lapack import dpotrf, dpotri
-
-    # In the order of LAPACK, so that it works in place; 5000 stimuli take 200 MB.
-    matrix = np.array(information, order="F")
+    matrix = information.copy()
     # A weight near the others', for the sake of rounding; any positive one gives the same answer.
     weight = float(np.diagonal(matrix)[:floating].mean()) if floating else 0.0
     matrix[:floating, :floating] += weight / max(floating, 1)
-    factor, unfactored = dpotrf(matrix, lower=1, overwrite_a=1)
-    covariance, uninverted = dpotri(factor, lower=1, overwrite_c=1)
-    covariance = np.tril(covariance) + np.tril(covariance, -1).T
-    if unfactored or uninverted:
-        covariance[:] = np.nan
+    covariance = _inverse_of_positive(matrix)
     if floating:
         covariance[:floating, :floating] -= 1 / (weight * floating)
     if not np.isfinite(covariance).all() or (np.diagonal(covariance) < 0).any():
@@ -67,6 +60,23 @@ def inverse(information: Array, floating: int = 0) -> Array:
             "design that differ between stimuli and do not repeat each other, or a prior"
         )
     return np.asarray(covariance)
+
+
+def _inverse_of_positive(matrix: Array) -> Array:
+    """The inverse of a positive definite matrix; NaN where it is not."""
+    if len(matrix) <= 200:  # no time to be won, and SciPy takes a while to import
+        try:
+            half = np.linalg.inv(np.linalg.cholesky(matrix))
+        except np.linalg.LinAlgError:
+            return np.full_like(matrix, np.nan)
+        return np.asarray(half.T @ half)
+    from scipy.linalg.lapack import dpotrf, dpotri
+
+    factor, unfactored = dpotrf(matrix, lower=1, overwrite_a=1)
+    inverse, uninverted = dpotri(factor, lower=1, overwrite_c=1)
+    if unfactored or uninverted:
+        return np.full_like(matrix, np.nan)
+    return np.asarray(np.tril(inverse) + np.tril(inverse, -1).T)
 
 
 def centred(covariance: Array) -> Array:

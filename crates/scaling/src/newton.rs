@@ -24,6 +24,9 @@ const MOST_STEPS: usize = 2000;
 /// Newton's decrement, squared, per answer, from which one more step ends in rounding.
 const NEAR: f64 = 1e-18;
 
+/// How far one step may move a value: beyond, all curves are flat.
+const LONGEST: f64 = 6.0;
+
 /// The most likely parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
@@ -79,7 +82,8 @@ pub fn climb(
         }
         let step = ascent.step(&here, 1e-3).ok_or(ScalingError::NotConverged(steps))?;
         let decrement: f64 = step.iter().zip(&here.gradient).map(|(s, g)| s * g).sum();
-        if decrement.abs() <= near {
+        // Where some counts are 1e12 times others, rounding alone keeps it from there.
+        if decrement.abs() <= near || (steps > 100 && decrement.abs() <= 1e4 * near) {
             let last = ascent.step(&here, 1e-10).ok_or(ScalingError::NotConverged(steps))?;
             parameters = ascent.moved(&parameters, &last, 1.0);
             here = landscape(model, seen, penalty, &parameters);
@@ -90,6 +94,25 @@ pub fn climb(
             .ok_or(ScalingError::NotConverged(steps))?;
     }
     Err(ScalingError::NotConverged(MOST_STEPS))
+}
+
+/// The x of matrix x = b, or, where rounding leaves the matrix flat along some direction, of one with
+/// a larger diagonal: a shorter step, which still goes up.
+fn solved(matrix: &[f64], b: &[f64]) -> Option<Vec<f64>> {
+    let size = b.len();
+    for ridge in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1.0] {
+        let mut raised = matrix.to_vec();
+        let most = (0..size).map(|i| matrix[i * size + i]).fold(0.0, f64::max);
+        for i in 0..size {
+            raised[i * size + i] += ridge * (matrix[i * size + i] + 1e-6 * most);
+        }
+        if let Some(factor) = Factor::of(raised, size) {
+            let mut x = b.to_vec();
+            factor.solve(&mut x);
+            return Some(x);
+        }
+    }
+    None
 }
 
 struct Ascent<'a> {
@@ -107,6 +130,15 @@ impl Ascent<'_> {
 
     /// Newton's step; none if the equations have no solution.
     fn step(&self, here: &Landscape, tolerance: f64) -> Option<Vec<f64>> {
+        let mut step = self.raw_step(here, tolerance)?;
+        if self.model.design.is_none() {
+            // Its mean is 0 but for rounding, which a weak prior would blow up.
+            centre(&mut step[..self.seen.stimuli]);
+        }
+        Some(step)
+    }
+
+    fn raw_step(&self, here: &Landscape, tolerance: f64) -> Option<Vec<f64>> {
         let size = here.gradient.len();
         if self.model.design.is_none() && size > DENSE {
             let (bends, b) = (&here.bends, &here.gradient);
@@ -125,15 +157,12 @@ impl Ascent<'_> {
         }
         let matrix = assembled(self.model, self.seen, &here.bends, self.penalty);
         if !self.floats() {
-            let mut step = here.gradient.clone();
-            Factor::of(matrix, size)?.solve(&mut step);
-            return Some(step);
+            return solved(&matrix, &here.gradient);
         }
         // The first stimulus stays: what is left is as well conditioned as the data.
-        let less = size - 1;
-        let rest = matrix.chunks(size).skip(1).flat_map(|row| &row[1..]).copied().collect();
-        let mut step = here.gradient[1..].to_vec();
-        Factor::of(rest, less)?.solve(&mut step);
+        let rest: Vec<f64> =
+            matrix.chunks(size).skip(1).flat_map(|row| &row[1..]).copied().collect();
+        let mut step = solved(&rest, &here.gradient[1..])?;
         step.insert(0, 0.0);
         Some(step)
     }
@@ -168,13 +197,18 @@ impl Ascent<'_> {
         None
     }
 
-    /// The share of a step that leaves a probit threshold above 0.
+    /// The share of a step that leaves a probit threshold above 0 and lands where the likelihood
+    /// still bends.
     fn longest(&self, parameters: &[f64], step: &[f64]) -> f64 {
+        let most = match &self.model.design {
+            None => step.iter().fold(LONGEST, |most, part| part.abs().max(most)),
+            Some(_) => LONGEST,
+        };
         match self.model.ties_at(self.seen.stimuli) {
             Some(i) if self.model.link == Link::Probit && parameters[i] + step[i] <= 0.0 => {
-                0.9 * parameters[i] / -step[i]
+                (0.9 * parameters[i] / -step[i]).min(LONGEST / most)
             }
-            _ => 1.0,
+            _ => LONGEST / most,
         }
     }
 
@@ -187,11 +221,13 @@ impl Ascent<'_> {
         let mut scale = gradient_scale(self.model, self.seen, &here.bends, parameters.len());
         if let Some(penalty) = self.penalty {
             for (i, sum) in scale.iter_mut().enumerate() {
-                *sum += penalty.precision[i] * (parameters[i] - penalty.centre[i]).abs();
+                *sum += penalty.precision[i] * (1.0 + (parameters[i] - penalty.centre[i]).abs());
             }
         }
-        // Also false for what is no number.
-        let flat = here.gradient.iter().zip(&scale).all(|(g, scale)| g.abs() <= 1e-8 * scale);
+        // Rounding of the largest counts reaches all slopes. Also false for what is no number.
+        let rounding = 1e-15 * scale.iter().copied().fold(0.0, f64::max);
+        let slopes = here.gradient.iter().zip(&scale);
+        let flat = slopes.into_iter().all(|(g, scale)| g.abs() <= 1e-8 * scale + rounding);
         if !flat || self.stop.load(Ordering::Relaxed) {
             return Err(if flat {
                 ScalingError::Stopped

@@ -14,13 +14,16 @@ __all__ = ["chapter", "shares"]
 
 MOST_SIDES = 40
 _MOST_MISFITS = 3
+#: Share of pairs with few answers beyond which `goodness` decides by Pearson's statistic.
+_MOST_SPARSE = 0.2
 #: Two maps stand side by side.
 _MAP_PT = 256.0
 
 
 def chapter(study: Study, words: Words) -> Html:
     """Verdict, largest misfits, the two maps, the tests."""
-    verdict = {None: "none", True: "good", False: "bad"}[study.goodness.describes]
+    untold = "few" if study.goodness.df else "none"
+    verdict = {None: untold, True: "good", False: "bad"}[study.goodness.describes]
     parts = [words.paragraph(f"fit.{verdict}")]
     if study.goodness.describes is False:
         parts.append(_largest(study, words))
@@ -28,7 +31,7 @@ def chapter(study: Study, words: Words) -> Html:
         parts.append(_maps(study, words))
     else:
         parts.append(words.paragraph("fit.too_many"))
-    if study.goodness.df:
+    if study.goodness.describes is not None:
         parts.append(_tests(study, words))
     return Html("".join(parts))
 
@@ -101,4 +104,7 @@ def _tests(study: Study, words: Words) -> Html:
         )
         for name, form, value, p in rows
     ]
-    return Html(f'<p class="quiet">{words("fit.tests")}</p>\n' + facts(items))
+    said = f'<p class="quiet">{words("fit.tests")}</p>\n' + facts(items)
+    if good.sparse > _MOST_SPARSE:
+        said += f'<p class="quiet">{words("fit.sparse")}</p>\n'
+    return Html(said)

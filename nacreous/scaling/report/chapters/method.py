@@ -47,6 +47,8 @@ def _methods(study: Study, words: Words) -> list[Html]:
         found.append(words("method.exists"))
     found.append(words("method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
+    if study.goodness.mosteller is not None:
+        found.append(words("method.mosteller"))
     found.append(words("method.consistency"))
     return found
 

@@ -58,7 +58,7 @@ def _runs(study: Study) -> list[list[str]]:
 
 def _fit(study: Study, words: Words) -> Html:
     if study.goodness.describes is None:
-        return words("short.unfit")
+        return words("short.unfit_few" if study.goodness.df else "short.unfit")
     if study.goodness.describes:
         return words("short.fits")
     worst = study.goodness.largest
