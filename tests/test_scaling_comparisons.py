@@ -137,7 +137,7 @@ def test_two_rows_of_two_are_a_matrix_in_lists_and_pairs_in_tuples():
 
 def test_an_empty_list_and_other_things_are_refused():
     assert refusal(lambda: comparisons_of([]))[0].startswith("pairs: has no rows")
-    for thing in (None, 7, {1, 2}, iter([])):
+    for thing in (None, 7, {1, 2}, iter([]), pd.Series([1, 2]), pl.Series([1, 2])):
         assert refusal(lambda thing=thing: comparisons_of(thing))[0].startswith("the data are ")
 
 

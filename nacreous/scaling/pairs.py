@@ -121,6 +121,8 @@ def _texts(flat: list[str]) -> tuple[list[str], NDArray[np.int64]]:
         if not 0 < len(label) <= LONGEST_LABEL:
             length = f"{len(label)} characters"
             raise InputError(f"pairs: holds a label of {length}; allowed: 1 to {LONGEST_LABEL}")
+        if any("\ud800" <= letter <= "\udfff" for letter in label):
+            raise InputError(f"pairs: {quoted(label)} holds half a character; allowed: text")
     place = {label: index for index, label in enumerate(different)}
     codes = np.fromiter(map(place.__getitem__, flat), np.int64, len(flat))
     return found, codes.reshape(-1, 2)

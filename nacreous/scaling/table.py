@@ -97,7 +97,7 @@ def table_of(data: object) -> Table:
 
 
 def _is_frame(data: object) -> bool:
-    return hasattr(data, "__arrow_c_stream__") and not hasattr(data, "__array_interface__")
+    return hasattr(data, "__arrow_c_stream__") and hasattr(data, "columns")  # a Series has none
 
 
 def _table(place: str, first_row: int, columns: list[tuple[Any, Any]]) -> Table:
@@ -134,6 +134,10 @@ def _array(place: str, name: str, values: Any) -> Any:
     values = values if hasattr(values, "__len__") else list(values)
     try:
         array = pa.array(values, from_pandas=True)
+    except UnicodeEncodeError as problem:
+        raise InputError(
+            f"{place}: column {name} holds half a character; allowed: text"
+        ) from problem
     except (pa.ArrowInvalid, pa.ArrowTypeError, pa.ArrowNotImplementedError, OverflowError):
         return pa.array([_mixed(place, name, row, cell) for row, cell in enumerate(values)])
     return array.combine_chunks() if isinstance(array, pa.ChunkedArray) else array
