@@ -16,7 +16,7 @@ from pyarrow import parquet
 
 import nacreous as nc
 from nacreous.scaling import Answers, Comparisons
-from nacreous.scaling import table as table_module
+from nacreous.scaling.door import table as table_module
 
 TABLE: dict[str, list[Any]] = {
     "person": ["mika", "mika", "ren", "ren"],

@@ -9,8 +9,8 @@ from scipy.stats import chi2
 
 from nacreous.problem import InputError
 from nacreous.scaling import comparisons_of, thurstone
-from nacreous.scaling.attributes import fit_attributes
-from nacreous.scaling.simulation import simulate
+from nacreous.scaling.compare.attributes import fit_attributes
+from nacreous.scaling.planning.simulation import simulate
 
 LABELS = [f"pearl {k}" for k in range(1, 9)]
 LUSTRE = np.array([0.1, 0.9, 0.4, 0.7, 0.2, 0.5, 1.0, 0.3])

@@ -30,8 +30,8 @@ from nacreous.scaling import (
     transitivity,
     triads_by_person,
 )
-from nacreous.scaling.transitive import MOST_TRIADS
-from nacreous.scaling.triads import _ways, chance, most_circular
+from nacreous.scaling.check.transitive import MOST_TRIADS
+from nacreous.scaling.check.triads import _ways, chance, most_circular
 
 GOLDEN = json.loads((Path(__file__).parent / "golden/thurstone/reference.json").read_text())
 

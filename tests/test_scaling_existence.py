@@ -8,7 +8,7 @@ from scipy.optimize import linprog
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, Comparisons, bradley_terry, thurstone
-from nacreous.scaling.existence import parts
+from nacreous.scaling.fit.existence import parts
 
 
 def can_be_split(wins):

@@ -10,10 +10,10 @@ from scipy.stats import chi2
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, bradley_terry, paper, thurstone
-from nacreous.scaling.estimate import estimate
-from nacreous.scaling.groups import compare_groups
-from nacreous.scaling.ratio import cluster_ratio, compare_ratios
-from nacreous.scaling.simulation import simulate
+from nacreous.scaling.compare.estimate import estimate
+from nacreous.scaling.compare.groups import compare_groups
+from nacreous.scaling.compare.ratio import cluster_ratio, compare_ratios
+from nacreous.scaling.planning.simulation import simulate
 
 TRUTH = np.array([-1.0, -0.5, -0.2, 0.0, 0.2, 0.5, 1.0])
 BEFORE = np.array([[0, 30, 38, 40], [20, 0, 31, 36], [12, 19, 0, 30], [10, 14, 20, 0]])

@@ -7,9 +7,9 @@ from scipy.stats import binom
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, full_design, thurstone
-from nacreous.scaling.estimate import estimate
-from nacreous.scaling.expectation import expected_comparisons, unanimous_chances
-from nacreous.scaling.plan import Plan
+from nacreous.scaling.compare.estimate import estimate
+from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
+from nacreous.scaling.planning.plan import Plan
 
 TRUTH = {"a": 0.6, "b": 0.2, "c": 0.0, "d": -0.8}
 
@@ -67,7 +67,7 @@ def test_people_needed_reach_the_power_asked_for():
 
 
 def test_alike_stimuli_need_more_people_than_there_are(monkeypatch):
-    monkeypatch.setattr("nacreous.scaling.plan._MOST_PEOPLE", 2000)
+    monkeypatch.setattr("nacreous.scaling.planning.plan._MOST_PEOPLE", 2000)
     with pytest.raises(InputError, match=r"2000 people would not .* stimuli that differ more"):
         Plan([0.0, 0.0, 0.5], 200).people_needed("1", "2", studies=20)
 

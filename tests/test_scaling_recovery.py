@@ -10,13 +10,13 @@ import pytest
 from scipy.stats import binom
 
 from nacreous.scaling import bradley_terry, thurstone
-from nacreous.scaling.attributes import fit_attributes
-from nacreous.scaling.groups import compare_groups
-from nacreous.scaling.plan import Plan
-from nacreous.scaling.ratio import cluster_ratio, compare_ratios
-from nacreous.scaling.sets import compare_sets
-from nacreous.scaling.simulation import simulate
-from nacreous.scaling.uncertainty import quantile
+from nacreous.scaling.compare.attributes import fit_attributes
+from nacreous.scaling.compare.groups import compare_groups
+from nacreous.scaling.compare.ratio import cluster_ratio, compare_ratios
+from nacreous.scaling.compare.sets import compare_sets
+from nacreous.scaling.fit.uncertainty import quantile
+from nacreous.scaling.planning.plan import Plan
+from nacreous.scaling.planning.simulation import simulate
 
 pytestmark = pytest.mark.slow
 

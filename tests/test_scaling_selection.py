@@ -11,8 +11,8 @@ from scipy.stats import norm
 
 from nacreous.problem import InputError
 from nacreous.scaling import Comparisons, thurstone
-from nacreous.scaling.selection import bits_of, next_pairs
-from nacreous.scaling.simulation import simulate
+from nacreous.scaling.planning.selection import bits_of, next_pairs
+from nacreous.scaling.planning.simulation import simulate
 
 LABELS = tuple(str(k + 1) for k in range(12))
 

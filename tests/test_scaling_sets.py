@@ -6,9 +6,9 @@ from scipy.stats import kendalltau, pearsonr, spearmanr
 
 from nacreous.problem import InputError
 from nacreous.scaling import paper, thurstone
-from nacreous.scaling.alignment import align, shifts
-from nacreous.scaling.sets import compare_sets
-from nacreous.scaling.simulation import simulate
+from nacreous.scaling.compare.alignment import align, shifts
+from nacreous.scaling.compare.sets import compare_sets
+from nacreous.scaling.planning.simulation import simulate
 
 TRUTH = np.array([0.9, 0.6, 0.3, 0.0, -0.3, -0.6, -0.9])
 

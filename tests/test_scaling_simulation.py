@@ -5,7 +5,7 @@ import pytest
 from scipy.special import expit, ndtr
 
 from nacreous.problem import InputError
-from nacreous.scaling.simulation import simulate
+from nacreous.scaling.planning.simulation import simulate
 
 
 def shares(answers):

@@ -6,7 +6,7 @@ from scipy.stats import studentized_range
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, bradley_terry, paper, thurstone
-from nacreous.scaling.uncertainty import inverse, largest_of_normal
+from nacreous.scaling.fit.uncertainty import inverse, largest_of_normal
 
 
 def study(seed, people=40, stimuli=5, spread=0.5):

@@ -11,108 +11,118 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from nacreous.scaling.answers import Answers
-    from nacreous.scaling.attribute_line import Prediction
-    from nacreous.scaling.attributes import (
+    from nacreous.scaling.check.checkup import Consistency, consistency
+    from nacreous.scaling.check.kendall import Agreement, agreement
+    from nacreous.scaling.check.misfit import Goodness, Misfit, goodness
+    from nacreous.scaling.check.person import PersonalTriads, triads_by_person
+    from nacreous.scaling.check.repetition import Retest, retest
+    from nacreous.scaling.check.response import ResponseTime, response_time
+    from nacreous.scaling.check.share import Share
+    from nacreous.scaling.check.side import SideBias, side_bias
+    from nacreous.scaling.check.transitive import Transitivity, Violation, transitivity
+    from nacreous.scaling.check.triads import Triads, circular_triads
+    from nacreous.scaling.compare.attribute_line import Prediction
+    from nacreous.scaling.compare.attributes import (
         AttributeFit,
         AttributeTest,
         AttributeWeight,
         fit_attributes,
     )
-    from nacreous.scaling.bootstrap import Bootstrap
-    from nacreous.scaling.bradley import bradley_terry
-    from nacreous.scaling.case_v import thurstone
-    from nacreous.scaling.checkup import Consistency, consistency
-    from nacreous.scaling.column import Group
-    from nacreous.scaling.comparisons import Comparisons, comparisons_of
-    from nacreous.scaling.design import Design, cyclic_design, full_design, random_design
-    from nacreous.scaling.example import paper, paper_proportions
+    from nacreous.scaling.compare.groups import (
+        GroupComparison,
+        GroupDifference,
+        GroupTest,
+        compare_groups,
+    )
+    from nacreous.scaling.compare.ratio import (
+        ClusterRatio,
+        RatioChange,
+        cluster_ratio,
+        compare_ratios,
+    )
+    from nacreous.scaling.compare.sets import SetComparison, compare_sets
+    from nacreous.scaling.door.answers import Answers
+    from nacreous.scaling.door.column import Group
+    from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
+    from nacreous.scaling.door.example import paper, paper_proportions
     from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
-    from nacreous.scaling.forecast import Needed, Power, Precision
-    from nacreous.scaling.groups import GroupComparison, GroupDifference, GroupTest, compare_groups
-    from nacreous.scaling.kendall import Agreement, agreement
-    from nacreous.scaling.misfit import Goodness, Misfit, goodness
-    from nacreous.scaling.person import PersonalTriads, triads_by_person
-    from nacreous.scaling.plan import Plan
-    from nacreous.scaling.ratio import ClusterRatio, RatioChange, cluster_ratio, compare_ratios
-    from nacreous.scaling.repetition import Retest, retest
+    from nacreous.scaling.fit.bootstrap import Bootstrap
+    from nacreous.scaling.fit.bradley import bradley_terry
+    from nacreous.scaling.fit.case_v import thurstone
+    from nacreous.scaling.fit.scale import Scale
+    from nacreous.scaling.fit.uncertainty import Difference
+    from nacreous.scaling.planning.design import Design, cyclic_design, full_design, random_design
+    from nacreous.scaling.planning.forecast import Needed, Power, Precision
+    from nacreous.scaling.planning.plan import Plan
+    from nacreous.scaling.planning.selection import NextPair, next_pairs
+    from nacreous.scaling.planning.simulation import simulate
     from nacreous.scaling.report.analysis import Study, study
-    from nacreous.scaling.response import ResponseTime, response_time
-    from nacreous.scaling.scale import Scale
-    from nacreous.scaling.selection import NextPair, next_pairs
-    from nacreous.scaling.sets import SetComparison, compare_sets
-    from nacreous.scaling.share import Share
-    from nacreous.scaling.side import SideBias, side_bias
-    from nacreous.scaling.simulation import simulate
-    from nacreous.scaling.transitive import Transitivity, Violation, transitivity
-    from nacreous.scaling.triads import Triads, circular_triads
-    from nacreous.scaling.uncertainty import Difference
 
 #: Where each public name lives. Loaded when first asked for, so that nothing heavy is until then.
 _HOME = {
-    "Agreement": "kendall",
-    "Answers": "answers",
-    "AttributeFit": "attributes",
-    "AttributeTest": "attributes",
-    "AttributeWeight": "attributes",
-    "Bootstrap": "bootstrap",
-    "ClusterRatio": "ratio",
-    "Comparisons": "comparisons",
-    "Consistency": "checkup",
-    "Design": "design",
-    "Difference": "uncertainty",
-    "Goodness": "misfit",
-    "Group": "column",
-    "GroupComparison": "groups",
-    "GroupDifference": "groups",
-    "GroupTest": "groups",
-    "Misfit": "misfit",
-    "Needed": "forecast",
-    "NextPair": "selection",
-    "PersonalTriads": "person",
-    "Plan": "plan",
-    "Power": "forecast",
-    "Precision": "forecast",
-    "Prediction": "attribute_line",
-    "RatioChange": "ratio",
-    "ResponseTime": "response",
-    "Retest": "repetition",
-    "Scale": "scale",
-    "SetComparison": "sets",
-    "Share": "share",
-    "SideBias": "side",
+    "Agreement": "check.kendall",
+    "Answers": "door.answers",
+    "AttributeFit": "compare.attributes",
+    "AttributeTest": "compare.attributes",
+    "AttributeWeight": "compare.attributes",
+    "Bootstrap": "fit.bootstrap",
+    "ClusterRatio": "compare.ratio",
+    "Comparisons": "door.comparisons",
+    "Consistency": "check.checkup",
+    "Design": "planning.design",
+    "Difference": "fit.uncertainty",
+    "Goodness": "check.misfit",
+    "Group": "door.column",
+    "GroupComparison": "compare.groups",
+    "GroupDifference": "compare.groups",
+    "GroupTest": "compare.groups",
+    "Misfit": "check.misfit",
+    "Needed": "planning.forecast",
+    "NextPair": "planning.selection",
+    "PersonalTriads": "check.person",
+    "Plan": "planning.plan",
+    "Power": "planning.forecast",
+    "Precision": "planning.forecast",
+    "Prediction": "compare.attribute_line",
+    "RatioChange": "compare.ratio",
+    "ResponseTime": "check.response",
+    "Retest": "check.repetition",
+    "Scale": "fit.scale",
+    "SetComparison": "compare.sets",
+    "Share": "check.share",
+    "SideBias": "check.side",
     "Study": "report.analysis",
-    "Transitivity": "transitive",
-    "Triads": "triads",
-    "Violation": "transitive",
-    "agreement": "kendall",
-    "bradley_terry": "bradley",
-    "circular_triads": "triads",
-    "cluster_ratio": "ratio",
-    "compare_groups": "groups",
-    "compare_ratios": "ratio",
-    "compare_sets": "sets",
-    "comparisons_of": "comparisons",
-    "consistency": "checkup",
-    "cyclic_design": "design",
-    "fit_attributes": "attributes",
-    "full_design": "design",
-    "goodness": "misfit",
+    "Transitivity": "check.transitive",
+    "Triads": "check.triads",
+    "Violation": "check.transitive",
+    "agreement": "check.kendall",
+    "bradley_terry": "fit.bradley",
+    "circular_triads": "check.triads",
+    "cluster_ratio": "compare.ratio",
+    "compare_groups": "compare.groups",
+    "compare_ratios": "compare.ratio",
+    "compare_sets": "compare.sets",
+    "comparisons_of": "door.comparisons",
+    "consistency": "check.checkup",
+    "cyclic_design": "planning.design",
+    "fit_attributes": "compare.attributes",
+    "full_design": "planning.design",
+    "goodness": "check.misfit",
     "interval_plot": "figure",
     "matrix_plot": "figure",
-    "next_pairs": "selection",
-    "paper": "example",
-    "paper_proportions": "example",
-    "random_design": "design",
-    "response_time": "response",
-    "retest": "repetition",
+    "next_pairs": "planning.selection",
+    "paper": "door.example",
+    "paper_proportions": "door.example",
+    "random_design": "planning.design",
+    "response_time": "check.response",
+    "retest": "check.repetition",
     "scale_plot": "figure",
-    "side_bias": "side",
-    "simulate": "simulation",
+    "side_bias": "check.side",
+    "simulate": "planning.simulation",
     "study": "report.analysis",
-    "thurstone": "case_v",
-    "transitivity": "transitive",
-    "triads_by_person": "person",
+    "thurstone": "fit.case_v",
+    "transitivity": "check.transitive",
+    "triads_by_person": "check.person",
 }
 
 __all__ = [

@@ -12,16 +12,16 @@ import numpy as np
 
 from nacreous import file
 from nacreous.problem import InputError
-from nacreous.scaling.answers import Answers
-from nacreous.scaling.bradley import bradley_terry
-from nacreous.scaling.case_v import thurstone
-from nacreous.scaling.checkup import Consistency, consistency
-from nacreous.scaling.comparisons import Comparisons, comparisons_of
-from nacreous.scaling.groups import GroupComparison, compare_groups
-from nacreous.scaling.misfit import Goodness, goodness
+from nacreous.scaling.check.checkup import Consistency, consistency
+from nacreous.scaling.check.misfit import Goodness, goodness
+from nacreous.scaling.compare.groups import GroupComparison, compare_groups
+from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.fit.bradley import bradley_terry
+from nacreous.scaling.fit.case_v import thurstone
+from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.report.doubt import Doubt, Neighbours, doubt_of, neighbours_of
 from nacreous.scaling.report.settings import MODELS, Settings
-from nacreous.scaling.scale import Scale
 
 __all__ = ["SUFFIXES", "Study", "study"]
 

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
+from nacreous.scaling.check.side import holm
+from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.report.settings import Settings
-from nacreous.scaling.scale import Scale
-from nacreous.scaling.side import holm
 
 __all__ = ["Doubt", "Neighbours", "doubt_of", "neighbours_of"]
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from nacreous.scaling.compare.groups import GroupComparison
 from nacreous.scaling.figure import interval_plot, scale_plot
-from nacreous.scaling.groups import GroupComparison
+from nacreous.scaling.fit.unit import factor
 from nacreous.scaling.report.analysis import Study
 from nacreous.scaling.report.chapters.scale import MOST_ROWS
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
 from nacreous.scaling.report.words import Html, Words, chance, number
-from nacreous.scaling.unit import factor
 
 __all__ = ["chapter"]
 

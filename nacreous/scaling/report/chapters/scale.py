@@ -7,12 +7,12 @@ from math import erf, exp
 import numpy as np
 
 from nacreous.scaling.figure import interval_plot, scale_plot
+from nacreous.scaling.fit.unit import factor
 from nacreous.scaling.report.analysis import Study
 from nacreous.scaling.report.doubt import FEW_PEOPLE
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
 from nacreous.scaling.report.words import Html, Words, number, percent, thousands
-from nacreous.scaling.unit import factor
 
 __all__ = ["chapter", "doubt"]
 

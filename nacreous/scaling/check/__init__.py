@@ -1,0 +1,1 @@
+"""Whether a scale describes the answers, and whether people answer alike."""

@@ -1,0 +1,1 @@
+"""Scales of groups, of sets and of attributes, people as clusters."""

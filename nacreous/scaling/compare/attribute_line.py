@@ -1,0 +1,161 @@
+"""The line on which attributes place stimuli, and where it places new ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.problem import InputError
+from nacreous.scaling.compare.attribute_table import AttributeTable, products
+from nacreous.scaling.compare.estimate import Estimate
+from nacreous.scaling.door.fault import listed
+from nacreous.scaling.fit.scale import Scale
+
+__all__ = ["Line", "Prediction"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Where a new stimulus would stand, in the model's own unit; 0 is the mean of those judged.
+
+    se       of the value on the line of the attributes
+    low, high  ends of its interval, with what attributes leave unexplained
+    unexplained  standard deviation of stimuli about that line, freed of the noise of the answers;
+             None where there are too few stimuli to know it, and the interval leaves it out
+    beyond   attributes whose value is outside the range of the stimuli that were judged
+    """
+
+    value: float
+    se: float
+    low: float
+    high: float
+    unexplained: float | None
+    beyond: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """The line of the attributes: how columns of terms are made, and what was fitted.
+
+    raw           float64 [stimulus, attribute]; centre, step: taken from it, and divided by
+    columns       float64 [stimulus, term]
+    coefficients  float64 [term], of `columns`, with their covariance [term, term]
+    unexplained   standard deviation of stimuli about the line; None where it cannot be known
+    freedom       degrees of freedom of the answers' errors
+    """
+
+    table: AttributeTable
+    parts: tuple[tuple[str, ...], ...]
+    raw: Array  # [stimulus, attribute]
+    centre: Array  # [attribute]
+    step: Array  # [attribute]
+    columns: Array  # [stimulus, term]
+    coefficients: Array = field(default_factory=lambda: np.zeros(0))
+    covariance: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    unexplained: float | None = None
+    freedom: float = np.inf
+
+    @classmethod
+    def through(
+        cls,
+        table: AttributeTable,
+        parts: tuple[tuple[str, ...], ...],
+        stimuli: tuple[str, ...],
+        standardise: bool,
+    ) -> Line:
+        """The columns of the terms for stimuli, not yet fitted."""
+        raw = table.rows_of(stimuli)
+        centre, step = np.zeros(raw.shape[1]), np.ones(raw.shape[1])
+        if standardise:
+            centre, spread = raw.mean(axis=0), raw.std(axis=0, ddof=1)
+            step = np.where(spread > 0, spread, 1.0)  # constant ones are refused by name later
+        columns = products((raw - centre) / step, table.names, parts)
+        return cls(table, parts, raw, centre, step, columns)
+
+    @property
+    def steps(self) -> Array:
+        """Spread of each term's column."""
+        return np.asarray(self.columns.std(axis=0))
+
+    def fitted(self, fit: Scale, errors: Array, free: Estimate | None, freedom: float) -> Line:
+        """The same line with what a fit to `columns / steps` says of it."""
+        if fit.coefficients is None:
+            raise InputError("the fit has no coefficients; allowed: a fit with a design")
+        return replace(
+            self,
+            coefficients=fit.coefficients / self.steps,
+            covariance=errors / np.outer(self.steps, self.steps),
+            unexplained=None if free is None else self._unexplained(free),
+            freedom=freedom,
+        )
+
+    def _unexplained(self, free: Estimate) -> float | None:
+        """Standard deviation of the free scale about the line, without the noise of the answers.
+
+        The method of moments: the sum of squares about the line is the noise's part, tr(M C), plus
+        variance times degrees of freedom (Raudenbush 1994, as in meta-regression).
+        """
+        rest = len(self.columns) - 1 - len(self.parts)
+        if rest < 1:
+            return None
+        space = np.linalg.qr(np.column_stack([np.ones(len(self.columns)), self.unit]))[0]
+        off = np.eye(len(space)) - space @ space.T
+        scale = free.fit.scale
+        noise = float(np.trace(off @ free.covariance))
+        return float(max(0.0, (scale @ off @ scale - noise) / rest) ** 0.5)
+
+    @property
+    def unit(self) -> Array:
+        """The columns with mean 0 and spread 1."""
+        return np.asarray((self.columns - self.columns.mean(axis=0)) / self.steps)
+
+    def predict(self, stimulus: Mapping[str, float], level: float) -> Prediction:
+        """Where a stimulus with these attributes would stand."""
+        from scipy.stats import t
+
+        row = self._row(stimulus)
+        standard = ((row - self.centre) / self.step)[np.newaxis]
+        away = products(standard, self.table.names, self.parts)[0] - self.columns.mean(axis=0)
+        variance = float(away @ self.covariance @ away)
+        # A new stimulus is off the line itself, and the others' being off it moves the line.
+        leap = away / self.steps
+        lever = float(leap @ np.linalg.solve(self.unit.T @ self.unit, leap))
+        spread = self.unexplained or 0.0
+        total = (variance + spread**2 * (1 + 1 / len(self.columns) + lever)) ** 0.5
+        rest = len(self.columns) - 1 - len(self.parts)
+        freedom = min(self.freedom, rest) if spread else self.freedom
+        reach = float(t.ppf((1 + level) / 2, freedom)) * total
+        value = float(away @ self.coefficients)
+        return Prediction(
+            value=value,
+            se=variance**0.5,
+            low=value - reach,
+            high=value + reach,
+            unexplained=self.unexplained,
+            beyond=self._beyond(row),
+        )
+
+    @property
+    def _used(self) -> list[int]:
+        """Columns of the attributes that are in a term."""
+        names = {name for part in self.parts for name in part}
+        return [k for k, name in enumerate(self.table.names) if name in names]
+
+    def _row(self, stimulus: Mapping[str, float]) -> Array:
+        """Attributes of a new stimulus, float64 [attribute]; those in no term may be missing."""
+        new = AttributeTable.of({"new stimulus": stimulus})
+        given = dict(zip(new.names, new.values[0].tolist(), strict=True))
+        used = [self.table.names[k] for k in self._used]
+        missing = [name for name in used if name not in given]
+        if missing:
+            raise InputError(f"the new stimulus lacks {listed(missing)}; allowed: {listed(used)}")
+        return np.array([given.get(name, 0.0) for name in self.table.names])
+
+    def _beyond(self, row: Array) -> tuple[str, ...]:
+        low, high = self.raw.min(axis=0), self.raw.max(axis=0)
+        return tuple(self.table.names[k] for k in self._used if not low[k] <= row[k] <= high[k])

@@ -1,0 +1,247 @@
+"""Which attributes carry the scale: coefficients inside the likelihood of the answers themselves.
+
+The value of a stimulus is a sum over terms of coefficient times attribute, and the coefficients are
+fitted to the answers, not to a scale fitted before: every answer counts with its own weight (as in
+Springall 1973 and Turner and Firth 2012).
+
+How well attributes explain the scale is asked in two ways: may the free scale be such a sum, up to
+the noise of the answers (misfit), and which share of its variance the sum has (explained)?
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.problem import InputError
+from nacreous.scaling.compare.attribute_line import Line, Prediction
+from nacreous.scaling.compare.attribute_table import AttributeTable, check_columns
+from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotelling, names_of
+from nacreous.scaling.door.fault import listed
+from nacreous.scaling.fit.maximum_likelihood import counted
+from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.planning.simulation import check_model, within
+
+__all__ = ["AttributeFit", "AttributeTest", "AttributeWeight", "Prediction", "fit_attributes"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class AttributeWeight:
+    """By how much the scale rises with a term, with its own interval and p."""
+
+    term: str
+    value: float
+    se: float
+    low: float
+    high: float
+    p_value: float
+
+
+@dataclass(frozen=True)
+class AttributeTest:
+    """A test of a smaller model against a larger one: "likelihood-ratio" or "robust-wald"."""
+
+    name: str
+    statistic: float
+    df: int
+    p_value: float
+
+
+@dataclass(frozen=True, eq=False)
+class AttributeFit:
+    """A scale made of attributes, as `fit_attributes` fitted it.
+
+    fit        the scale on the attributes' line; free: the scale of each stimulus by itself, None
+               where the answers alone give none
+    weights    one a term, in units of the scale per unit of the term
+    misfit     whether the free scale is such a sum up to noise; None without a free scale or where
+               as many terms as stimuli leave nothing to test. Small p: it is not.
+    explained  share of the free scale's variance that the line has (squared correlation)
+    aic, bic   -2 log-likelihood + 2 k, + k ln(answers), k all that was fitted; smaller is better
+    clustered  whether people were known, and errors take them as clusters
+    line       how columns were made of attributes, and what was fitted, for `predict`
+    """
+
+    terms: tuple[str, ...]
+    weights: tuple[AttributeWeight, ...]
+    fit: Scale
+    free: Scale | None
+    misfit: AttributeTest | None
+    explained: float | None
+    aic: float
+    bic: float
+    level: float
+    clustered: bool
+    line: Line = field(repr=False)
+
+    def against(self, smaller: AttributeFit) -> AttributeTest:
+        """Whether this model says more than one with some of its terms, for the same answers.
+
+        With people known "robust-wald" (people as clusters), else "likelihood-ratio".
+
+        >>> from nacreous.scaling import simulate
+        >>> lustre = {str(k): {"lustre": k / 3, "grain": k % 3 - 1.0} for k in range(8)}
+        >>> answers = simulate({label: row["lustre"] for label, row in lustre.items()})
+        >>> both = fit_attributes(answers, lustre)
+        >>> both.against(fit_attributes(answers, lustre, ["lustre"])).name
+        'robust-wald'
+        """
+        return _nested(self, smaller)
+
+    def predict(self, stimulus: Mapping[str, float]) -> Prediction:
+        """Where a new stimulus with these attributes would stand, with an interval.
+
+        >>> from nacreous.scaling import simulate
+        >>> lustre = {str(k): {"lustre": k / 2} for k in range(6)}
+        >>> answers = simulate({label: row["lustre"] for label, row in lustre.items()}, 200)
+        >>> found = fit_attributes(answers, lustre).predict({"lustre": 1.75})
+        >>> found.low < 1.75 - 1.25 < found.high
+        True
+        """
+        return self.line.predict(stimulus, self.level)
+
+
+def fit_attributes(
+    data: Any,
+    attributes: Any,
+    terms: Sequence[str] | None = None,
+    model: str = "probit",
+    *,
+    standardise: bool = False,
+    ties: bool = False,
+    order: bool = False,
+    level: float = 0.95,
+    stimulus: str = "stimulus",
+) -> AttributeFit:
+    """Explain the scale by attributes of the stimuli, inside the likelihood of the answers.
+
+    attributes   label -> {attribute: number}; or a table with a column `stimulus` of labels, one
+                 row a stimulus; or its .csv or .parquet file. May hold more stimuli than judged.
+    terms        attributes to use, all by default; "lustre:grain" is the product of two.
+    standardise  bring each attribute to mean 0 and standard deviation 1 over the stimuli judged
+                 first, so that weights compare and products have less in common with their parts.
+    level        of the intervals. Errors take people as clusters where they are known.
+
+    Raises `InputError` for a stimulus without attributes, for a column that is constant or a sum of
+    others (by name), and where the answers leave a coefficient without an end.
+
+    >>> from nacreous.scaling import simulate
+    >>> table = {"stimulus": ["a", "b", "c", "d"], "lustre": [0.0, 0.5, 1.0, 1.5]}
+    >>> found = fit_attributes(simulate({"a": 0, "b": 0.5, "c": 1, "d": 1.5}, 200), table)
+    >>> found.weights[0].low < 1 < found.weights[0].high, found.misfit.p_value > 0.05
+    (True, True)
+    """
+    check_model(model)
+    within("level", level, 0.5, 0.9999)
+    table = AttributeTable.of(attributes, stimulus)
+    parts = table.terms_of(terms)
+    names = tuple(":".join(part) for part in parts)
+    data, comparisons = counted(data)
+    line = Line.through(table, parts, comparisons.stimuli, standardise)
+    check_columns(line.columns, names)
+    # In steps of each column's spread, so that units do not cost digits.
+    fit = fit_of(data, model, ties=ties, order=order, design=line.columns / line.steps)
+    free = _free(data, model, ties, order)
+    clustered = fit.answers is not None and fit.answers.person is not None
+    freedom = len(names_of(fit.answers)) - 1.0 if fit.answers and clustered else np.inf
+    k = len(names)
+    table_of_errors = fit.parameter_covariance("people" if clustered else "expected")[:k, :k]
+    line = line.fitted(fit, table_of_errors, free, freedom)
+    return AttributeFit(
+        terms=names,
+        weights=_weights(names, line, level),
+        fit=fit,
+        free=None if free is None else free.fit,
+        misfit=_misfit(line, fit, free, freedom),
+        explained=_explained(fit, free),
+        aic=2 * fit.free_parameters - 2 * fit.log_likelihood,
+        bic=fit.free_parameters * float(np.log(comparisons.total)) - 2 * fit.log_likelihood,
+        level=level,
+        clustered=clustered,
+        line=line,
+    )
+
+
+def _free(data: Any, model: str, ties: bool, order: bool) -> Estimate | None:
+    """The scale of each stimulus by itself, if the answers hold one."""
+    try:
+        return estimate(data, model, ties=ties, order=order)
+    except InputError:
+        return None
+
+
+def _weights(names: tuple[str, ...], line: Line, level: float) -> tuple[AttributeWeight, ...]:
+    from scipy.stats import t
+
+    # The errors of the answers alone: what attributes leave unexplained does not enter here.
+    se = np.sqrt(np.diag(line.covariance))
+    reach = float(t.ppf((1 + level) / 2, line.freedom)) * se
+    p_values = 2 * t.sf(np.abs(line.coefficients) / se, line.freedom)
+    rows = zip(names, line.coefficients, se, reach, p_values, strict=True)
+    return tuple(
+        AttributeWeight(name, float(b), float(s), float(b - r), float(b + r), float(p))
+        for name, b, s, r, p in rows
+    )
+
+
+def _misfit(line: Line, fit: Scale, free: Estimate | None, freedom: float) -> AttributeTest | None:
+    """The free scale against the line: by likelihood, or by Wald with people as clusters."""
+    df = len(line.columns) - 1 - len(line.parts)
+    if free is None or df < 1:
+        return None
+    if not free.people:
+        return _ratio(fit.log_likelihood, free.fit.log_likelihood, df)
+    space = np.column_stack([np.ones(len(line.columns)), line.unit])
+    across = np.linalg.svd(space)[0][
+        :, space.shape[1] :
+    ]  # contrasts of stimuli that the line lacks
+    off = across.T @ free.fit.scale
+    return _wald(off, across.T @ free.covariance @ across, freedom)
+
+
+def _nested(larger: AttributeFit, smaller: AttributeFit) -> AttributeTest:
+    big, small = ({frozenset(t.split(":")) for t in f.terms} for f in (larger, smaller))
+    if not small < big:
+        raise InputError(
+            f"the smaller model has the terms {listed(smaller.terms)}; "
+            f"allowed: some, not all, of {listed(larger.terms)}"
+        )
+    same = larger.fit.comparisons.total == smaller.fit.comparisons.total
+    if not same or larger.fit.model != smaller.fit.model:
+        raise InputError("the two models are not of the same answers; allowed: the same")
+    extra = [k for k, t in enumerate(larger.terms) if frozenset(t.split(":")) not in small]
+    if not larger.clustered:
+        return _ratio(smaller.fit.log_likelihood, larger.fit.log_likelihood, len(extra))
+    line = larger.line
+    people = names_of(larger.fit.answers) if larger.fit.answers else ()
+    covariance = line.covariance[np.ix_(extra, extra)]
+    found = _wald(line.coefficients[extra], covariance, len(people) - 1.0)
+    if found is None:
+        raise InputError(
+            f"{len(people)} people answered; allowed: more than the {len(extra)} terms to test"
+        )
+    return found
+
+
+def _ratio(small: float, large: float, df: int) -> AttributeTest:
+    from scipy.stats import chi2
+
+    statistic = max(0.0, 2 * (large - small))
+    return AttributeTest("likelihood-ratio", statistic, df, float(chi2.sf(statistic, df)))
+
+
+def _wald(off: Array, covariance: Array, freedom: float) -> AttributeTest | None:
+    found = hotelling(off, covariance, freedom)
+    return None if found is None else AttributeTest("robust-wald", found[0], len(off), found[1])
+
+
+def _explained(fit: Scale, free: Estimate | None) -> float | None:
+    if free is None or np.ptp(free.fit.scale) == 0 or np.ptp(fit.scale) == 0:
+        return None
+    return float(np.corrcoef(fit.scale, free.fit.scale)[0, 1] ** 2)

@@ -1,0 +1,1 @@
+"""Answers and counts from outside, checked once: files, tables, lists, matrices."""

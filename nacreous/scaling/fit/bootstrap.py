@@ -1,0 +1,175 @@
+"""Bootstraps: how the scale moves when people, or answers, are drawn again from those there are.
+
+People are drawn with all their answers, which may hang together, so nothing is assumed about how
+(Efron and Tibshirani 1993, 8). Samples whose answers have no finite maximum are not left out, which
+would shorten the intervals on the open side: a normal prior about the fit to all answers, 3 z wider
+than the whole scale, holds them. How many there were is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous._core import PairModel, PersonalAnswers
+from nacreous.number import said
+from nacreous.problem import InputError
+from nacreous.scaling.door.fault import listed
+from nacreous.scaling.fit.uncertainty import control_of, level_of
+
+Array = NDArray[np.float64]
+Progress = Callable[[float], None]
+
+KINDS = ("studentised", "percentile", "basic")
+#: Above, standard errors within samples cost more than the samples.
+MOST_STUDENTISED = 150
+
+
+@dataclass(frozen=True, eq=False)
+class Bootstrap:
+    """The scales of samples drawn again from the answers.
+
+    - `samples`: float64 [sample, n], each with mean 0, in `unit`
+    - `scale`: float64 [n], the fit to all answers
+    - `by`: "people" or "answers", what was drawn
+    - `without_maximum`: how many samples had no finite scale of their own, see above; where they
+      are more than a few of a hundred, ends of intervals rest on that prior, and are open in truth
+    - `order_effects`, `tie_thresholds`: float64 [sample], as in `Scale`; None where not fitted
+
+    >>> from nacreous.scaling import paper, thurstone
+    >>> fit = thurstone(paper())
+    >>> fit.bootstrap(samples=200, seed=3)
+    Bootstrap(200 samples by answers, 7 stimuli in z)
+    """
+
+    stimuli: tuple[str, ...]
+    unit: str
+    by: Literal["people", "answers"]
+    scale: Array
+    samples: Array
+    without_maximum: int
+    order_effects: Array | None = None
+    tie_thresholds: Array | None = None
+    scale_se: Array | None = field(default=None, repr=False)
+    sample_se: Array | None = field(default=None, repr=False)
+
+    def __repr__(self) -> str:
+        """In one line what was drawn."""
+        count = f"{len(self.samples)} samples by {self.by}"
+        return f"Bootstrap({count}, {len(self.stimuli)} stimuli in {self.unit})"
+
+    @property
+    def se(self) -> Array:
+        """float64 [n]: the spread of the samples."""
+        return np.asarray(self.samples.std(axis=0, ddof=1))
+
+    @property
+    def covariance(self) -> Array:
+        """float64 [n, n]: how the samples vary together."""
+        return np.atleast_2d(np.cov(self.samples, rowvar=False))
+
+    def intervals(
+        self, level: float = 0.95, kind: str | None = None, simultaneous: bool = False
+    ) -> Array:
+        """float64 [n, 2]: an interval for each value, in `unit`.
+
+        kind: "studentised" (each sample measured in its own standard errors; where there are no
+        more than 150 parameters the default, for it covers best), "percentile" (the middle of the
+        samples) or "basic" (the same, mirrored about the fit).
+        simultaneous: hold for all values together, by the largest deviation in each sample
+        (studentised only).
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> thurstone(paper()).bootstrap(seed=3).intervals().round(1)[1].tolist()
+        [0.7, 1.0]
+        """
+        miss = 1 - level_of(level)
+        chosen = self._kind(kind)
+        if simultaneous and chosen != "studentised":
+            raise InputError("simultaneous=True; allowed with it: kind='studentised'")
+        if chosen == "studentised":
+            return self._studentised(miss, control_of(simultaneous) != "none")
+        low, high = np.quantile(self.samples, (miss / 2, 1 - miss / 2), axis=0)
+        if chosen == "basic":
+            low, high = 2 * self.scale - high, 2 * self.scale - low
+        return np.column_stack((low, high))
+
+    def difference(self, first: str, second: str, level: float = 0.95) -> tuple[float, float]:
+        """The percentile interval of how far `first` is above `second`, in `unit`.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> low, high = thurstone(paper()).bootstrap(seed=3).difference("2", "7")
+        >>> low < 1.8 < high
+        True
+        """
+        miss = 1 - level_of(level)
+        for label in (first, second):
+            if label not in self.stimuli:
+                raise InputError(
+                    f"there is no stimulus {said(label)}; allowed: {listed(self.stimuli)}"
+                )
+        i, j = (self.stimuli.index(label) for label in (first, second))
+        found = self.samples[:, i] - self.samples[:, j]
+        low, high = np.quantile(found, (miss / 2, 1 - miss / 2))
+        return float(low), float(high)
+
+    def _kind(self, kind: str | None) -> str:
+        known = self.sample_se is not None
+        if kind is None:
+            return "studentised" if known else "percentile"
+        if kind not in KINDS or (kind == "studentised" and not known):
+            allowed = ", ".join(KINDS if known else KINDS[1:])
+            raise InputError(f"kind is {said(kind)}; allowed: {allowed}")
+        return kind
+
+    def _studentised(self, miss: float, together: bool) -> Array:
+        """Hall 1988: the deviations of samples in standard errors stand for those of the fit."""
+        assert self.sample_se is not None  # noqa: S101, as _kind saw
+        assert self.scale_se is not None  # noqa: S101
+        deviation = self.samples - self.scale
+        t = np.divide(
+            deviation, self.sample_se, out=np.zeros_like(deviation), where=self.sample_se > 0
+        )
+        if together:
+            reach = np.quantile(np.abs(t).max(axis=1), 1 - miss)
+            low, high = np.full(len(self.scale), -reach), np.full(len(self.scale), reach)
+        else:
+            low, high = np.quantile(t, (miss / 2, 1 - miss / 2), axis=0)
+        se = self.scale_se
+        return np.column_stack((self.scale - high * se, self.scale - low * se))
+
+
+def drawn(
+    model: PairModel,
+    people: PersonalAnswers | None,
+    parameters: Array,
+    samples: int,
+    seed: int,
+    progress: Progress | None,
+) -> tuple[Array, Array | None, Array, int]:
+    """Samples, their standard errors, side and ties, and how many had no maximum.
+
+    samples: 2 to 1 000 000, and 2^27 values in all. seed: 0 to 2^63 - 1. progress: called with the
+    finished share, 0 to 1, now and then.
+    """
+    for name, value, least, most in (
+        ("samples", samples, 2, 1_000_000),
+        ("seed", seed, 0, 2**63 - 1),
+    ):
+        if not isinstance(value, int | np.integer) or isinstance(value, bool):
+            raise InputError(f"{name} is {said(value)}; allowed: a whole number")
+        if not least <= value <= most:
+            raise InputError(f"{name} is {said(value)}; allowed: {least} to {most}")
+    if samples * len(parameters) > 1 << 27:
+        most = (1 << 27) // len(parameters)
+        raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
+    report = None if progress is None else lambda done: progress(done / samples)
+    studentised = len(parameters) <= MOST_STUDENTISED
+    values, se, effects, unplaced = model.bootstrap(
+        parameters, people, int(samples), int(seed), studentised, report
+    )
+    return values, se if studentised else None, effects, unplaced

@@ -1,0 +1,298 @@
+"""A fitted scale: where the stimuli are, in which unit, and how sure that is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous._core import PairModel
+from nacreous.number import said
+from nacreous.problem import InputError
+from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.door.fault import listed
+from nacreous.scaling.fit import bootstrap, clustering, uncertainty
+from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
+from nacreous.scaling.fit.unit import Unit, factor, unit_of
+
+if TYPE_CHECKING:
+    from nacreous.scaling.door.answers import Answers
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Scale:
+    """A scale of stimuli, as `thurstone` or `bradley_terry` fitted it.
+
+    - `stimuli`, `scale`: labels and float64 [n], mean 0, in `unit`
+    - `unit`: "z", "d'", "JOD", "JND" or "logit", see `nacreous.scaling.fit.unit`
+    - `model`: "probit" or "logit"; `method`: "maximum-likelihood" or "least-squares"
+    - `log_likelihood`: natural logarithm, without constant terms and without the prior
+    - `order_effect`: by how much being on the left helps, in `unit`; None where not fitted
+    - `tie_threshold`: where not fitted None. Probit: a lead below it is a tie, in `unit`; logit:
+      Davidson's nu, how many ties there are for each choice between equals, no unit
+    - `prior`: spread of a normal prior on the values in the model's own unit, z or logit; or None
+    - `coefficients`: float64 [k], in the model's own unit, where a design matrix was given
+    - `comparisons`: the counts; `answers`: the answers behind them where they are known
+
+    >>> from nacreous.scaling import paper, thurstone
+    >>> print(thurstone(paper()))
+    scale in z (probit, maximum-likelihood, 2184 answers)
+    1   0.289 +- 0.047
+    2   0.858 +- 0.053
+    3   0.320 +- 0.047
+    4   0.380 +- 0.047
+    5  -0.286 +- 0.047
+    6  -0.618 +- 0.050
+    7  -0.943 +- 0.055
+    """
+
+    stimuli: tuple[str, ...]
+    scale: Array
+    unit: Unit
+    model: Literal["probit", "logit"]
+    method: Literal["maximum-likelihood", "least-squares"]
+    comparisons: Comparisons
+    log_likelihood: float
+    order_effect: float | None = None
+    tie_threshold: float | None = None
+    prior: float | None = None
+    coefficients: Array | None = None
+    design: Array | None = None
+    answers: Answers | None = None
+    parameters: Array = field(default_factory=lambda: np.zeros(0), repr=False)
+    pair_model: PairModel | None = field(default=None, repr=False)
+
+    def __str__(self) -> str:
+        """A line for each stimulus, with its unit above and standard errors beside."""
+        of = f"{self.model}, {self.method}, {self.comparisons.total:g} answers"
+        width = max(map(len, self.stimuli))
+        rows = zip(self.stimuli, self.scale, self.se, strict=True)
+        lines = (f"{label:{width}}  {value:6.3f} +- {se:.3f}" for label, value, se in rows)
+        return "\n".join((f"scale in {self.unit} ({of})", *lines))
+
+    def __repr__(self) -> str:
+        """In one line what was fitted."""
+        return f"Scale({len(self.stimuli)} stimuli in {self.unit}, {self.model}, {self.method})"
+
+    @property
+    def own_unit(self) -> Unit:
+        """The unit of the model itself: z for probit, logit for logit."""
+        return "z" if self.model == "probit" else "logit"
+
+    def to(self, unit: str) -> Scale:
+        """The same scale in another unit.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> fit = thurstone(paper())
+        >>> round(float(fit.to("JOD").scale[0] / fit.scale[0]), 4)
+        1.4826
+        """
+        times = factor(self.unit, unit_of(unit))
+        order = None if self.order_effect is None else self.order_effect * times
+        ties = self.tie_threshold
+        if ties is not None and self.model == "probit":
+            ties *= times
+        return replace(
+            self,
+            scale=self.scale * times,
+            unit=unit_of(unit),
+            order_effect=order,
+            tie_threshold=ties,
+        )
+
+    # --- what the model says
+
+    @property
+    def ranking(self) -> tuple[str, ...]:
+        """The labels from the most preferred on.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> thurstone(paper()).ranking
+        ('2', '4', '3', '1', '5', '6', '7')
+        """
+        return tuple(self.stimuli[index] for index in np.argsort(-self.scale, kind="stable"))
+
+    @property
+    def proportions(self) -> Array:
+        """float64 [n, n]: how likely i is chosen over j, whatever the side; a tie counts half."""
+        own = self.scale * factor(self.unit, self.own_unit)
+        leads = (own[:, None] - own[None, :]).ravel()
+        table = self._model.probabilities(leads, self._width)
+        return (table[:, 0] + 0.5 * table[:, 2]).reshape(len(own), len(own))
+
+    def outcomes(self) -> Array:
+        """float64 [row, 3]: how likely left, right and a tie are in each row of `comparisons`."""
+        own = self.scale * factor(self.unit, self.own_unit)
+        leads = own[self.comparisons.left] - own[self.comparisons.right]
+        if self.order_effect is not None:
+            leads = leads + self.order_effect * factor(self.unit, self.own_unit)
+        return self._model.probabilities(leads, self._width)
+
+    @property
+    def free_parameters(self) -> int:
+        """How many numbers were fitted: values less one, or coefficients; side; ties."""
+        values = len(self.stimuli) - 1 if self.design is None else self.design.shape[1]
+        return values + (self.order_effect is not None) + (self.tie_threshold is not None)
+
+    @property
+    def se(self) -> Array:
+        """float64 [n]: standard errors by expected information, in `unit`; mean held at 0."""
+        return uncertainty.root_of_diagonal(self.covariance())
+
+    def covariance(self, kind: str = "expected") -> Array:
+        """float64 [n, n]: covariance of the scale with mean held at 0, in `unit` squared.
+
+        kind: "expected" or "observed" information, which trust the model and every answer to stand
+        alone; "people", which lets the answers of one person hang together and the model be wrong
+        (a sandwich with people as clusters), and needs answers with people.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> fit = thurstone(paper())
+        >>> bool(abs(fit.covariance("observed").sum()) < 1e-15)
+        True
+        """
+        table = self.parameter_covariance(kind)
+        count = len(self.stimuli)
+        if self.design is not None and self.method == "maximum-likelihood":
+            centred = self.design - self.design.mean(axis=0)
+            k = self.design.shape[1]
+            values = centred @ table[:k, :k] @ centred.T
+        else:
+            values = uncertainty.centred(table[:count, :count])
+        return np.asarray(values * factor(self.own_unit, self.unit) ** 2)
+
+    def parameter_covariance(self, kind: str = "expected") -> Array:
+        """Covariance of the parameters in the model's own unit: coefficients, side, ties.
+
+        Without a design matrix the coefficients are the stimuli's values. Ties: the threshold in z,
+        or ln nu.
+        """
+        if self.method == "least-squares":
+            from nacreous.scaling.fit import least_squares
+
+            own = self.scale * factor(self.unit, "z")
+            return least_squares.covariance(self.comparisons, own, kind)
+        model, floats = self._model, self.design is None and self.prior is None
+        if kind in ("expected", "observed"):
+            information = model.information(self.parameters, kind == "expected")
+            return uncertainty.inverse(information, len(self.stimuli) if floats else 0)
+        if kind != "people":
+            raise InputError(f"kind is {said(kind)}; allowed: expected, observed, people")
+        bread = model.information(self.parameters, False)
+        inverse = uncertainty.inverse(bread, len(self.stimuli) if floats else 0)
+        return clustering.sandwich(model, self.answers, self.parameters, inverse)
+
+    def difference(
+        self, first: str, second: str, level: float = 0.95, kind: str = "expected"
+    ) -> uncertainty.Difference:
+        """How far `first` is above `second`, in `unit`; kind as in `covariance`.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> thurstone(paper()).difference("2", "4")
+        Difference(2 - 4: 0.478, 0.331 to 0.625 z)
+        """
+        pairs = [(self._index(first), self._index(second))]
+        return uncertainty.differences(
+            self.stimuli, self.scale, self.covariance(kind), self.unit, level, "none", pairs
+        )[0]
+
+    def differences(
+        self, level: float = 0.95, simultaneous: str = "holm", kind: str = "expected"
+    ) -> list[uncertainty.Difference]:
+        """All n (n - 1) / 2 differences, with intervals and p values that hold for all together.
+
+        simultaneous: "holm" (p values by Holm 1979, intervals by Bonferroni), "bonferroni", "tukey"
+        (the largest of all differences, by the multivariate normal distribution) or "none".
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> len(thurstone(paper()).differences())
+        21
+        """
+        return uncertainty.differences(
+            self.stimuli, self.scale, self.covariance(kind), self.unit, level, simultaneous
+        )
+
+    def intervals(
+        self, level: float = 0.95, simultaneous: str | bool = False, kind: str = "expected"
+    ) -> Array:
+        """float64 [n, 2]: an interval for each value, in `unit`.
+
+        level: 0.5 to 0.9999. simultaneous: False (each by itself), "bonferroni", "holm" (the same
+        intervals: Holm's are p values) or "tukey" (the multivariate normal distribution).
+        Raises `InputError` for others.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> thurstone(paper()).intervals().round(2)[0].tolist()
+        [0.2, 0.38]
+        """
+        return uncertainty.intervals(self.scale, self.covariance(kind), level, simultaneous)
+
+    def bootstrap(
+        self,
+        samples: int = 1000,
+        by: str | None = None,
+        seed: int = 1,
+        progress: Progress | None = None,
+    ) -> Bootstrap:
+        """The scales of answers drawn again, in `unit`; on all processors.
+
+        by: "people", each with all answers, the default where people are known, or "answers".
+        samples: 2 to 1 000 000. seed: 0 to 2^63 - 1; same seed, same bytes. progress: called
+        with the finished share, 0 to 1, now and then. Ctrl-C interrupts.
+        Raises `InputError` for what is out of range, for least squares, for people that are not
+        known and for answers of counts that are not whole numbers.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> fit = thurstone(paper())
+        >>> bool(abs(fit.bootstrap(seed=2).se / fit.se - 1).max() < 0.1)
+        True
+        """
+        if self.method == "least-squares":
+            raise InputError("method is 'least-squares'; allowed here: maximum-likelihood")
+        known = self.answers is not None and self.answers.person is not None
+        drawn_by = by if by is not None else ("people" if known else "answers")
+        if drawn_by not in ("people", "answers"):
+            raise InputError(f"by is {said(by)}; allowed: people, answers")
+        people = clustering.personal(self.answers) if drawn_by == "people" else None
+        values, se, effects, unplaced = bootstrap.drawn(
+            self._model, people, self.parameters, samples, seed, progress
+        )
+        times = factor(self.own_unit, self.unit)
+        kind = "people" if drawn_by == "people" else "observed"
+        ties = effects[:, 1] * (times if self.model == "probit" else 1.0)
+        return Bootstrap(
+            stimuli=self.stimuli,
+            unit=self.unit,
+            by="people" if drawn_by == "people" else "answers",
+            scale=self.scale,
+            samples=values * times,
+            without_maximum=unplaced,
+            order_effects=None if self.order_effect is None else effects[:, 0] * times,
+            tie_thresholds=None if self.tie_threshold is None else ties,
+            scale_se=uncertainty.root_of_diagonal(self.covariance(kind)),
+            sample_se=None if se is None else se * times,
+        )
+
+    @property
+    def _model(self) -> PairModel:
+        if self.pair_model is None:
+            raise InputError("this Scale was not made by a fit; allowed: thurstone, bradley_terry")
+        return self.pair_model
+
+    @property
+    def _width(self) -> float:
+        """Of ties, as the compiled room has it."""
+        if self.tie_threshold is None or self.tie_threshold == 0:
+            return 0.0
+        if self.model == "logit":
+            return float(np.log(self.tie_threshold))
+        return self.tie_threshold * factor(self.unit, "z")
+
+    def _index(self, label: str) -> int:
+        if label not in self.stimuli:
+            raise InputError(f"there is no stimulus {label!r}; allowed: {listed(self.stimuli)}")
+        return self.stimuli.index(label)

@@ -1,0 +1,1 @@
+"""Before the answers: designs, simulated studies, the next pair to ask."""
