@@ -39,6 +39,33 @@ def number_of(name: str, value: object) -> float:
     raise InputError(f"{name} is {said(value)}; allowed: a number")
 
 
+def whole_of(name: str, value: object, least: int, most: int) -> int:
+    """A whole number in a range, ends included, or one clear message.
+
+    >>> whole_of("columns", 2.5, 2, 100)
+    Traceback (most recent call last):
+    nacreous.problem.InputError: columns is 2.5; allowed: a whole number, 2 to 100
+    """
+    if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        number = int(value)
+        if least <= number <= most:
+            return number
+    raise InputError(f"{name} is {said(value)}; allowed: a whole number, {least} to {most}")
+
+
+def seed_of(seed: object) -> int:
+    """A seed: a whole number from 0 to 2^63 - 1."""
+    return whole_of("seed", seed, 0, 2**63 - 1)
+
+
+def within(name: str, value: object, least: float, most: float) -> float:
+    """A number in a range, ends included, or one clear message."""
+    number = number_of(name, value)
+    if not least <= number <= most:
+        raise InputError(f"{name} is {number:g}; allowed: {least:g} to {most:g}")
+    return number
+
+
 def index_of(name: str, value: object) -> complex:
     """A complex index, or one clear message."""
     if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):

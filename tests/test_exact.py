@@ -306,9 +306,9 @@ def test_an_ensemble_goes_on_until_its_error_is_reached() -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"columns": 1}, "columns is 1; allowed: 2 to 10000"),
-        ({"columns": 2.5}, "columns is 2.5; allowed: a whole number"),
-        ({"seed": -1}, "seed is -1; allowed: 0 to 4611686018427387904"),
+        ({"columns": 1}, "columns is 1; allowed: a whole number, 2 to 10000"),
+        ({"columns": 2.5}, "columns is 2.5; allowed: a whole number, 2 to 10000"),
+        ({"seed": -1}, "seed is -1; allowed: a whole number, 0 to 4611686018427387904"),
         ({"error": 2.0}, "error is 2.0; allowed: 1e-9 to 1, or None"),
         ({"growth": 3}, "growth is 3; allowed: a nacre preset's name or a Growth"),
     ],

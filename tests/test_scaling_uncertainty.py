@@ -162,7 +162,7 @@ def test_progress_is_told_and_may_stop():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"samples": 1}, "samples is 1; allowed: 2 to 1000000"),
+        ({"samples": 1}, "samples is 1; allowed: a whole number, 2 to 1000000"),
         ({"samples": 2.5}, "samples is 2.5; allowed: a whole number"),
         ({"seed": -1}, "seed is -1"),
         ({"by": "pairs"}, "by is 'pairs'; allowed: people, answers"),

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
 from nacreous.nacre import LayerStack, grow
-from nacreous.number import number_of, row_of, said
+from nacreous.number import number_of, row_of, said, whole_of
 from nacreous.optics.transfer import energies
 from nacreous.problem import InputError
 
@@ -77,7 +77,7 @@ def ensemble(
     >>> nacre.R.shape
     (2, 3)
     """
-    first, seed = _whole("columns", columns, 2, MAX_COLUMNS), _whole("seed", seed, 0, 2**62)
+    first, seed = whole_of("columns", columns, 2, MAX_COLUMNS), whole_of("seed", seed, 0, 2**62)
     if error is not None and not 1e-9 <= number_of("error", error) <= 1:
         raise InputError(f"error is {said(error)}; allowed: 1e-9 to 1, or None")
     light = _Light(
@@ -100,14 +100,6 @@ def ensemble(
         if error is None or reached <= error:
             return Ensemble(tables[0], tables[1], spread[0], spread[1], done)
         goal = _goal(done, reached, error)
-
-
-def _whole(name: str, value: object, least: int, most: int) -> int:
-    if not isinstance(value, (int, np.integer)) or isinstance(value, bool):
-        raise InputError(f"{name} is {said(value)}; allowed: a whole number")
-    if not least <= value <= most:
-        raise InputError(f"{name} is {said(value)}; allowed: {least} to {most}")
-    return int(value)
 
 
 def _goal(done: int, reached: float, error: float) -> int:

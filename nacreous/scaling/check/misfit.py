@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.check.cells import WORTH, Cells, cells_of
-from nacreous.scaling.check.share import level_of
+from nacreous.scaling.fit.uncertainty import level_of
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale

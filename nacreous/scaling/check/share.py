@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nacreous.number import number_of
-from nacreous.problem import InputError
+from nacreous.scaling.fit.uncertainty import level_of
 
 
 @dataclass(frozen=True)
@@ -45,16 +44,3 @@ class Share:
         """Count, share and interval in one line."""
         interval = f"({self.low:.2f} to {self.high:.2f})"
         return f"{self.count:g} of {self.total:g}, {self.share:.2f} {interval}"
-
-
-def level_of(level: object) -> float:
-    """A level of confidence, checked.
-
-    >>> level_of(95)
-    Traceback (most recent call last):
-    nacreous.problem.InputError: level is 95; allowed: above 0, below 1
-    """
-    value = number_of("level", level)
-    if not 0 < value < 1:
-        raise InputError(f"level is {value:g}; allowed: above 0, below 1")
-    return value

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.check.share import Share, level_of
+from nacreous.scaling.check.share import Share
 from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.fit.uncertainty import holm, level_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,19 +59,6 @@ def side_bias(answers: Answers, level: float = 0.95) -> SideBias:
         by_person=by_person,
         biased=biased,
     )
-
-
-def holm(p_values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """P-values corrected for their number: S. Holm, 1979.
-
-    >>> holm(np.array([0.01, 0.04, 0.03])).tolist()
-    [0.03, 0.06, 0.06]
-    """
-    order = np.argsort(p_values)
-    times = len(p_values) - np.arange(len(p_values))
-    corrected = np.empty(len(p_values))
-    corrected[order] = np.minimum(1.0, np.maximum.accumulate(p_values[order] * times))
-    return corrected
 
 
 def _exact(lefts: NDArray[np.int64], totals: NDArray[np.int64]) -> NDArray[np.float64]:

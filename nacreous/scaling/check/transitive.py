@@ -16,8 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said
-from nacreous.problem import InputError
+from nacreous.number import seed_of
 from nacreous.scaling.check.tournament import EQUAL, shares_of
 from nacreous.scaling.door.comparisons import comparisons_of
 
@@ -67,8 +66,7 @@ def transitivity(data: Any, seed: int = 1) -> Transitivity:
     """
     comparisons = comparisons_of(data)
     shares = shares_of(comparisons)
-    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
-        raise InputError(f"seed is {said(seed)}; allowed: a whole number, 0 or more")
+    seed = seed_of(seed)
     sampled = comb(shares.stimuli, 3) > MOST_TRIADS
     triads = _drawn(shares.stimuli, seed) if sampled else _all(shares.stimuli)
     first, second, third = triads.T

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.check.side import holm
+from nacreous.scaling.fit.uncertainty import holm
 
 __all__ = ["Alignment", "Shifts", "align", "shifts"]
 

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.number import within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.attribute_line import Line, Prediction
 from nacreous.scaling.compare.attribute_table import AttributeTable, check_columns
@@ -24,7 +25,7 @@ from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotell
 from nacreous.scaling.door.fault import listed
 from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.planning.simulation import check_model, within
+from nacreous.scaling.fit.unit import check_model
 
 __all__ = ["AttributeFit", "AttributeTest", "AttributeWeight", "Prediction", "fit_attributes"]
 

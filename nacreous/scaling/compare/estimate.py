@@ -19,7 +19,7 @@ from nacreous.scaling.fit.clustering import personal
 from nacreous.scaling.fit.existence import REMEDY
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import inverse
-from nacreous.scaling.planning.simulation import check_model
+from nacreous.scaling.fit.unit import check_model
 
 __all__ = [
     "Estimate",

@@ -26,9 +26,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said
+from nacreous.number import said, seed_of, whole_of, within
 from nacreous.problem import InputError
-from nacreous.scaling.check.side import holm
 from nacreous.scaling.compare.estimate import (
     Estimate,
     estimates,
@@ -42,7 +41,8 @@ from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.door.answers import Answers
 from nacreous.scaling.door.comparisons import comparisons_of
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.planning.simulation import check_model, seed_of, whole, within
+from nacreous.scaling.fit.uncertainty import holm
+from nacreous.scaling.fit.unit import check_model
 
 __all__ = ["GroupComparison", "GroupDifference", "GroupTest", "compare_groups"]
 
@@ -154,7 +154,7 @@ def compare_groups(
     """
     named = _named(groups)
     check_model(model)
-    whole("permutations", permutations, 99, 1_000_000)
+    whole_of("permutations", permutations, 99, 1_000_000)
     within("level", level, 0.5, 0.9999)
     found = estimates(named, model, ties=ties, order=order)
     same = shared_people(found, same_people)

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said
+from nacreous.number import said, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import (
     Estimate,
@@ -25,7 +25,6 @@ from nacreous.scaling.compare.estimate import (
     spread_over,
 )
 from nacreous.scaling.door.fault import listed, quoted
-from nacreous.scaling.planning.simulation import within
 
 __all__ = ["ClusterRatio", "RatioChange", "cluster_ratio", "compare_ratios"]
 

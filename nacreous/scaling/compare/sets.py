@@ -14,12 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.number import seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.alignment import Alignment, Shifts, align, shifts
 from nacreous.scaling.compare.estimate import estimates, firm_spread_over, shared_people
 from nacreous.scaling.door.fault import quoted
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.planning.simulation import check_model, seed_of, whole, within
+from nacreous.scaling.fit.unit import check_model
 
 __all__ = ["Coefficient", "Move", "SetComparison", "compare_sets"]
 
@@ -135,7 +136,7 @@ def compare_sets(
     """
     check_model(model)
     within("level", level, 0.5, 0.9999)
-    whole("samples", samples, 100, 1_000_000)
+    whole_of("samples", samples, 100, 1_000_000)
     found = estimates({"first": first, "second": second}, model, ties=ties, order=order)
     same = shared_people(found, same_people)
     one, two = (each.fit for each in found.values())

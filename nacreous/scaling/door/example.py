@@ -42,6 +42,6 @@ def paper_proportions() -> NDArray[np.float64]:
 
 
 def _numbers(name: str) -> NDArray[np.float64]:
-    text = files("nacreous.scaling").joinpath("data", name).read_text("utf-8")
+    text = files("nacreous.scaling.door").joinpath("data", name).read_text("utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     return np.array([[float(cell) for cell in line.split(",")] for line in lines])

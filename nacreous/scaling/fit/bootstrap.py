@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous._core import PairModel, PersonalAnswers
-from nacreous.number import said
+from nacreous.number import said, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.door.fault import listed
 from nacreous.scaling.fit.uncertainty import control_of, level_of
@@ -156,20 +156,13 @@ def drawn(
     samples: 2 to 1 000 000, and 2^27 values in all. seed: 0 to 2^63 - 1. progress: called with the
     finished share, 0 to 1, now and then.
     """
-    for name, value, least, most in (
-        ("samples", samples, 2, 1_000_000),
-        ("seed", seed, 0, 2**63 - 1),
-    ):
-        if not isinstance(value, int | np.integer) or isinstance(value, bool):
-            raise InputError(f"{name} is {said(value)}; allowed: a whole number")
-        if not least <= value <= most:
-            raise InputError(f"{name} is {said(value)}; allowed: {least} to {most}")
+    samples, seed = whole_of("samples", samples, 2, 1_000_000), seed_of(seed)
     if samples * len(parameters) > 1 << 27:
         most = (1 << 27) // len(parameters)
         raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
     report = None if progress is None else lambda done: progress(done / samples)
     studentised = len(parameters) <= MOST_STUDENTISED
     values, se, effects, unplaced = model.bootstrap(
-        parameters, people, int(samples), int(seed), studentised, report
+        parameters, people, samples, seed, studentised, report
     )
     return values, se if studentised else None, effects, unplaced

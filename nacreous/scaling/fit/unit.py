@@ -50,3 +50,9 @@ def factor(from_unit: str, to_unit: str) -> float:
     (1.4142, 1.4826, 0.6139)
     """
     return JOD_PER[unit_of(from_unit)] / JOD_PER[unit_of(to_unit)]
+
+
+def check_model(model: object) -> None:
+    """Refuse any model but "probit" and "logit"."""
+    if model not in ("probit", "logit"):
+        raise InputError(f"model is {said(model)}; allowed: probit, logit")

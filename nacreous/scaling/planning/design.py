@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said
+from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.door.label import MOST_STIMULI, labels_of, numbered
 from nacreous.scaling.planning.sequence import balanced_sides, in_sequence
@@ -65,10 +65,10 @@ def full_design(stimuli: int | Iterable[object], seed: int = 1, repeats: int = 1
     """
     labels = _labels(stimuli)
     count = len(labels)
-    times = _whole("repeats", repeats, 1, 100)
+    times = whole_of("repeats", repeats, 1, 100)
     _check_pairs(times * count * (count - 1) // 2)
     first, second = np.triu_indices(count, 1)
-    return _arranged(labels, np.stack([first, second], axis=1), _seed(seed), times)
+    return _arranged(labels, np.stack([first, second], axis=1), seed_of(seed), times)
 
 
 def cyclic_design(stimuli: int | Iterable[object], each: int, seed: int = 1) -> Design:
@@ -87,14 +87,14 @@ def cyclic_design(stimuli: int | Iterable[object], each: int, seed: int = 1) -> 
     count = len(labels)
     if count < 3:
         raise InputError("2 stimuli have one pair only; allowed: 3 or more for a cyclic design")
-    each = _whole("each", each, 2, count - 1)
+    each = whole_of("each", each, 2, count - 1)
     if each * count % 2:
         raise InputError(
             f"each is {each} and there are {count} stimuli, both odd, which leaves one without a "
             f"partner; allowed: {each - 1} or {each + 1}"
         )
     _check_pairs(each * count // 2)
-    random = np.random.default_rng(_seed(seed))
+    random = np.random.default_rng(seed_of(seed))
     circle = random.permutation(count)
     pairs = [
         np.stack([np.arange(count), (np.arange(count) + step) % count], axis=1)
@@ -103,7 +103,7 @@ def cyclic_design(stimuli: int | Iterable[object], each: int, seed: int = 1) -> 
     if each % 2:  # each with the one across
         across = np.arange(count // 2)
         pairs.append(np.stack([across, across + count // 2], axis=1))
-    return _arranged(labels, circle[np.concatenate(pairs)], _seed(seed), 1)
+    return _arranged(labels, circle[np.concatenate(pairs)], seed_of(seed), 1)
 
 
 def random_design(stimuli: int | Iterable[object], pairs: int, seed: int = 1) -> Design:
@@ -118,9 +118,9 @@ def random_design(stimuli: int | Iterable[object], pairs: int, seed: int = 1) ->
     """
     labels = _labels(stimuli)
     count = len(labels)
-    pairs = _whole("pairs", pairs, count - 1, count * (count - 1) // 2)
+    pairs = whole_of("pairs", pairs, count - 1, count * (count - 1) // 2)
     _check_pairs(pairs)
-    random = np.random.default_rng(_seed(seed))
+    random = np.random.default_rng(seed_of(seed))
     chain = random.permutation(count)
     codes = np.minimum(chain[:-1], chain[1:]) * count + np.maximum(chain[:-1], chain[1:])
     while len(codes) < pairs:
@@ -134,7 +134,7 @@ def random_design(stimuli: int | Iterable[object], pairs: int, seed: int = 1) ->
             others = np.setdiff1d(drawn[:, 0] * count + drawn[:, 1], codes)
         codes = np.append(codes, random.permutation(others)[:wanted])
     found = np.stack([codes // count, codes % count], axis=1)
-    return _arranged(labels, found, _seed(seed), 1)
+    return _arranged(labels, found, seed_of(seed), 1)
 
 
 def _steps(count: int, number: int) -> list[int]:
@@ -159,18 +159,7 @@ def _arranged(labels: tuple[str, ...], pairs: NDArray[np.int64], seed: int, repe
 def _labels(stimuli: int | Iterable[object]) -> tuple[str, ...]:
     if isinstance(stimuli, Iterable):
         return labels_of(stimuli)
-    return numbered(_whole("stimuli", stimuli, 2, MOST_STIMULI))
-
-
-def _whole(name: str, value: object, least: int, most: int) -> int:
-    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if whole and least <= value <= most:  # type: ignore[operator]
-        return int(value)  # type: ignore[call-overload, no-any-return]
-    raise InputError(f"{name} is {said(value)}; allowed: a whole number, {least} to {most}")
-
-
-def _seed(seed: object) -> int:
-    return _whole("seed", seed, 0, 2**63 - 1)
+    return numbered(whole_of("stimuli", stimuli, 2, MOST_STIMULI))
 
 
 def _check_pairs(pairs: int) -> None:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nacreous.number import seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of
 from nacreous.scaling.compare.permutation import permutation_test
@@ -22,7 +23,7 @@ from nacreous.scaling.door.answers import Answers
 from nacreous.scaling.door.fault import listed, quoted
 from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.planning.forecast import Needed, Power, Precision
-from nacreous.scaling.planning.simulation import Pairs, seed_of, simulate, truth_of, whole, within
+from nacreous.scaling.planning.simulation import Pairs, simulate, truth_of
 
 __all__ = ["Plan"]
 
@@ -60,7 +61,7 @@ class Plan:
 
     def __post_init__(self) -> None:
         """Refuse at once what could not be simulated."""
-        whole("people", self.people, 2, _MOST_PEOPLE)
+        whole_of("people", self.people, 2, _MOST_PEOPLE)
         simulate(**{**self._settings, "people": 1})
 
     @property
@@ -250,7 +251,7 @@ def _differ(found: Estimate, i: int, j: int, alpha: float) -> bool:
 
 def _studies(studies: int, seed: int, progress: Progress | None) -> Iterator[int]:
     """Seeds of so many studies, unlike those of other seeds."""
-    whole("studies", studies, 10, 1_000_000)
+    whole_of("studies", studies, 10, 1_000_000)
     start = np.random.SeedSequence(seed_of(seed)).generate_state(1, np.uint64)[0]
     first = int(start >> 3)  # room for two a study below 2^63
     for done in range(studies):

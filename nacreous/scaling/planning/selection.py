@@ -27,13 +27,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said
+from nacreous.number import said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import fit_of
 from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.door.label import labels_of
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.planning.simulation import check_model, seed_of, whole, within
+from nacreous.scaling.fit.unit import check_model
 
 __all__ = ["NextPair", "next_pairs"]
 
@@ -87,7 +87,7 @@ def next_pairs(
     """
     check_model(model)
     within("prior", prior, 1e-3, 1e3)
-    whole("batch", batch, 1, 1_000_000)
+    whole_of("batch", batch, 1, 1_000_000)
     if method not in ("greedy", "tree"):
         raise InputError(f"method is {said(method)}; allowed: greedy, tree")
     labels, comparisons = _so_far(data, stimuli)

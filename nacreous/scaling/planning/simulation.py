@@ -12,11 +12,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nacreous.number import number_of, row_of, said
+from nacreous.number import number_of, row_of, said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.door.answers import Answers
 from nacreous.scaling.door.fault import listed, quoted
 from nacreous.scaling.door.label import check_number, natural, numbered
+from nacreous.scaling.fit.unit import check_model
 from nacreous.scaling.planning.design import Design
 
 __all__ = ["simulate"]
@@ -138,35 +139,6 @@ def pairs_of(
     return both[:, 0], both[:, 1]
 
 
-def seed_of(seed: object) -> int:
-    """A seed: a whole number from 0."""
-    return whole("seed", seed, 0, 2**63 - 1)
-
-
-def whole(name: str, value: object, least: int, most: int) -> int:
-    """A whole number in a range, or one clear message."""
-    number = (
-        -1 if isinstance(value, bool) or not isinstance(value, int | np.integer) else int(value)
-    )
-    if least <= number <= most:
-        return number
-    raise InputError(f"{name} is {said(value)}; allowed: a whole number, {least} to {most}")
-
-
-def within(name: str, value: object, least: float, most: float) -> float:
-    """A number in a range, ends included, or one clear message."""
-    number = number_of(name, value)
-    if not least <= number <= most:
-        raise InputError(f"{name} is {number:g}; allowed: {least:g} to {most:g}")
-    return number
-
-
-def check_model(model: object) -> None:
-    """Refuse any model but "probit" and "logit"."""
-    if model not in ("probit", "logit"):
-        raise InputError(f"model is {said(model)}; allowed: probit, logit")
-
-
 def _check(
     people: object,
     repeats: object,
@@ -176,8 +148,8 @@ def _check(
     tie: object,
     lapse: object,
 ) -> None:
-    whole("people", people, 1, 1_000_000)
-    whole("repeats", repeats, 1, 10_000)
+    whole_of("people", people, 1, 1_000_000)
+    whole_of("repeats", repeats, 1, 10_000)
     check_model(model)
     within("person_spread", person_spread, 0, _WIDEST)
     within("order", order, -_WIDEST, _WIDEST)

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.check.side import holm
 from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.report.settings import Settings
 
 __all__ = ["Doubt", "Neighbours", "doubt_of", "neighbours_of"]
