@@ -182,5 +182,5 @@ def test_nothing_is_nan_or_infinite_but_pairs_not_compared():
 
 
 def test_a_level_outside_0_to_1_is_refused():
-    with pytest.raises(nc.InputError, match="level is 95; allowed: 0.5 to 0.9999"):
+    with pytest.raises(nc.InputError, match=r"level is 95; allowed: 0\.5 to 0\.9999"):
         goodness(thurstone(paper()), level=95)
