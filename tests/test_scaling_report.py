@@ -367,6 +367,7 @@ def test_many_stimuli_still_make_a_page_of_a_sensible_size():
     counts = np.triu(wins, 1) + np.tril(10 - wins.T, -1)
     text = nc.scaling.study(counts, bootstrap=0, model="logit").text("a.html")
     assert "tables by pair are left out" in text
+    assert "too many items to draw the margins" in text
     assert len(text) < 3_000_000
 
 

@@ -64,7 +64,7 @@ def _plots(study: Study, groups: GroupComparison, words: Words) -> Html:
         words("groups.lead"),
     )
     if len(fits) > _MOST_COLOURS or len(study.fit.stimuli) > MOST_ROWS:
-        return shown
+        return Html(shown + words.paragraph("groups.too_many"))
     kind = "people" if groups.clustered else "expected"
     bounds = {name: fit.intervals(study.settings.level, kind=kind) for name, fit in fits.items()}
     level = f"{100 * study.settings.level:g}"

@@ -44,6 +44,8 @@ def chapter(study: Study, words: Words) -> Html:
                 words("scale.interval_caption", level=f"{100 * level:g}"),
             )
         )
+    else:
+        parts.append(words.paragraph("scale.too_many"))
     parts += [_example(study, words), doubt(study, words), _table(study, words)]
     return Html("".join(parts))
 
