@@ -10,6 +10,7 @@ from scipy.special import log_ndtr, logit, ndtri
 from nacreous._core import log_normal_cdf
 from nacreous.problem import InputError
 from nacreous.scaling import Comparisons, bradley_terry, paper, paper_proportions, thurstone
+from nacreous.scaling.fit.least_squares import z_of_pairs
 
 GOLDEN = Path(__file__).parent / "golden" / "thurstone"
 REFERENCE = json.loads((GOLDEN / "reference.json").read_text())
@@ -50,6 +51,14 @@ def test_bradley_terry_is_that_of_r():
     fit = bradley_terry(paper())
     assert np.abs(fit.scale - expected["scale"]).max() < 1e-5
     assert np.abs(fit.se - expected["se"]).max() < 1e-4
+
+
+def test_z_of_the_printed_proportions_is_table_1():
+    """z(2, 4) is printed as 0.498 where p = 0.69 gives 0.496."""
+    pairs = Comparisons.of_proportions(paper_proportions(), 104).unsided()
+    printed = np.loadtxt(GOLDEN / "z_published.csv", delimiter=",")
+    assert len(pairs) == 21
+    assert np.abs(z_of_pairs(pairs) - printed[pairs.left, pairs.right]).max() < 2.5e-3
 
 
 def test_least_squares_is_table_1():
@@ -161,3 +170,10 @@ def test_thousands_of_stimuli_in_a_ring_are_placed():
     assert np.abs(thurstone(chain).scale).max() < 1e-9
     with pytest.raises(InputError, match=r'no scale holds "4999".*there are 5000 such sets'):
         bradley_terry(ring[:-1])
+
+
+def test_parameters_of_another_model_are_refused_and_do_not_panic():
+    room = thurstone(paper()).pair_model
+    for ask in (lambda p: room.information(p, True), room.log_likelihood):
+        with pytest.raises(InputError, match="parameters has 3 rows; allowed: 7"):
+            ask(np.zeros(3))

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use nacreous_scaling::{
-    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, Source,
+    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, ScalingError, Source,
 };
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
@@ -84,7 +84,7 @@ impl PairModel {
         parameters: PyReadonlyArray1<'_, f64>,
         expected: bool,
     ) -> PyResult<Table<'py>> {
-        let parameters = parameters.as_array().to_vec();
+        let parameters = self.checked(&parameters)?;
         let kind = if expected { Kind::Expected } else { Kind::Observed };
         let size = parameters.len();
         let matrix = py
@@ -93,9 +93,9 @@ impl PairModel {
     }
 
     /// The log-likelihood at some parameters, without constant terms and prior.
-    fn log_likelihood(&self, parameters: PyReadonlyArray1<'_, f64>) -> f64 {
-        let parameters = parameters.as_array().to_vec();
-        nacreous_scaling::log_likelihood(&self.model, &self.counts, &parameters)
+    fn log_likelihood(&self, parameters: PyReadonlyArray1<'_, f64>) -> PyResult<f64> {
+        let parameters = self.checked(&parameters)?;
+        Ok(nacreous_scaling::log_likelihood(&self.model, &self.counts, &parameters))
     }
 
     /// How likely left, right and a tie are, [lead, 3], for some leads of the left one (its order
@@ -119,7 +119,7 @@ impl PairModel {
         answers: &PersonalAnswers,
         parameters: PyReadonlyArray1<'_, f64>,
     ) -> PyResult<Table<'py>> {
-        let parameters = parameters.as_array().to_vec();
+        let parameters = self.checked(&parameters)?;
         let (model, stimuli) = (&self.model, self.counts.stimuli);
         let (answers, people) = (&answers.answers, answers.people);
         let scores = py.detach(|| {
@@ -142,7 +142,7 @@ impl PairModel {
         studentised: bool,
         report: Option<Py<PyAny>>,
     ) -> PyResult<(Table<'py>, Table<'py>, Table<'py>, usize)> {
-        let parameters = parameters.as_array().to_vec();
+        let parameters = self.checked(&parameters)?;
         let (model, stimuli) = (&self.model, self.counts.stimuli);
         let (stop, done) = (AtomicBool::new(false), AtomicUsize::new(0));
         let work = || {
@@ -168,6 +168,17 @@ impl PairModel {
         let effects = found.iter().flat_map(|sample| [sample.order, sample.ties]).collect();
         let unplaced = found.iter().filter(|sample| !sample.placed).count();
         Ok((table(values)?, table(se)?, table(effects)?, unplaced))
+    }
+}
+
+impl PairModel {
+    /// Parameters, as many as the model has.
+    fn checked(&self, parameters: &PyReadonlyArray1<'_, f64>) -> PyResult<Vec<f64>> {
+        let (found, expected) = (parameters.len(), self.model.parameters(self.counts.stimuli));
+        if found != expected {
+            return Err(refused(ScalingError::Length { table: "parameters", found, expected }));
+        }
+        Ok(parameters.as_array().to_vec())
     }
 }
 
