@@ -66,7 +66,7 @@ class Growth(Nacre):
     preset: Annotated[str, AfterValidator(_known)] = key(
         "paper",
         "The nacre preset whose values hold wherever this file gives none.",
-        allowed=f"a nacre preset: {', '.join(preset.names('nacre'))}",
+        allowed="a name that `nacreous presets nacre` lists",
         source="nacreous presets nacre",
         examples=preset.names("nacre"),
     )
