@@ -59,4 +59,4 @@ pub use sphere::{Hit, Sphere};
 pub use surface::Surface;
 pub use surroundings::{Seen, Surroundings, Walls};
 pub use table::Table;
-pub use transport::Transport;
+pub use transport::{Parts, Transport};

@@ -16,8 +16,6 @@ pub struct Surface {
     pub relief: Relief,
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
     entering: Vec<Bands>,
-    /// Share of light that would leave after one facet, were they perfect mirrors.
-    once: Vec<f64>,
 }
 
 /// Facets to average over, at every angle.
@@ -30,27 +28,18 @@ impl Surface {
     /// Puts the film on the facets.
     pub fn new(film: Film, relief: Relief) -> Self {
         let draws = relief.draws(DRAWS);
-        let (mut entering, mut once) = (Vec::new(), Vec::new());
+        let mut entering = Vec::new();
         for cosine in film::cosines() {
             let cos_view = cosine.max(0.25 / STEPS as f64);
-            let (mut mirrored, mut weights) = ([0.0; BANDS], 0.0);
+            let mut mirrored = [0.0; BANDS];
             for facet in draws.iter().filter_map(|draw| relief.facet(*draw, cos_view)) {
-                weights += facet.weight;
                 for (sum, share) in mirrored.iter_mut().zip(film.reflectance(facet.cos_half)) {
                     *sum += facet.weight * share;
                 }
             }
             entering.push(mirrored.map(|sum| (1.0 - sum / DRAWS as f64).clamp(0.0, 1.0)));
-            once.push(weights / DRAWS as f64);
         }
-        Self { film, relief, entering, once }
-    }
-
-    /// Share of light that would leave after one facet, were they perfect mirrors.
-    pub(crate) fn once(&self, cosine: f64) -> f64 {
-        let x = cosine.clamp(0.0, 1.0) * STEPS as f64;
-        let i = (x as usize).min(STEPS - 1);
-        self.once[i] + (self.once[i + 1] - self.once[i]) * (x - i as f64)
+        Self { film, relief, entering }
     }
 
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.

@@ -9,7 +9,7 @@ use crate::{
     lamp::Lamp,
     rgb::{self, Rgb},
     sphere::Hit,
-    surface::Surface,
+    surface::{Surface, upsampled},
     surroundings::Surroundings,
 };
 
@@ -23,6 +23,8 @@ pub struct Transport {
     draws_per_sample: usize,
     /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
     mirrored: Vec<Matrix>,
+    /// What all facets together mirror of even surroundings, by the cosine of the view angle.
+    mirrored_by_all: Vec<Matrix>,
     lamps: Vec<Mirrored>,
     inside: Inside,
 }
@@ -38,7 +40,7 @@ const COSINES: usize = 8 * STEPS;
 
 /// The parts of the light of one point.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Parts {
+pub struct Parts {
     /// What interference adds to, and takes from, the light from inside; may be negative.
     pub interference: Rgb,
     /// The light from inside, were the film without colour.
@@ -61,6 +63,8 @@ impl Transport {
         let relief = surface.relief;
         let draws_per_sample = draws_per_sample(relief.spread_rad());
         let at = |step: usize| surface.film.reflectance(step as f64 / COSINES as f64);
+        let kept_out = |entering: &Bands| palette.filtered(&entering.map(|share| 1.0 - share));
+        let mirrored_by_all = upsampled(&surface, COSINES).iter().map(kept_out).collect();
         let mirrored = (0..=COSINES).map(|step| palette.filtered(&at(step))).collect();
         let colours = |power: &Bands| {
             (0..=COSINES).map(|step| palette.rgb(&bands::times(&at(step), power))).collect()
@@ -84,12 +88,12 @@ impl Transport {
             })
             .collect();
         let draws = relief.draws(samples * draws_per_sample);
-        Self { surface, draws, draws_per_sample, mirrored, lamps, inside }
+        Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
     }
 
     /// What goes from `hit` towards `view`, by the facets of one of the pixel's samples. `pixel_mm` is the
     /// width that the pixel stands for on the pearl.
-    pub(crate) fn shade(
+    pub fn shade(
         &self,
         surroundings: &Surroundings,
         hit: &Hit,
@@ -125,7 +129,7 @@ impl Transport {
         // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
         // a slanted surface turns it faster.
         let pixel_rad = 2.0 * pixel_mm / surroundings.pearl.radius_mm / cos_view.max(0.02);
-        let (mut sum, mut weights) = ([0.0; 3], 0.0);
+        let mut lobe = Lobe::default();
         let first = sample * self.draws_per_sample;
         for i in first..first + self.draws_per_sample {
             let draw = self.draws[i % self.draws.len()];
@@ -134,11 +138,45 @@ impl Transport {
             let share_rad2 = LOBE / (facet.density * self.draws.len() as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
             let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad);
-            let colour = apply(&self.mirrored[row(facet.cos_half)], seen.radiance);
-            rgb::add(&mut sum, rgb::scaled(colour, facet.weight));
-            weights += facet.weight;
+            lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
         }
-        if weights > 0.0 { rgb::scaled(sum, self.surface.once(cos_view) / weights) } else { sum }
+        lobe.radiance(&self.mirrored_by_all[row(cos_view)])
+    }
+}
+
+/// Some facets' view of the surroundings.
+#[derive(Debug, Default)]
+struct Lobe {
+    weight: f64,
+    /// Sum of what the film mirrors, from RGB to RGB.
+    film: Matrix,
+    /// Sum of the surroundings' light, before the film and after it.
+    light: Rgb,
+    mirrored: Rgb,
+}
+
+impl Lobe {
+    fn add(&mut self, weight: f64, film: &Matrix, light: Rgb) {
+        self.weight += weight;
+        for (sum, row) in self.film.iter_mut().zip(film) {
+            rgb::add(sum, rgb::scaled(*row, weight));
+        }
+        rgb::add(&mut self.light, rgb::scaled(light, weight));
+        rgb::add(&mut self.mirrored, rgb::scaled(apply(film, light), weight));
+    }
+
+    /// Few facets give the surroundings' colours; `all` of them how much is mirrored: exactly where the
+    /// surroundings are even (a control variate).
+    fn radiance(&self, all: &Matrix) -> Rgb {
+        let of_white = |film: &Matrix| rgb::luminance(apply(film, [1.0; 3]));
+        let some = of_white(&self.film);
+        if some <= 0.0 {
+            return [0.0; 3];
+        }
+        let share = of_white(all) / some;
+        let light = rgb::scaled(self.light, 1.0 / self.weight);
+        let (expected, found) = (apply(all, light), rgb::scaled(apply(&self.film, light), share));
+        std::array::from_fn(|i| self.mirrored[i] * share + expected[i] - found[i])
     }
 }
 
