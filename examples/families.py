@@ -86,10 +86,10 @@ def chroma_by_spread(spreads_nm, mean_nm=340.0, protein="chitin", step_nm=1):
 
 
 def draw_disorder():
-    """Chroma against spread: beside the trade's row, by protein, and by family."""
+    """Chroma against spread: beside an earlier calculation, by protein, and by family."""
     spreads, table = np.arange(0, 61, 2.5), (0, 5, 10, 20, 30, 45)
-    trade = (9, 9.5, 12, 12, 7.7, 2.6)
-    print("disorder, chroma of T along the normal; trade:", *trade)
+    earlier = (9, 9.5, 12, 12, 7.7, 2.6)
+    print("disorder, chroma of T along the normal; an earlier calculation:", *earlier)
     with figure.figure(FOLDER / "disorder.png", 2, 7.2, 2.8) as (left, right):
         for protein, style in (("chitin", "C0"), ("silk-fibroin", "C1"), (1.43, "C2")):
             for step_nm, line in ((1, "-"), (5, ":")):
@@ -98,7 +98,7 @@ def draw_disorder():
                 if step_nm == 1 or protein == "chitin":
                     chroma = chroma_by_spread(spreads, protein=protein, step_nm=step_nm)
                     left.plot(spreads, chroma, line, color=style, label=f"{protein}, {step_nm} nm")
-        left.plot(table, trade, "ko", label="trade's table")
+        left.plot(table, earlier, "ko", label="earlier calculation")
         for name, (_, ours, *_) in FAMILIES.items():
             label = f"{name.upper()}, {ours} nm"
             right.plot(spreads, chroma_by_spread(spreads, ours), label=label)
