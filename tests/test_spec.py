@@ -11,7 +11,7 @@ import sys
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
@@ -35,6 +35,7 @@ from nacreous.spec import (
     override,
     preset,
 )
+from nacreous.spec.body import Pigment
 from nacreous.spec.key import Key, alternatives, every_key, sections_in
 from nacreous.spec.model import only_with
 
@@ -172,6 +173,7 @@ def test_a_mistyped_name_is_offered_the_nearest(values: dict[str, Any], line: st
 
 def test_names_of_media_and_pigments_are_those_of_the_compiled_rooms() -> None:
     assert medium.NAMES == nc.medium.NAMES
+    assert get_args(Pigment) == nc.body.PIGMENTS
 
 
 # --- keys of one model ----------------------------------------------------------------------------
