@@ -26,6 +26,7 @@ from nacreous.spec import (
     Lamp,
     Layers,
     Pearl,
+    Row,
     Scene,
     Surface,
     Uniaxial,
@@ -47,6 +48,7 @@ def kinds_of(key: Key) -> tuple[Any, ...]:
 
 
 FILES = (Pearl, Scene)
+LISTED = {"lamps": Lamp, "rows": Row}
 KEYS = [(model, key) for model in FILES for key in every_key(model)]
 LEAVES = [(model, key) for model, key in KEYS if not all(map(sections_in, kinds_of(key)))]
 NUMBERS = [
@@ -89,8 +91,9 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
     if home(key):
         values["model"] = home(key)
     target[last] = value
-    if "lamps" in values and key.owner is Lamp:
-        values["lamps"] = [values["lamps"]]
+    for name, owner in LISTED.items():
+        if name in values and key.owner is owner:
+            values[name] = [values[name]]
     return values
 
 
@@ -303,8 +306,8 @@ TEXTS = [case for case in LEAVES if case not in NUMBERS]
 @pytest.mark.parametrize("value", ["", "nonsense\n", "#12345g", "02-30", "99999K", "-1"])
 def test_every_text_key_refuses_nonsense(case: Any, value: str) -> None:
     model, key = case
-    if key.path == "name" and value not in ("", "nonsense\n"):
-        assert model.check({"name": value}, "my.toml", Path()).name == value
+    if key.path in ("name", "rows.0.label") and value not in ("", "nonsense\n"):
+        assert model.check(file_with(model, key, value), "my.toml", Path())
         return
     line = refusal(model, key, value)
     assert f"is {json.dumps(value)}; " in line

@@ -13,6 +13,7 @@ mod nacre;
 mod optics;
 mod scaling;
 mod spec;
+mod subject;
 mod texture;
 mod watched;
 
