@@ -25,8 +25,8 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser = subparsers.add_parser(
         "render",
         help="make a picture of a pearl, or of several",
-        description="Make a picture of a pearl, or of several, in a scene. The picture file carries "
-        "everything that makes it again: pearls, scene, seeds and versions.",
+        description="Make a picture of a pearl, or of several, in a scene. The picture file "
+        "carries everything that makes it again: pearls, scene, seeds and versions.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

@@ -4,9 +4,10 @@
 //! In scope: everything between a stack of layers and the pixels, and picture files. Out of scope:
 //! spectra and colour themselves (`nacreous-optics`, `nacreous-colour`), pearl files and presets.
 //!
-//! Conventions: lengths in mm, angles in rad, y up, the origin in the middle (a lone pearl's centre), z towards the viewer
-//! at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's white. The radiance
-//! of a lamp, sky or surface is stated as that of a white matt surface, so no factor pi appears.
+//! Conventions: lengths in mm, angles in rad, y up, the origin in the middle (a lone pearl's centre),
+//! z towards the viewer at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's
+//! white. The radiance of a lamp, sky or surface is stated as that of a white matt surface, so no factor
+//! pi appears.
 
 mod ball;
 mod bands;
