@@ -139,10 +139,8 @@ def interference_iridescence(
 MAX_SIZE_PX: int
 
 def render(
-    pearl: Mapping[str, Any],
+    pearls: list[tuple[Mapping[str, Any], Stack, Texture | None]],
     scene: Mapping[str, Any],
-    stack: Stack,
-    texture: Texture | None,
     size_px: int,
     samples_side: int,
     report: Callable[[int], object] | None,

@@ -16,11 +16,23 @@ from typing import Any
 import pytest
 
 from nacreous.problem import InputError
-from nacreous.spec import Growth, Lamp, Layers, Pearl, Scene, json_schema, load, override, preset
+from nacreous.spec import (
+    Growth,
+    Lamp,
+    Layers,
+    Pearl,
+    Row,
+    Scene,
+    json_schema,
+    load,
+    override,
+    preset,
+)
 from nacreous.spec.key import Key, alternatives, every_key, sections_in
 
 ROOT = Path(__file__).parent.parent
 FILES = (Pearl, Scene)
+LISTED = {"lamps": Lamp, "rows": Row}
 KEYS = [(model, key) for model in FILES for key in every_key(model)]
 LEAVES = [(model, key) for model, key in KEYS if not sections_in(key.field.annotation)]
 NUMBERS = [
@@ -55,8 +67,9 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
     if key.owner is Lamp and last != "position_mm":
         target |= {"azimuth_deg": 0.0, "elevation_deg": 0.0}
     target[last] = value
-    if "lamps" in values and key.owner is Lamp:
-        values["lamps"] = [values["lamps"]]
+    for name, owner in LISTED.items():
+        if name in values and key.owner is owner:
+            values[name] = [values[name]]
     return values
 
 
@@ -133,8 +146,8 @@ TEXTS = [case for case in LEAVES if case not in NUMBERS]
 @pytest.mark.parametrize("value", ["", "nonsense\n", "#12345g", "02-30", "99999K", "-1"])
 def test_every_text_key_refuses_nonsense(case: Any, value: str) -> None:
     model, key = case
-    if key.path == "name" and value not in ("", "nonsense\n"):
-        assert model.check({"name": value}, "my.toml", Path()).name == value
+    if key.path in ("name", "rows.0.label") and value not in ("", "nonsense\n"):
+        assert model.check(file_with(model, key, value), "my.toml", Path())
         return
     line = refusal(model, key, value)
     assert f"is {json.dumps(value)}; " in line

@@ -4,17 +4,22 @@
 //! In scope: everything between a stack of layers and the pixels, and picture files. Out of scope:
 //! spectra and colour themselves (`nacreous-optics`, `nacreous-colour`), pearl files and presets.
 //!
-//! Conventions: lengths in mm, angles in rad, y up, the pearl's centre the origin, z towards the viewer
-//! at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's white. The radiance
-//! of a lamp, sky or surface is stated as that of a white matt surface, so no factor pi appears.
+//! Conventions: lengths in mm, angles in rad, y up, the origin in the middle (a lone pearl's centre),
+//! z towards the viewer at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's
+//! white. The radiance of a lamp, sky or surface is stated as that of a white matt surface, so no factor
+//! pi appears.
 
+mod ball;
 mod by_angle;
 mod camera;
 mod develop;
 mod dome;
+mod eye;
 mod facet;
 pub mod file;
+mod glow;
 pub mod grain;
+mod harmonics;
 mod iridescence;
 mod irradiance;
 mod knob;
@@ -22,18 +27,20 @@ mod lamp;
 mod light;
 mod pearl;
 mod picture;
+mod pixel;
 mod rgb;
 mod rings;
 mod sky;
-mod sphere;
 mod surroundings;
 mod table;
 
+pub use ball::{Ball, Hit};
 pub use by_angle::ByAngle;
 pub use camera::{Camera, Projection, Ray, direction};
 pub use develop::{Developed, develop, eight_bit};
 pub use dome::Dome;
 pub use facet::Facets;
+pub use glow::Glow;
 pub use iridescence::{Iridescence, Weights, interference_colours};
 pub use irradiance::Irradiance;
 pub use knob::Parameters;
@@ -44,6 +51,5 @@ pub use picture::{CHANNELS, MAX_SIZE_PX, PARTS, Progress, render};
 pub use rgb::Rgb;
 pub use rings::Rings;
 pub use sky::Sky;
-pub use sphere::{Hit, Sphere};
 pub use surroundings::{Seen, Surroundings, Walls};
 pub use table::Table;

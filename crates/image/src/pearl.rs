@@ -1,13 +1,13 @@
 use glam::DVec3;
 
 use crate::{
+    ball::Hit,
     camera::Ray,
     facet::Facets,
     grain::texture::Texture,
     irradiance::Irradiance,
     rgb::{self, Rgb},
     rings::Rings,
-    sphere::Hit,
     surroundings::Surroundings,
 };
 
@@ -31,7 +31,7 @@ pub struct Pearl<'a> {
     pub mixing: f64,
     /// Share of light that the body sends back, linear RGB.
     pub body_colour: Rgb,
-    /// Light of the surroundings, lamps apart, on every side of the pearl.
+    /// Light of the surroundings, lamps apart, on every side of the pearl where it lies.
     pub irradiance: Irradiance,
     /// The surface.
     pub facets: Facets,
@@ -59,42 +59,53 @@ pub struct Shade {
 }
 
 impl Pearl<'_> {
-    /// What goes from `hit` towards `view`. `pixel_mm` is the width that it stands for on the pearl.
+    /// What goes from `hit` on the ball of number `ball` towards `view`. `pixel_mm` is the width that
+    /// it stands for on the pearl.
     pub fn shade(
         &self,
         surroundings: &Surroundings,
+        ball: usize,
         hit: &Hit,
         view: DVec3,
         pixel_mm: f64,
     ) -> Shade {
-        let radius_mm = surroundings.pearl.radius_mm;
+        let radius_mm = surroundings.balls[ball].radius_mm;
         let texture = self.texture.map_or([0.0; 3], |texture| {
             texture.at(hit.normal, pixel_mm / radius_mm).map(f64::from)
         });
         Shade {
             interference: rgb::scaled(self.rings.colour(hit.cos_view), self.mixing),
-            diffuse: rgb::scaled(self.body(surroundings, hit), 1.0 - self.mixing),
-            mirror: self.mirror(surroundings, hit, view, pixel_mm),
+            diffuse: rgb::scaled(self.body(surroundings, ball, hit), 1.0 - self.mixing),
+            mirror: self.mirror(surroundings, ball, hit, view, pixel_mm),
             texture,
         }
     }
 
     /// Lambert's law in the body colour.
-    fn body(&self, surroundings: &Surroundings, hit: &Hit) -> Rgb {
+    fn body(&self, surroundings: &Surroundings, ball: usize, hit: &Hit) -> Rgb {
         let mut light = self.irradiance.at(hit.normal);
         for lamp in &surroundings.lamps {
-            rgb::add(&mut light, lamp.matt(hit.point, hit.normal));
+            let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
+            rgb::add(&mut light, rgb::scaled(lamp.matt(hit.point, hit.normal), past));
         }
         rgb::times(self.body_colour, light)
     }
 
     /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
-    fn mirror(&self, surroundings: &Surroundings, hit: &Hit, view: DVec3, pixel_mm: f64) -> Rgb {
+    fn mirror(
+        &self,
+        surroundings: &Surroundings,
+        ball: usize,
+        hit: &Hit,
+        view: DVec3,
+        pixel_mm: f64,
+    ) -> Rgb {
         let along = 2.0 * hit.cos_view * hit.normal - view;
         // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
         // a slanted surface turns it faster.
-        let spread_rad = 2.0 * pixel_mm / surroundings.pearl.radius_mm / hit.cos_view.max(0.02);
-        let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad);
+        let spread_rad =
+            2.0 * pixel_mm / surroundings.balls[ball].radius_mm / hit.cos_view.max(0.02);
+        let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
         let clear = libm::exp(-seen.distance_mm / self.falloff_mm);
         let faded = if clear < 1.0 && seen.distance_mm.is_finite() {
             rgb::mix(surroundings.backdrop(along, spread_rad), seen.radiance, clear)
@@ -105,7 +116,10 @@ impl Pearl<'_> {
             rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
         for lamp in &surroundings.lamps {
             let image = lamp.image(&self.facets, hit.point, hit.normal, view);
-            rgb::add(&mut mirrored, rgb::scaled(lamp.brightness, image));
+            if image > 0.0 {
+                let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
+                rgb::add(&mut mirrored, rgb::scaled(lamp.brightness, image * past));
+            }
         }
         mirrored
     }

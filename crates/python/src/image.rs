@@ -1,48 +1,70 @@
 //! The door to the picture.
 
+use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
-    Pearl, Progress, Rings, Source, Sphere, Surroundings, eight_bit,
+    Ball, CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
+    Pearl, Progress, Rings, Source, Surroundings, eight_bit, grain,
 };
 use nacreous_optics::IlluminantModel;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::{prelude::*, types::PyDict};
+use rayon::prelude::*;
 
 use crate::{
     InputError,
     nacre::Stack,
     refused,
-    spec::{LampSpec, PearlSpec, SceneSpec, TableSpec, WallsSpec},
+    spec::{LampSpec, PearlSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec},
     texture::Texture,
     watched::{broken_off, watched},
 };
 
-/// Everything that a render needs, in the types of the rooms.
-struct Job<'a> {
+/// A pearl as image.py hands it over: its look, its layers, its grain.
+type PearlGiven<'py> = (PearlSpec, PyRef<'py, Stack>, Option<PyRef<'py, Texture>>);
+
+/// A pearl before its light is known.
+struct Subject<'a> {
+    look: PearlSpec,
     model: IlluminantModel,
     stack: nacreous_nacre::LayerStack,
-    light: Light,
-    surroundings: Surroundings,
-    camera: Camera,
     facets: Facets,
-    look: PearlSpec,
-    texture: Option<&'a nacreous_image::grain::texture::Texture>,
-    size_px: usize,
-    samples_side: usize,
+    texture: Option<&'a grain::texture::Texture>,
 }
 
-impl Job<'_> {
-    fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
+impl<'a> Subject<'a> {
+    fn new((look, stack, texture): &'a PearlGiven<'_>) -> PyResult<Self> {
+        let index = stack.0.aragonite().index("aragonite").map_err(refused)?.n();
+        Ok(Self {
+            look: *look,
+            model: IlluminantModel {
+                coherence_nm: look.coherence_nm,
+                threshold: look.threshold,
+                diffuse_loss: look.diffuse_loss,
+            },
+            stack: stack.0.clone(),
+            facets: Facets::new(look.facet_spread_rad, index, look.layer_reflectance),
+            texture: texture.as_ref().map(|texture| &texture.0),
+        })
+    }
+
+    /// The pearl in its light, but for the place where it lies; `None` once `progress` says to stop.
+    fn rings(
+        &self,
+        light: &Light,
+        progress: &Progress,
+    ) -> Result<Option<Rings>, nacreous_optics::OpticsError> {
+        Rings::new(&self.stack, &self.model, light, progress)
+    }
+
+    /// The pearl as it lies as the ball of number `ball`.
+    fn pearl(&self, rings: &Rings, surroundings: &Surroundings, ball: usize) -> Pearl<'a> {
         let look = &self.look;
-        let Some(rings) = Rings::new(&self.stack, &self.model, &self.light, progress)? else {
-            return Ok(None);
-        };
-        let pearl = Pearl {
-            rings,
+        Pearl {
+            rings: rings.clone(),
             mixing: look.mixing,
             body_colour: look.body_colour,
-            irradiance: Irradiance::new(&self.surroundings),
+            irradiance: Irradiance::new(surroundings, ball),
             facets: self.facets,
             mirror_weight: look.mirror_weight,
             falloff_mm: look.falloff_mm,
@@ -52,66 +74,98 @@ impl Job<'_> {
                 chroma: look.chroma_weight,
                 value: look.value_weight,
             },
-        };
+        }
+    }
+}
+
+/// Everything that a render needs, in the types of the rooms.
+struct Job<'a> {
+    subjects: Vec<Subject<'a>>,
+    /// Which of them lies in each place.
+    places: Vec<usize>,
+    light: Light,
+    surroundings: Surroundings,
+    camera: Camera,
+    size_px: usize,
+    samples_side: usize,
+}
+
+impl Job<'_> {
+    fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
+        let mut rings = Vec::new();
+        for subject in &self.subjects {
+            match subject.rings(&self.light, progress)? {
+                Some(found) => rings.push(found),
+                None => return Ok(None),
+            }
+        }
+        let pearls = self.places.par_iter().enumerate().map(|(ball, &subject)| {
+            self.subjects[subject].pearl(&rings[subject], &self.surroundings, ball)
+        });
+        let pearls: Vec<Pearl<'_>> = pearls.collect();
         let (size, side) = (self.size_px, self.samples_side);
-        Ok(nacreous_image::render(&pearl, &self.surroundings, &self.camera, size, side, progress))
+        Ok(nacreous_image::render(&pearls, &self.surroundings, &self.camera, size, side, progress))
     }
 }
 
 fn job<'a>(
-    look: PearlSpec,
+    pearls: &'a [PearlGiven<'_>],
     scene: &SceneSpec<'_>,
-    stack: &Stack,
-    texture: Option<&'a Texture>,
     size_px: usize,
     samples_side: usize,
 ) -> PyResult<Job<'a>> {
+    let subjects = pearls.iter().map(Subject::new).collect::<PyResult<Vec<_>>>()?;
+    let places = scene.places.iter().map(|place| place.pearl).collect::<Vec<_>>();
+    if places.iter().any(|&place| place >= subjects.len()) {
+        return Err(InputError::new_err("a place has no pearl"));
+    }
     let sources = scene.lamps.iter().map(LampSpec::source).collect::<PyResult<Vec<_>>>()?;
     let white = scene.white.as_deref().map(Spectrum::from_values).transpose().map_err(refused)?;
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
     let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
-    let index = stack.0.aragonite().index("aragonite").map_err(refused)?.n();
-    let facets = Facets::new(look.facet_spread_rad, index, look.layer_reflectance);
+    // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
+    let sharpest = subjects
+        .iter()
+        .map(|subject| &subject.facets)
+        .min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
         let lamp = Lamp::new(spec.place(), spec.angular_radius_rad, brightness);
-        Ok(lamp.resolved_for(&facets))
+        Ok(match sharpest {
+            Some(facets) => lamp.resolved_for(facets),
+            None => lamp,
+        })
     };
     let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
     let walls = scene.walls.as_ref().map(WallsSpec::walls);
-    let ball = Sphere { radius_mm: 0.5 * look.diameter_mm };
     let table = scene.table.as_ref().map(TableSpec::table);
-    Ok(Job {
-        model: IlluminantModel {
-            coherence_nm: look.coherence_nm,
-            threshold: look.threshold,
-            diffuse_loss: look.diffuse_loss,
-        },
-        stack: stack.0.clone(),
-        light,
-        surroundings: Surroundings::new(table, walls, sky, lamps, ball),
-        camera: scene.camera.camera(),
-        facets,
-        look,
-        texture: texture.map(|texture| &texture.0),
-        size_px,
-        samples_side,
-    })
+    let balls = balls(&subjects, scene);
+    let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
+    let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
+    let surroundings = Surroundings::new(table, walls, sky, lamps, balls);
+    Ok(Job { subjects, places, light, surroundings, camera, size_px, samples_side })
+}
+
+/// The pearls' shapes in their places.
+fn balls(subjects: &[Subject<'_>], scene: &SceneSpec<'_>) -> Vec<Ball> {
+    let ball = |place: &PlaceSpec| Ball {
+        centre: DVec3::from(place.centre_mm),
+        ..Ball::alone(0.5 * subjects[place.pearl].look.diameter_mm)
+    };
+    scene.places.iter().map(ball).collect()
 }
 
 /// Linear light [row, column, channel] in the parts that `parts()` names, times the exposure.
 ///
-/// `pearl` and `scene` are mappings as image.py makes them. `report(rows_done)` is called now and then;
-/// what it raises, and Ctrl-C, stops the render.
+/// `pearls`, each different one once, and `scene` are as image.py makes them; the scene's places say
+/// which pearl lies where. `report(rows_done)` is called now and then; what it raises, and Ctrl-C,
+/// stops the render.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub fn render<'py>(
     py: Python<'py>,
-    pearl: &Bound<'py, PyDict>,
+    pearls: Vec<PearlGiven<'py>>,
     scene: &Bound<'py, PyDict>,
-    stack: &Stack,
-    texture: Option<&Texture>,
     size_px: usize,
     samples_side: usize,
     report: Option<&Bound<'py, PyAny>>,
@@ -126,7 +180,7 @@ pub fn render<'py>(
     }
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
-    let job = job(pearl.extract()?, &scene, stack, texture, size_px, samples_side)?;
+    let job = job(&pearls, &scene, size_px, samples_side)?;
     let progress = Progress::default();
     let look_up = || report.map_or(Ok(()), |say| say.call1((progress.rows_done(),)).map(drop));
     let rendered = watched(py, look_up, || progress.stop(), || job.run(&progress))?;

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use crate::refused;
 
 /// How the pearl looks: numbers as in a pearl file, knobs resolved.
-#[derive(FromPyObject)]
+#[derive(FromPyObject, Clone, Copy)]
 #[pyo3(from_item_all)]
 pub struct PearlSpec {
     pub diameter_mm: f64,
@@ -80,6 +80,15 @@ pub struct SkySpec<'py> {
     pub intensity: f64,
 }
 
+/// Where a pearl lies.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct PlaceSpec {
+    /// Its number among the different pearls.
+    pub pearl: usize,
+    pub centre_mm: [f64; 3],
+}
+
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SceneSpec<'py> {
@@ -87,6 +96,7 @@ pub struct SceneSpec<'py> {
     /// What shall look white; None for the lamps' own mixture.
     pub white: Option<Vec<f64>>,
     pub camera: CameraSpec,
+    pub places: Vec<PlaceSpec>,
     pub lamps: Vec<LampSpec>,
     pub table: Option<TableSpec>,
     pub walls: Option<WallsSpec>,
