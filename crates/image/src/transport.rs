@@ -7,6 +7,7 @@ use crate::{
     inside::{Beam, Body, Inside},
     lamp::Lamp,
     pearl::{Shade, Sight},
+    relief::Draw,
     rgb::{self, Rgb},
     surface::{Surface, upsampled},
     surroundings::Surroundings,
@@ -18,7 +19,7 @@ use crate::{
 pub struct Transport {
     surface: Surface,
     /// Facets drawn once for all pixels: each sample of a pixel takes the next few.
-    draws: Vec<[f64; 3]>,
+    draws: Vec<Draw>,
     draws_per_sample: usize,
     /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
     mirrored: Vec<Matrix>,
