@@ -4,7 +4,7 @@ use crate::{
     ball::Hit,
     glow::Glow,
     grain::texture::Texture,
-    illuminant::Illuminant,
+    illuminant::IlluminantPearl,
     rgb::{self, Rgb},
     surroundings::Surroundings,
     transport::Transport,
@@ -36,7 +36,7 @@ pub struct Pearl<'a> {
 #[derive(Debug)]
 pub enum Model {
     /// The paper's of 1996.
-    Illuminant(Illuminant),
+    Illuminant(IlluminantPearl),
     /// Light through the film, into the pearl and out again.
     Transport(Transport),
 }
