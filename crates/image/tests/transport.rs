@@ -11,7 +11,7 @@ use nacreous_image::{
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
-const SAMPLES: usize = 16;
+const SIDE: usize = 4;
 
 /// Disordered uniaxial nacre: thicknesses that a plain rule throws about.
 fn film() -> Film {
@@ -52,7 +52,7 @@ fn scene(horizon: [f64; 3], zenith: [f64; 3], lamp: Option<(DVec3, f64)>) -> Sce
 impl Scene {
     fn pearl(&self, surface: Surface, body: &Body) -> Pearl<'static> {
         let (palette, around) = (self.light.palette(), &self.surroundings);
-        let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SAMPLES);
+        let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         Pearl { model: Model::Transport(transport), texture: None, grain }
     }
@@ -64,12 +64,12 @@ impl Scene {
         let ray = camera.ray(x, y);
         let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
         let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
-        for sample in 0..SAMPLES {
-            let sight = Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, sample };
+        for part in 0..SIDE {
+            let sight = Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
-                inside[i] += (parts.interference[i] + parts.diffuse[i]) / SAMPLES as f64;
-                mirror[i] += parts.mirror[i] / SAMPLES as f64;
+                inside[i] += (parts.interference[i] + parts.diffuse[i]) / SIDE as f64;
+                mirror[i] += parts.mirror[i] / SIDE as f64;
             }
         }
         (inside, mirror)

@@ -86,7 +86,7 @@ pub struct Around<'a> {
     pub surroundings: &'a Surroundings,
     pub palette: &'a Palette,
     pub lamps: &'a [Bands],
-    pub samples: usize,
+    pub samples_side: usize,
 }
 
 impl<'a> Subject<'a> {
@@ -161,7 +161,7 @@ impl Around<'_> {
             self.surroundings,
             ball,
             self.lamps,
-            self.samples,
+            self.samples_side,
         )
     }
 }
