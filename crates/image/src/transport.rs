@@ -66,7 +66,8 @@ impl Transport {
             .map(|(lamp, power)| Beam {
                 direction: lamp.toward(centre),
                 angular_radius_rad: lamp.angular_radius_rad(),
-                power: *power,
+                // Neighbours shade the whole pearl as they shade its middle.
+                power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
             })
             .collect();
         let seen =
