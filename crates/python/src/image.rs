@@ -3,8 +3,8 @@
 use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    Ball, Bands, CHANNELS, Camera, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters, Pearl,
-    Progress, Source, Surroundings, eight_bit,
+    Ball, Bands, CHANNELS, Camera, Glow, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters,
+    Pearl, Progress, Source, Surroundings, eight_bit,
 };
 use nacreous_optics::OpticsError;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
@@ -43,9 +43,14 @@ impl Job<'_> {
             }
         }
         let pearls = self.pearls(&films);
-        let glows = pearls.par_iter().enumerate();
-        let glows: Vec<_> = glows.map(|(i, pearl)| pearl.glow(&self.surroundings, i)).collect();
         // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
+        let alone = pearls.len() == 1;
+        let glow = |(ball, pearl): (usize, &Pearl<'_>)| {
+            let gives = pearl.gives_light() || !alone;
+            if gives { pearl.glow(&self.surroundings, ball) } else { Glow::BLACK }
+        };
+        let glows: Vec<Glow> = pearls.par_iter().enumerate().map(glow).collect();
+        drop(pearls);
         for (ball, glow) in glows.into_iter().enumerate() {
             self.surroundings.set_glow(ball, glow);
         }
