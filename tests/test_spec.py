@@ -23,6 +23,7 @@ from nacreous.spec import (
     Pearl,
     Row,
     Scene,
+    Window,
     json_schema,
     load,
     override,
@@ -32,7 +33,7 @@ from nacreous.spec.key import Key, alternatives, every_key, sections_in
 
 ROOT = Path(__file__).parent.parent
 FILES = (Pearl, Scene)
-LISTED = {"lamps": Lamp, "rows": Row}
+LISTED = {"lamps": Lamp, "rows": Row, "windows": Window}
 KEYS = [(model, key) for model in FILES for key in every_key(model)]
 LEAVES = [(model, key) for model, key in KEYS if not sections_in(key.field.annotation)]
 NUMBERS = [
@@ -56,7 +57,7 @@ def problems(act: Callable[[], Any]) -> list[str]:
 
 
 def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
-    """The smallest file that holds the key; lamps and listed layers need company."""
+    """The smallest file that holds the key; lamps, windows and listed layers need company."""
     values: dict[str, Any] = {}
     target = values
     *steps, last = key.path.split(".")
@@ -66,6 +67,12 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
         target["thickness_nm"] = [400.0]
     if key.owner is Lamp and last != "position_mm":
         target |= {"azimuth_deg": 0.0, "elevation_deg": 0.0}
+    if key.owner is Window and last not in ("position_mm", "facing", "below_mm"):
+        target |= {"azimuth_deg": 0.0, "elevation_deg": 0.0}
+    if last == "facing":
+        target["position_mm"] = [0.0, 0.0, 99.0]
+    if last == "below_mm":
+        values["table"] = {"kind": "none"}
     target[last] = value
     for name, owner in LISTED.items():
         if name in values and key.owner is owner:

@@ -1,3 +1,5 @@
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use crate::{
@@ -6,6 +8,7 @@ use crate::{
     rgb::Rgb,
     sky::{GRID_RAD, directions},
     surroundings::Surroundings,
+    window::Window,
 };
 
 /// The light of the surroundings, lamps apart, that falls on a matt surface by its normal: nine
@@ -18,15 +21,29 @@ pub struct Irradiance(Harmonics);
 
 /// Rows of directions to sum over.
 const ROWS: u32 = 48;
+/// Between points of a window, and how finely each is looked at.
+const WINDOW_RAD: f64 = 0.05;
+const FINE_RAD: f64 = 1e-6;
 
 impl Irradiance {
     /// Sums up the light of `surroundings` around the ball of number `ball`.
     pub fn new(surroundings: &Surroundings, ball: usize) -> Self {
         let from = surroundings.balls[ball].centre;
-        Self(Harmonics::nearest_to(directions(ROWS).map(|(along, share)| {
-            let seen = surroundings.seen(&Ray { from, along }, GRID_RAD, Some(ball));
-            (along, share, seen.radiance)
-        })))
+        let seen = |windows: &[Window], along, spread_rad| {
+            surroundings.seen_with(windows, &Ray { from, along }, spread_rad, Some(ball)).radiance
+        };
+        let bare =
+            directions(ROWS).map(|(along, share)| (along, share, seen(&[], along, GRID_RAD)));
+        // A window may be small against the grid: what it adds is summed up over its own points.
+        let windows = surroundings.windows.iter().flat_map(|window| {
+            window.directions(from, WINDOW_RAD).map(|(along, solid)| {
+                let with = seen(std::slice::from_ref(window), along, FINE_RAD);
+                let without = seen(&[], along, WINDOW_RAD);
+                let more = std::array::from_fn(|i| with[i] - without[i]);
+                (along, solid / (4.0 * PI), more)
+            })
+        });
+        Self(Harmonics::nearest_to(bare.chain(windows)))
     }
 
     /// Radiance of a white matt surface with this normal.
@@ -54,6 +71,19 @@ mod tests {
         for normal in [DVec3::X, DVec3::Y, DVec3::NEG_Z] {
             assert!((even.at(normal)[0] - 0.6).abs() < 1e-3);
         }
+    }
+
+    #[test]
+    fn a_small_window_lights_like_its_form_factor() {
+        let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
+        let (right, up) = (DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 3.0));
+        let window = Window::new(DVec3::new(0.0, 60.0, 0.0), right, up, [5.0; 3]);
+        let bare = Surroundings::new(None, None, night, vec![], vec![Ball::alone(4.0)]);
+        let light = Irradiance::new(&bare.with_windows(vec![window]), 0);
+        let facing = 5.0 * window.facing_factor(DVec3::ZERO);
+        let towards = light.at(DVec3::Y)[0];
+        // Nine harmonics of a cosine lobe: 1/4 + 1/2 + 5/16 = 17/16 of its peak.
+        assert!((towards / facing - 17.0 / 16.0).abs() < 1e-3, "{towards} {facing}");
     }
 
     #[test]

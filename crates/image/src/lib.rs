@@ -33,6 +33,7 @@ mod rings;
 mod sky;
 mod surroundings;
 mod table;
+mod window;
 
 pub use ball::{Ball, Hit};
 pub use by_angle::ByAngle;
@@ -53,3 +54,4 @@ pub use rings::Rings;
 pub use sky::Sky;
 pub use surroundings::{Seen, Surroundings, Walls};
 pub use table::Table;
+pub use window::Window;

@@ -15,7 +15,7 @@ use crate::{
     InputError,
     nacre::Stack,
     refused,
-    spec::{LampSpec, PearlSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec},
+    spec::{LampSpec, PearlSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec, WindowSpec},
     texture::Texture,
     watched::{broken_off, watched},
 };
@@ -120,10 +120,12 @@ fn job<'a>(
         return Err(InputError::new_err("a place has no pearl"));
     }
     let sources = scene.lamps.iter().map(LampSpec::source).collect::<PyResult<Vec<_>>>()?;
+    let shining = scene.windows.iter().map(WindowSpec::source);
+    let all = sources.iter().cloned().map(Ok).chain(shining).collect::<PyResult<Vec<_>>>()?;
     let white = scene.white.as_deref().map(Spectrum::from_values).transpose().map_err(refused)?;
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
-    let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
+    let light = Light::new(&all, sky.mean_luminance(), white, observer).map_err(refused)?;
     // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
     let sharpest = subjects
         .iter()
@@ -138,12 +140,15 @@ fn job<'a>(
         })
     };
     let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
+    let window =
+        |spec: &WindowSpec| Ok(spec.window(light.brightness(&spec.pane()?).map_err(refused)?));
+    let windows = scene.windows.iter().map(window).collect::<PyResult<Vec<_>>>()?;
     let walls = scene.walls.as_ref().map(WallsSpec::walls);
     let table = scene.table.as_ref().map(TableSpec::table);
     let balls = balls(&subjects, scene);
     let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
     let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
-    let surroundings = Surroundings::new(table, walls, sky, lamps, balls);
+    let surroundings = Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows);
     Ok(Job { subjects, places, light, surroundings, camera, size_px, samples_side })
 }
 
