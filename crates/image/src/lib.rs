@@ -19,6 +19,7 @@ mod eye;
 mod facet;
 pub mod file;
 mod film;
+mod floor;
 mod glow;
 pub mod grain;
 pub mod harmonics;
