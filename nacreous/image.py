@@ -198,6 +198,8 @@ def _surroundings(arrangement: Arrangement) -> dict[str, Any]:
             "azimuth_rad": math.radians(camera.azimuth_deg),
             "field_mm": arrangement.field_mm(),
             "exposure": camera.exposure,
+            "glare": camera.glare,
+            "glare_mm": camera.distance_mm * math.tan(math.radians(camera.glare_deg)),
         },
         "places": [place._asdict() for place in arrangement.places],
         # A lamp or window switched off has no say in what looks white either.

@@ -336,3 +336,41 @@ def test_a_window_through_a_pearl_and_a_plate_under_a_table_are_refused() -> Non
     assert line.startswith("scene scene: windows.0 passes 3 mm from a pearl's centre; allowed: ")
     line = refusal(lambda: Scene(windows=[Window(below_mm=0.5)]))
     assert line.startswith('Scene: windows.0.below_mm is 0.5 while table.kind is "checker", which')
+
+
+# --- glare --------------------------------------------------------------------------------------
+
+
+def test_without_glare_its_width_changes_no_bit_and_with_it_no_light_is_lost() -> None:
+    def scene(**keys: float) -> Scene:
+        camera = Camera(field_mm=12, **keys)
+        return Scene(lamps=[LEFT], sky=Sky(intensity=0.3), camera=camera)
+
+    plain = nc.render(pearl(shininess=1.0), scene(), 64, 4)
+    other = nc.render(pearl(shininess=1.0), scene(glare_deg=3.0), 64, 4)
+    np.testing.assert_array_equal(plain.linear, other.linear)
+    glaring = nc.render(pearl(shininess=1.0), scene(glare=0.2, glare_deg=0.3), 64, 4)
+    for name in SUM:
+        sums = [image.layers[name].sum(dtype=np.float64) for image in (plain, glaring)]
+        assert sums[0] == pytest.approx(sums[1], rel=1e-5)
+    total = sum(glaring.layers[name] for name in SUM)
+    np.testing.assert_allclose(glaring.linear, total, atol=1e-6)
+    for name in ("coverage", "texture"):
+        np.testing.assert_array_equal(plain.layers[name], glaring.layers[name])
+
+
+def test_half_of_the_glare_of_a_bright_point_falls_within_its_width() -> None:
+    """A far, small window: its light before and after, within the stated angle of it."""
+    window = Window(position_mm=[0, 0, -40], width_mm=1, height_mm=1, luminance=100)
+    keys: dict[str, Any] = {"sky": BLACK, "table": NO_TABLE, "windows": [window]}
+
+    def share(glare: float) -> float:
+        camera = Camera(elevation_deg=20, field_mm=60, distance_mm=100, glare=glare, glare_deg=4)
+        light = nc.render(pearl(), Scene(camera=camera, **keys), 121, 4).layers["surroundings"]
+        row, column = np.unravel_index(np.argmax(light[..., 1]), (121, 121))
+        away = np.hypot(np.arange(121)[:, None] - row, np.arange(121)[None, :] - column)
+        within = away < 121 / 60 * 100 * math.tan(math.radians(4))
+        return float(light[within].sum() / light.sum())
+
+    assert share(0.0) == pytest.approx(1.0, abs=1e-6)
+    assert share(0.4) == pytest.approx(0.8, abs=0.02)

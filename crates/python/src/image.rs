@@ -4,7 +4,7 @@ use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
     Ball, CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
-    Pearl, Progress, Rings, Source, Surroundings, eight_bit, grain,
+    Pearl, Progress, Rings, Source, Surroundings, eight_bit, grain, spread_glare,
 };
 use nacreous_optics::IlluminantModel;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
@@ -185,10 +185,18 @@ pub fn render<'py>(
     }
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
+    let glare_px = scene.camera.glare_mm / scene.camera.field_mm * size_px as f64;
     let job = job(&pearls, &scene, size_px, samples_side)?;
     let progress = Progress::default();
     let look_up = || report.map_or(Ok(()), |say| say.call1((progress.rows_done(),)).map(drop));
-    let rendered = watched(py, look_up, || progress.stop(), || job.run(&progress))?;
+    let work = || {
+        let mut pixels = job.run(&progress);
+        if let Ok(Some(pixels)) = &mut pixels {
+            spread_glare(pixels, size_px, scene.camera.glare, glare_px);
+        }
+        pixels
+    };
+    let rendered = watched(py, look_up, || progress.stop(), work)?;
     let mut pixels = rendered.map_err(refused)?.ok_or_else(broken_off)?;
     scale_light(&mut pixels, exposure);
     pixels.into_pyarray(py).reshape([size_px, size_px, CHANNELS])

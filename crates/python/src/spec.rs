@@ -38,6 +38,9 @@ pub struct CameraSpec {
     pub azimuth_rad: f64,
     pub field_mm: f64,
     pub exposure: f64,
+    /// Share of the light that is spread, and the radius in the plane of the origin that holds half of it.
+    pub glare: f64,
+    pub glare_mm: f64,
 }
 
 #[derive(FromPyObject)]
