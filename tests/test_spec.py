@@ -224,6 +224,7 @@ def test_every_key_of_the_other_model_has_its_line() -> None:
     overrides = [("model", "illuminant")]
     lines = problems(lambda: Pearl.load("akoya-rg", overrides))
     assert [line.split(" is ")[0] for line in lines] == [
+        "preset akoya-rg: film.outer_um",
         "preset akoya-rg: body.pigment",
         "preset akoya-rg: body.nacre_mm",
         "preset akoya-rg: nacre.aragonite",
