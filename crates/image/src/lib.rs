@@ -51,7 +51,7 @@ pub use dome::Dome;
 pub use facet::Facets;
 pub use film::Film;
 pub use glow::Glow;
-pub use illuminant::Illuminant;
+pub use illuminant::IlluminantPearl;
 pub use inside::{Beam, Body, Inside};
 pub use iridescence::{Iridescence, Weights, interference_colours};
 pub use irradiance::Irradiance;

@@ -18,7 +18,7 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Transport {
     surface: Surface,
-    /// Facets drawn once for all pixels: each sample of a pixel takes the next few.
+    /// Facets drawn once for all pixels, shared out among the samples along a pixel's side.
     draws: Vec<Draw>,
     draws_per_sample: usize,
     /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
@@ -40,7 +40,7 @@ const COSINES: usize = 8 * STEPS;
 
 impl Transport {
     /// Lets the light of `surroundings` into ball `ball`. `lamps` holds the power by band of each lamp, as
-    /// light of a white matt surface that faces it; `samples` are those of a pixel.
+    /// light of a white matt surface that faces it; `samples_side` samples stand along a pixel's side.
     pub fn new(
         surface: Surface,
         body: &Body,
@@ -48,7 +48,7 @@ impl Transport {
         surroundings: &Surroundings,
         ball: usize,
         lamps: &[Bands],
-        samples: usize,
+        samples_side: usize,
     ) -> Self {
         let relief = surface.relief;
         let draws_per_sample = draws_per_sample(relief.spread_rad());
@@ -66,7 +66,8 @@ impl Transport {
             .map(|(lamp, power)| Beam {
                 direction: lamp.toward(centre),
                 angular_radius_rad: lamp.angular_radius_rad(),
-                power: *power,
+                // Neighbours shade the whole pearl as they shade its middle.
+                power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
             })
             .collect();
         let seen =
@@ -78,7 +79,7 @@ impl Transport {
                 colour: colours(power),
             })
             .collect();
-        let draws = relief.draws(samples * draws_per_sample);
+        let draws = relief.draws(samples_side * draws_per_sample);
         Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
     }
 
@@ -102,7 +103,7 @@ impl Transport {
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
     fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
-        let Sight { ball, hit, view, pixel_mm, sample } = *sight;
+        let Sight { ball, hit, view, pixel_mm, part } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
         let x = aside.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
@@ -112,7 +113,7 @@ impl Transport {
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
         let mut lobe = Lobe::default();
-        let first = sample * self.draws_per_sample;
+        let first = part * self.draws_per_sample;
         for i in first..first + self.draws_per_sample {
             let draw = self.draws[i % self.draws.len()];
             let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
@@ -171,9 +172,9 @@ const LOBE: f64 = 1.0;
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {
     match spread_rad {
-        spread if spread < 0.02 => 1,
-        spread if spread < 0.08 => 2,
-        _ => 4,
+        spread if spread < 0.02 => 4,
+        spread if spread < 0.08 => 8,
+        _ => 16,
     }
 }
 
