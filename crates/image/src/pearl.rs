@@ -94,7 +94,9 @@ impl Pearl<'_> {
     pub fn glow(&self, surroundings: &Surroundings, ball: usize) -> Glow {
         let radius_mm = surroundings.balls[ball].radius_mm;
         Glow::from_fn(|towards| {
-            let (x, y) = towards.any_orthonormal_pair();
+            // Upright, and with points alike on both sides: a mirrored scene has the mirrored light.
+            let x = DVec3::Y.cross(towards).normalize();
+            let y = towards.cross(x);
             let mut sum = [0.0; 3];
             for sample in 0..GLOW_POINTS {
                 let [across, up] = on_disc(sample);
@@ -117,10 +119,11 @@ impl Pearl<'_> {
 /// Points of the disc that stand for all of it.
 const GLOW_POINTS: usize = 64;
 
-/// One of them: a spiral of equal areas (Vogel 1979).
+/// One of them, each even one left of the next: a spiral of equal areas (Vogel 1979), folded over.
 fn on_disc(i: usize) -> [f64; 2] {
-    const GOLDEN_TURN: f64 = 2.399_963_229_728_653;
-    let (sin, cos) = libm::sincos(i as f64 * GOLDEN_TURN);
-    let radius = ((i as f64 + 0.5) / GLOW_POINTS as f64).sqrt();
-    [radius * cos, radius * sin]
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let (side, turn) = (if i % 2 == 0 { -1.0 } else { 1.0 }, (i / 2) as f64);
+    let (sin, cos) = libm::sincos(std::f64::consts::PI * ((turn * GOLDEN).fract() - 0.5));
+    let radius = ((turn + 0.5) / (GLOW_POINTS / 2) as f64).sqrt();
+    [side * radius * cos, radius * sin]
 }
