@@ -183,8 +183,14 @@ def _surroundings(arrangement: Arrangement) -> dict[str, Any]:
             "exposure": camera.exposure,
         },
         "places": [place._asdict() for place in arrangement.places],
-        # A lamp switched off has no say in what looks white either.
+        # A lamp or window switched off has no say in what looks white either.
         "lamps": [_lamp(lamp) for lamp in scene.lamps if lamp.intensity > 0],
+        "windows": [
+            arrangement.frame(window)._asdict()
+            | {"spectrum": colour.light(window.spectrum), "luminance": window.luminance}
+            for window in scene.windows
+            if window.luminance > 0
+        ],
         "table": None if table.kind == "none" else _coloured(table.model_dump()),
         "walls": None if walls is None else _coloured(walls.model_dump()),
         "sky": _sky(scene),

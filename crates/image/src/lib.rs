@@ -41,6 +41,7 @@ mod surface;
 mod surroundings;
 mod table;
 mod transport;
+mod window;
 
 pub use ball::{Ball, Hit};
 pub use bands::{BANDS, Bands, Palette};
@@ -68,3 +69,4 @@ pub use surface::Surface;
 pub use surroundings::{Seen, Surroundings, Walls};
 pub use table::Table;
 pub use transport::Transport;
+pub use window::Window;

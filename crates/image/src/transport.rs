@@ -70,9 +70,7 @@ impl Transport {
                 power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
             })
             .collect();
-        let seen =
-            |along| surroundings.seen(&Ray { from: centre, along }, GRID_RAD, Some(ball)).radiance;
-        let inside = Inside::new(&surface, body, palette, seen, &beams);
+        let inside = Inside::new(&surface, body, palette, surroundings, ball, &beams);
         let lamps = pairs
             .map(|(lamp, power)| Mirrored {
                 lamp: lamp.clone().resolved_for(&relief),
@@ -163,11 +161,9 @@ impl Lobe {
     }
 }
 
-/// Distance of neighbours on the grid over which the light around is summed up.
-const GRID_RAD: f64 = std::f64::consts::PI / 64.0;
-
-/// Squared width of what a draw stands for, in units of its solid angle: neighbours overlap.
-const LOBE: f64 = 1.0;
+/// Squared width of what a draw is looked up with, in units of its solid angle: neighbours overlap, so that an
+/// edge that moves across them leaves no steps.
+const LOBE: f64 = 4.0;
 
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    Ball, Bands, CHANNELS, Camera, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters, Pearl,
-    Progress, Source, Surroundings, eight_bit,
+    Ball, Bands, CHANNELS, Camera, Glow, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters,
+    Pearl, Progress, Source, Surroundings, eight_bit,
 };
 use nacreous_optics::OpticsError;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use crate::{
     InputError, refused,
-    spec::{LampSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec},
+    spec::{LampSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec, WindowSpec},
     subject::{Around, PearlGiven, Prepared, Subject},
     watched::{broken_off, watched},
 };
@@ -43,9 +43,14 @@ impl Job<'_> {
             }
         }
         let pearls = self.pearls(&films);
-        let glows = pearls.par_iter().enumerate();
-        let glows: Vec<_> = glows.map(|(i, pearl)| pearl.glow(&self.surroundings, i)).collect();
         // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
+        let alone = pearls.len() == 1;
+        let glow = |(ball, pearl): (usize, &Pearl<'_>)| {
+            let gives = pearl.gives_light() || !alone;
+            if gives { pearl.glow(&self.surroundings, ball) } else { Glow::BLACK }
+        };
+        let glows: Vec<Glow> = pearls.par_iter().enumerate().map(glow).collect();
+        drop(pearls);
         for (ball, glow) in glows.into_iter().enumerate() {
             self.surroundings.set_glow(ball, glow);
         }
@@ -81,10 +86,12 @@ fn job<'a>(
         return Err(InputError::new_err("a place has no pearl"));
     }
     let sources = scene.lamps.iter().map(LampSpec::source).collect::<PyResult<Vec<_>>>()?;
+    let shining = scene.windows.iter().map(WindowSpec::source);
+    let all = sources.iter().cloned().map(Ok).chain(shining).collect::<PyResult<Vec<_>>>()?;
     let white = scene.white.as_deref().map(Spectrum::from_values).transpose().map_err(refused)?;
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
-    let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
+    let light = Light::new(&all, sky.mean_luminance(), white, observer).map_err(refused)?;
     // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
     let sharpest = subjects
         .iter()
@@ -99,12 +106,15 @@ fn job<'a>(
         })
     };
     let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
+    let window =
+        |spec: &WindowSpec| Ok(spec.window(light.brightness(&spec.pane()?).map_err(refused)?));
+    let windows = scene.windows.iter().map(window).collect::<PyResult<Vec<_>>>()?;
     let walls = scene.walls.as_ref().map(WallsSpec::walls);
     let table = scene.table.as_ref().map(TableSpec::table);
     let balls = balls(&subjects, scene);
     let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
     let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
-    let surroundings = Surroundings::new(table, walls, sky, lamps, balls);
+    let surroundings = Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows);
     let (palette, lamp_bands) = (light.palette(), lamp_bands(&light, &sources)?);
     Ok(Job {
         subjects,
