@@ -8,13 +8,17 @@
 //! at azimuth 0. RGB is linear, in the primaries of sRGB, relative to the scene's white. The radiance
 //! of a lamp, sky or surface is stated as that of a white matt surface, so no factor pi appears.
 
+mod bands;
 mod by_angle;
 mod camera;
 mod develop;
 mod dome;
 mod facet;
 pub mod file;
+mod film;
 pub mod grain;
+pub mod harmonics;
+mod inside;
 mod iridescence;
 mod irradiance;
 mod knob;
@@ -22,18 +26,24 @@ mod lamp;
 mod light;
 mod pearl;
 mod picture;
+mod relief;
 mod rgb;
 mod rings;
 mod sky;
 mod sphere;
+mod surface;
 mod surroundings;
 mod table;
+mod transport;
 
+pub use bands::{BANDS, Bands, Palette};
 pub use by_angle::ByAngle;
 pub use camera::{Camera, Projection, Ray, direction};
 pub use develop::{Developed, develop, eight_bit};
 pub use dome::Dome;
 pub use facet::Facets;
+pub use film::Film;
+pub use inside::{Beam, Body, Inside};
 pub use iridescence::{Iridescence, Weights, interference_colours};
 pub use irradiance::Irradiance;
 pub use knob::Parameters;
@@ -41,9 +51,12 @@ pub use lamp::{Lamp, Place};
 pub use light::{Light, Source};
 pub use pearl::{Grain, Pearl, Shade};
 pub use picture::{CHANNELS, MAX_SIZE_PX, PARTS, Progress, render};
+pub use relief::{Facet, Glint, Relief};
 pub use rgb::Rgb;
 pub use rings::Rings;
 pub use sky::Sky;
 pub use sphere::{Hit, Sphere};
+pub use surface::Surface;
 pub use surroundings::{Seen, Surroundings, Walls};
 pub use table::Table;
+pub use transport::{Parts, Transport};

@@ -104,8 +104,10 @@ impl Pearl<'_> {
         let mut mirrored =
             rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
         for lamp in &surroundings.lamps {
-            let image = lamp.image(&self.facets, hit.point, hit.normal, view);
-            rgb::add(&mut mirrored, rgb::scaled(lamp.brightness, image));
+            let facets = &self.facets;
+            let reflected = |cos_half| [facets.reflectance(cos_half); 3];
+            let image = lamp.image(&facets.relief, hit.point, hit.normal, view, reflected);
+            rgb::add(&mut mirrored, rgb::times(lamp.brightness, image));
         }
         mirrored
     }

@@ -56,7 +56,7 @@ impl Set {
         let light = light(&vec![source(1.0); places.len()], sky);
         let lamps = places.iter().map(|&place| {
             let brightness = light.brightness(&source(1.0)).unwrap();
-            Lamp::new(place, 0.05, brightness).resolved_for(&facets)
+            Lamp::new(place, 0.05, brightness).resolved_for(&facets.relief)
         });
         let ball = Sphere { radius_mm: RADIUS_MM };
         let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();

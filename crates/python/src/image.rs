@@ -165,6 +165,8 @@ pub fn parameters(
     let named = PyDict::new(py);
     named.set_item("diffuse_loss", p.diffuse_loss)?;
     named.set_item("mixing", p.mixing)?;
+    named.set_item("outer_um", p.outer_um)?;
+    named.set_item("spread", p.spread)?;
     named.set_item("facet_spread_rad", p.facet_spread_rad)?;
     named.set_item("mirror_weight", p.mirror_weight)?;
     named.set_item("hue_weight", p.hue_weight)?;

@@ -1,0 +1,63 @@
+//! Spherical harmonics: fields on the whole sphere as sums of waves.
+//!
+//! A real field of band limit L is
+//! `f(theta, phi) = sum over l of [a_l0 P_l0 + 2 Re sum over m > 0 of a_lm P_lm exp(i m phi)]`
+//! with orthonormal associated Legendre functions `P_lm(cos theta)`, the Condon-Shortley sign
+//! included. Colatitude counts from +z, longitude from +x to +y.
+
+mod analysis;
+mod fourier;
+mod legendre;
+mod place;
+mod synthesis;
+
+pub use analysis::{analyse, directions_of_grid, point};
+pub(crate) use place::Place;
+pub use synthesis::synthesise;
+
+/// How many fields are summed together: hue, value and chroma.
+pub const CHANNELS: usize = 3;
+
+/// The coefficients `a_lm` (0 <= m <= l <= band limit) of three real fields.
+#[derive(Clone, Debug)]
+pub struct Coefficients {
+    band_limit: usize,
+    /// Column m after column m - 1, each from l = m up: the order in which the sums walk.
+    values: Vec<[[f64; 2]; CHANNELS]>,
+}
+
+impl Coefficients {
+    /// All coefficients zero.
+    pub fn zero(band_limit: usize) -> Self {
+        let count = (band_limit + 1) * (band_limit + 2) / 2;
+        Self { band_limit, values: vec![[[0.0; 2]; CHANNELS]; count] }
+    }
+
+    /// The highest degree l.
+    pub fn band_limit(&self) -> usize {
+        self.band_limit
+    }
+
+    /// The (real, imaginary) coefficient of degree `l` and order `m` for each channel.
+    ///
+    /// The imaginary part at m = 0 has no meaning for a real field and is not used.
+    pub fn at_mut(&mut self, l: usize, m: usize) -> &mut [[f64; 2]; CHANNELS] {
+        let start = self.start(m);
+        &mut self.values[start + l - m]
+    }
+
+    /// The coefficient, as [`Self::at_mut`].
+    pub fn at(&self, l: usize, m: usize) -> [[f64; 2]; CHANNELS] {
+        self.values[self.start(m) + l - m]
+    }
+
+    fn start(&self, m: usize) -> usize {
+        m * (2 * self.band_limit + 3 - m) / 2
+    }
+
+    /// Column m for l = m..=top.
+    pub(super) fn column(&self, m: usize, top: usize) -> &[[[f64; 2]; CHANNELS]] {
+        let start = self.start(m);
+        &self.values[start..=start + top - m]
+    }
+}

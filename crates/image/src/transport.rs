@@ -1,0 +1,200 @@
+use glam::DVec3;
+use nacreous_colour::{Matrix, matrix::apply};
+
+use crate::{
+    bands::{self, Bands, Palette},
+    camera::Ray,
+    film::STEPS,
+    inside::{Beam, Body, Inside},
+    lamp::Lamp,
+    rgb::{self, Rgb},
+    sphere::Hit,
+    surface::{Surface, upsampled},
+    surroundings::Surroundings,
+};
+
+/// A pearl by the transport model (Ozaki and others 2021): what one sees is light that the film mirrors,
+/// and light that has been inside and leaves through the film in the complementary colour.
+#[derive(Debug, Clone)]
+pub struct Transport {
+    surface: Surface,
+    /// Facets drawn once for all pixels: each sample of a pixel takes the next few.
+    draws: Vec<[f64; 3]>,
+    draws_per_sample: usize,
+    /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
+    mirrored: Vec<Matrix>,
+    /// What all facets together mirror of even surroundings, by the cosine of the view angle.
+    mirrored_by_all: Vec<Matrix>,
+    lamps: Vec<Mirrored>,
+    inside: Inside,
+}
+
+/// A lamp, and the colour that the film mirrors of it by the cosine of incidence.
+#[derive(Debug, Clone)]
+struct Mirrored {
+    lamp: Lamp,
+    colour: Vec<Rgb>,
+}
+
+const COSINES: usize = 8 * STEPS;
+
+/// The parts of the light of one point.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Parts {
+    /// What interference adds to, and takes from, the light from inside; may be negative.
+    pub interference: Rgb,
+    /// The light from inside, were the film without colour.
+    pub diffuse: Rgb,
+    /// Lamps and surroundings mirrored.
+    pub mirror: Rgb,
+}
+
+impl Transport {
+    /// Lets the light of `surroundings` into ball `ball`. `lamps` holds the power by band of each lamp, as
+    /// light of a white matt surface that faces it; `samples` are those of a pixel.
+    pub fn new(
+        surface: Surface,
+        body: &Body,
+        palette: &Palette,
+        surroundings: &Surroundings,
+        lamps: &[Bands],
+        samples: usize,
+    ) -> Self {
+        let relief = surface.relief;
+        let draws_per_sample = draws_per_sample(relief.spread_rad());
+        let at = |step: usize| surface.film.reflectance(step as f64 / COSINES as f64);
+        let kept_out = |entering: &Bands| palette.filtered(&entering.map(|share| 1.0 - share));
+        let mirrored_by_all = upsampled(&surface, COSINES).iter().map(kept_out).collect();
+        let mirrored = (0..=COSINES).map(|step| palette.filtered(&at(step))).collect();
+        let colours = |power: &Bands| {
+            (0..=COSINES).map(|step| palette.rgb(&bands::times(&at(step), power))).collect()
+        };
+        let pairs = surroundings.lamps.iter().zip(lamps);
+        let centre = DVec3::ZERO;
+        let beams: Vec<Beam> = pairs
+            .clone()
+            .map(|(lamp, power)| Beam {
+                direction: lamp.toward(centre),
+                angular_radius_rad: lamp.angular_radius_rad(),
+                power: *power,
+            })
+            .collect();
+        let seen = |along| surroundings.seen(&Ray { from: centre, along }, GRID_RAD).radiance;
+        let inside = Inside::new(&surface, body, palette, seen, &beams);
+        let lamps = pairs
+            .map(|(lamp, power)| Mirrored {
+                lamp: lamp.clone().resolved_for(&relief),
+                colour: colours(power),
+            })
+            .collect();
+        let draws = relief.draws(samples * draws_per_sample);
+        Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
+    }
+
+    /// What goes from `hit` towards `view`, by the facets of one of the pixel's samples. `pixel_mm` is the
+    /// width that the pixel stands for on the pearl.
+    pub fn shade(
+        &self,
+        surroundings: &Surroundings,
+        hit: &Hit,
+        view: DVec3,
+        pixel_mm: f64,
+        sample: usize,
+    ) -> Parts {
+        let (whole, plain) = self.inside.radiance(hit.normal, hit.cos_view);
+        let mut mirror = self.around(surroundings, hit, view, pixel_mm, sample);
+        for Mirrored { lamp, colour } in &self.lamps {
+            let reflected = |cos_half: f64| colour[row(cos_half)];
+            let image = lamp.image(&self.surface.relief, hit.point, hit.normal, view, reflected);
+            rgb::add(&mut mirror, image);
+        }
+        let interference = std::array::from_fn(|i| whole[i] - plain[i]);
+        Parts { interference, diffuse: plain, mirror }
+    }
+
+    /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
+    /// what is finer is averaged where it is looked up.
+    fn around(
+        &self,
+        surroundings: &Surroundings,
+        hit: &Hit,
+        view: DVec3,
+        pixel_mm: f64,
+        sample: usize,
+    ) -> Rgb {
+        let (normal, cos_view) = (hit.normal, hit.cos_view);
+        let aside = view - normal * cos_view;
+        let x = aside.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
+        let y = normal.cross(x);
+        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
+        // a slanted surface turns it faster.
+        let pixel_rad = 2.0 * pixel_mm / surroundings.pearl.radius_mm / cos_view.max(0.02);
+        let mut lobe = Lobe::default();
+        let first = sample * self.draws_per_sample;
+        for i in first..first + self.draws_per_sample {
+            let draw = self.draws[i % self.draws.len()];
+            let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
+            let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
+            let share_rad2 = LOBE / (facet.density * self.draws.len() as f64);
+            let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
+            let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad);
+            lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
+        }
+        lobe.radiance(&self.mirrored_by_all[row(cos_view)])
+    }
+}
+
+/// Some facets' view of the surroundings.
+#[derive(Debug, Default)]
+struct Lobe {
+    weight: f64,
+    /// Sum of what the film mirrors, from RGB to RGB.
+    film: Matrix,
+    /// Sum of the surroundings' light, before the film and after it.
+    light: Rgb,
+    mirrored: Rgb,
+}
+
+impl Lobe {
+    fn add(&mut self, weight: f64, film: &Matrix, light: Rgb) {
+        self.weight += weight;
+        for (sum, row) in self.film.iter_mut().zip(film) {
+            rgb::add(sum, rgb::scaled(*row, weight));
+        }
+        rgb::add(&mut self.light, rgb::scaled(light, weight));
+        rgb::add(&mut self.mirrored, rgb::scaled(apply(film, light), weight));
+    }
+
+    /// Few facets give the surroundings' colours; `all` of them how much is mirrored: exactly where the
+    /// surroundings are even (a control variate).
+    fn radiance(&self, all: &Matrix) -> Rgb {
+        let of_white = |film: &Matrix| rgb::luminance(apply(film, [1.0; 3]));
+        let some = of_white(&self.film);
+        if some <= 0.0 {
+            return [0.0; 3];
+        }
+        let share = of_white(all) / some;
+        let light = rgb::scaled(self.light, 1.0 / self.weight);
+        let (expected, found) = (apply(all, light), rgb::scaled(apply(&self.film, light), share));
+        std::array::from_fn(|i| self.mirrored[i] * share + expected[i] - found[i])
+    }
+}
+
+/// Distance of neighbours on the grid over which the light around is summed up.
+const GRID_RAD: f64 = std::f64::consts::PI / 64.0;
+
+/// Squared width of what a draw stands for, in units of its solid angle: neighbours overlap.
+const LOBE: f64 = 1.0;
+
+/// A mirror needs few facets, satin more.
+fn draws_per_sample(spread_rad: f64) -> usize {
+    match spread_rad {
+        spread if spread < 0.02 => 1,
+        spread if spread < 0.08 => 2,
+        _ => 4,
+    }
+}
+
+fn row(cosine: f64) -> usize {
+    (cosine.clamp(0.0, 1.0) * COSINES as f64 + 0.5) as usize
+}
