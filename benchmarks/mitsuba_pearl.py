@@ -1,10 +1,10 @@
-"""A pearl's reflection by Mitsuba 3 (llvm_ad_rgb), to be compared with ours; run by `reflection.py`.
+"""A pearl's reflection by Mitsuba 3 (llvm_ad_rgb), to compare with ours; run by `reflection.py`.
 
     python mitsuba_pearl.py FOLDER SAMPLES SEED WARM
 
 in an environment that has Mitsuba, on FOLDER/job.json, table.npy and panorama.npy. Writes
-FOLDER/mitsuba.npy, linear RGB, and prints the processor seconds of the render: with WARM = 1 after
-a smaller render of the same shape, which compiles; with 0 of the whole process up to there.
+FOLDER/mitsuba.npy, linear RGB, and FOLDER/answer.json with the processor seconds: with WARM = 1 of
+the render, after another with few samples, which compiles; with 0 of the whole process up to there.
 """
 
 from __future__ import annotations
@@ -22,9 +22,6 @@ import numpy as np
 
 mi.set_variant("llvm_ad_rgb")
 
-#: Samples a pixel in one go: what is held in memory grows with them.
-AT_ONCE = 64
-
 
 class Nacre(mi.BSDF):
     """GGX facets that reflect by a table over the cosine at the facet, and absorb the rest."""
@@ -40,6 +37,7 @@ class Nacre(mi.BSDF):
         self.m_flags = flags
 
     def facets(self) -> mi.MicrofacetDistribution:
+        """Of those that a direction sees."""
         return mi.MicrofacetDistribution(mi.MicrofacetType.GGX, self.alpha, True)
 
     def reflectance(self, cosine: mi.Float) -> mi.Color3f:
@@ -54,6 +52,7 @@ class Nacre(mi.BSDF):
     def sample(
         self, context: Any, si: Any, sample1: Any, sample2: Any, active: Any = True
     ) -> tuple[Any, Any]:
+        """A direction of light, and radiance over its density."""
         facets = self.facets()
         normal, density = facets.sample(si.wi, sample2)
         cos_half = dr.dot(si.wi, normal)
@@ -69,12 +68,15 @@ class Nacre(mi.BSDF):
         return found, dr.select(active, weight, 0.0)
 
     def eval(self, context: Any, si: Any, wo: Any, active: Any = True) -> Any:
+        """Radiance, times the cosine of incidence."""
         return self.eval_pdf(context, si, wo, active)[0]
 
     def pdf(self, context: Any, si: Any, wo: Any, active: Any = True) -> Any:
+        """Density by solid angle."""
         return self.eval_pdf(context, si, wo, active)[1]
 
     def eval_pdf(self, context: Any, si: Any, wo: Any, active: Any = True) -> tuple[Any, Any]:
+        """Both."""
         cos_view, cos_light = mi.Frame3f.cos_theta(si.wi), mi.Frame3f.cos_theta(wo)
         active &= (cos_view > 0) & (cos_light > 0)
         half = dr.normalize(si.wi + wo)
@@ -85,6 +87,7 @@ class Nacre(mi.BSDF):
         return dr.select(active, value, 0.0), dr.select(active, density, 0.0)
 
     def to_string(self) -> str:
+        """For Mitsuba's messages."""
         return f"Nacre[alpha={self.alpha}]"
 
 
@@ -100,7 +103,8 @@ def scene(folder: Path, job: dict[str, Any]) -> mi.Scene:
     return mi.load_dict(
         {
             "type": "scene",
-            "integrator": {"type": "path", "max_depth": 2},
+            # A convex body mirrors nothing twice: that of one bounce does it, faster than "path".
+            "integrator": {"type": "direct"},
             "sensor": {
                 "type": "perspective",
                 "fov_axis": "x",
@@ -130,26 +134,19 @@ def scene(folder: Path, job: dict[str, Any]) -> mi.Scene:
     )
 
 
-def render(world: mi.Scene, samples: int, seed: int) -> np.ndarray:
-    """Linear RGB [row, column, rgb], the mean of as many equal goes as it takes."""
-    goes = max(1, round(samples / AT_ONCE))
-    total: Any = 0.0
-    for go in range(goes):
-        image = mi.render(world, spp=samples // goes, seed=seed * 100_000 + go)
-        total = total + np.array(image, dtype=np.float64)
-    return total[..., :3] / goes
-
-
 def main() -> None:
     folder, samples, seed, warm = Path(sys.argv[1]), *map(int, sys.argv[2:5])
-    world = scene(folder, json.loads((folder / "job.json").read_text()))
+    job = json.loads((folder / "job.json").read_text())
+    world = scene(folder, job)
     begin_s = 0.0
     if warm:
-        render(world, min(samples, AT_ONCE), seed + 1)
+        np.array(mi.render(world, spp=16, seed=seed + 1))
         begin_s = time.process_time()
-    picture = render(world, samples, seed)
-    print(json.dumps({"s": time.process_time() - begin_s}))
+    picture = np.array(mi.render(world, spp=samples, seed=seed))[..., :3]
+    took_s = time.process_time() - begin_s
     np.save(folder / "mitsuba.npy", picture.astype(np.float32))
+    answer = {"s": took_s, "version": mi.__version__}
+    (folder / "answer.json").write_text(json.dumps(answer))
 
 
 if __name__ == "__main__":

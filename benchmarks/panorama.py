@@ -33,7 +33,9 @@ def pixels(height_px: int = HEIGHT_PX) -> NDArray[np.float32]:
     for (azimuth_of, elevation_of, half_width, half_height), rgb in WINDOWS:
         inside = np.abs(_turn(azimuth - azimuth_of)) < half_width
         inside &= np.abs(elevation - elevation_of) < half_height
-        bars = (np.abs(_turn(azimuth - azimuth_of)) < 0.8) | (np.abs(elevation - elevation_of) < 0.8)
+        bars = (np.abs(_turn(azimuth - azimuth_of)) < 0.8) | (
+            np.abs(elevation - elevation_of) < 0.8
+        )
         world[inside & ~bars] = rgb
     (azimuth_of, elevation_of, radius), rgb = SUN
     world[_apart_deg(azimuth, elevation, azimuth_of, elevation_of) < radius] = rgb
