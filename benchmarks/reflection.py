@@ -159,8 +159,9 @@ class Mitsuba:
     def render(
         self, sampler: str, samples: int, seed: int, warm: bool = True
     ) -> tuple[Picture, dict[str, Any]]:
-        """The picture, and what it took: processor seconds `s` of the render, after one to warm
-        up or else from the start of the process, and of the whole process; memory.
+        """The picture; processor seconds `s`, `whole_s` of the process, and its peak memory.
+
+        `s` is that of the render after one to warm up, or else from the start of the process.
         """
         job = {"size": SIZE, "alpha": ALPHA, "diameter_mm": DIAMETER_MM, "sampler": sampler}
         (self.folder / "job.json").write_text(json.dumps({**job, **CAMERA}))
