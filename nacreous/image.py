@@ -5,19 +5,20 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, TypeVar
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous import _core, colour, file, texture
-from nacreous.nacre import stack_of
+from nacreous import _core, colour, file, look, texture
+from nacreous.arrangement import Arrangement, arrange
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.spec import Growth, Pearl, Scene
+from nacreous.spec.row import MOST_PEARLS
 
 __all__ = ["SUFFIXES", "Image", "render"]
 
@@ -25,15 +26,17 @@ __all__ = ["SUFFIXES", "Image", "render"]
 SUFFIXES = (".png", ".exr")
 
 Spec = TypeVar("Spec", Pearl, Scene)
+Given: TypeAlias = str | Path | Pearl
 
 
 @dataclass(frozen=True)
 class Image:
-    """A rendered pearl in linear light, and the recipe it can be made from again.
+    """Rendered pearls in linear light, and the recipe they can be made from again.
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
     leave 0..1. layers: the parts "interference", "diffuse", "mirror" and "surroundings", which add
-    up to linear, and "texture" (hue, value, chroma) and "coverage" (of the pearl).
+    up to linear, and "texture" (hue, value, chroma) and "coverage" (of all pearls). recipe: texts
+    "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others.
     """
 
     linear: NDArray[np.float32]
@@ -87,15 +90,16 @@ class Image:
 
 
 def render(
-    pearl: str | Path | Pearl = "paper",
+    pearl: Given | Sequence[Given] = "paper",
     scene: str | Path | Scene = "paper",
     size: int = 512,
     samples: int = 16,
     progress: Callable[[float], None] | None = None,
 ) -> Image:
-    """Render a pearl in a scene (paper, section 4).
+    """Render a pearl, or several, in a scene (paper, section 4).
 
-    pearl, scene: models, files, or presets' names. size: pixels a side, 1 to 8192. samples: a
+    pearl, scene: models, files, or presets' names. Of several pearls each takes the next "*" in the
+    scene's rows, in turn. size: pixels a side, 1 to 8192. samples: a
     pixel, a square number, 1 to 1024. progress: called with the finished share, 0 to 1, now and
     then; what it raises stops the render, as Ctrl-C does.
 
@@ -106,25 +110,29 @@ def render(
     >>> bool(np.abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
     True
     """
-    pearl, scene = _loaded(Pearl, pearl), _loaded(Scene, scene)
+    scene = _loaded(Scene, scene)
     size, side = _size(size), _samples_side(samples)
+    arrangement = arrange(_given(pearl), scene)
     report = None if progress is None else lambda rows: progress(rows / size)
-    look = _look(pearl)
-    grained = any(look[weight] for weight in ("hue_weight", "chroma_weight", "value_weight"))
     pixels = _core.render(
-        look,
-        _surroundings(scene, pearl),
-        stack_of(pearl)._core,
-        texture.of_pearl(pearl) if grained else None,
+        [_prepared(pearl) for pearl in arrangement.pearls],
+        _surroundings(arrangement),
         size,
         side,
         report,
     )
     layers = {name: pixels[..., first:end] for name, first, end in _core.parts()}
     first_four = list(layers.values())[:4]
-    return Image(
-        sum(first_four[1:], first_four[0]), layers, _recipe(pearl, scene, size, side * side)
-    )
+    linear = sum(first_four[1:], first_four[0])
+    return Image(linear, layers, _recipe(arrangement, size, side * side))
+
+
+def _given(pearl: Given | Sequence[Given]) -> list[Pearl]:
+    if isinstance(pearl, str | Path | Pearl) or not isinstance(pearl, Sequence):
+        return [_loaded(Pearl, pearl)]
+    if not 1 <= len(pearl) <= MOST_PEARLS:
+        raise InputError(f"pearl is a list of {len(pearl)}; allowed: 1 to {MOST_PEARLS} pearls")
+    return [_loaded(Pearl, one) for one in pearl]
 
 
 def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
@@ -154,23 +162,15 @@ def _is_whole(value: object) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
-def _look(pearl: Pearl) -> dict[str, Any]:
-    """What the renderer needs of the pearl; knobs give what the file leaves open."""
-    behind_knobs = _core.parameters(pearl.depth, pearl.shininess, pearl.grain)
-    given = {
-        **pearl.interference.model_dump(),
-        **pearl.surface.model_dump(),
-        **pearl.texture.model_dump(include={"hue_weight", "chroma_weight", "value_weight"}),
-    }
-    resolved = {key: behind_knobs[key] if value is None else value for key, value in given.items()}
-    return {
-        **resolved,
-        "diameter_mm": pearl.diameter_mm,
-        "body_colour": colour.linear_from_hex(pearl.body_colour),
-    }
+def _prepared(pearl: Pearl) -> tuple[dict[str, Any], _core.Texture | None]:
+    """A pearl's look, and its grain if it shows any."""
+    seen = look.of_pearl(pearl)
+    grained = any(seen[weight] for weight in look.GRAIN)
+    return seen, texture.of_pearl(pearl) if grained else None
 
 
-def _surroundings(scene: Scene, pearl: Pearl) -> dict[str, Any]:
+def _surroundings(arrangement: Arrangement) -> dict[str, Any]:
+    scene = arrangement.scene
     camera, walls, table = scene.camera, scene.walls, scene.table
     return {
         "observer": scene.observer,
@@ -179,9 +179,10 @@ def _surroundings(scene: Scene, pearl: Pearl) -> dict[str, Any]:
             "distance_mm": camera.distance_mm if camera.projection == "perspective" else None,
             "elevation_rad": math.radians(camera.elevation_deg),
             "azimuth_rad": math.radians(camera.azimuth_deg),
-            "field_mm": camera.field_mm or 1.5 * pearl.diameter_mm,
+            "field_mm": arrangement.field_mm(),
             "exposure": camera.exposure,
         },
+        "places": [place._asdict() for place in arrangement.places],
         # A lamp switched off has no say in what looks white either.
         "lamps": [_lamp(lamp) for lamp in scene.lamps if lamp.intensity > 0],
         "table": None if table.kind == "none" else _coloured(table.model_dump()),
@@ -225,20 +226,28 @@ def _coloured(section: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _recipe(pearl: Pearl, scene: Scene, size: int, samples: int) -> dict[str, str]:
+def _recipe(arrangement: Arrangement, size: int, samples: int) -> dict[str, str]:
     """Everything that makes the picture again, as texts for its file."""
     from nacreous import __version__
 
-    seed = pearl.nacre.seed if isinstance(pearl.nacre, Growth) else None
+    pearls = arrangement.pearls
+    seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
+    texture_seeds = [p.texture_seed for p in pearls]
+    one = len(pearls) == 1
     versions = {
         "nacreous": __version__,
         "python": platform.python_version(),
         "numpy": np.__version__,
     }
-    settings = {"size": size, "samples": samples, "seed": seed, "texture_seed": pearl.texture_seed}
+    settings = {
+        "size": size,
+        "samples": samples,
+        "seed": seeds[0] if one else seeds,
+        "texture_seed": texture_seeds[0] if one else texture_seeds,
+    }
     return {
-        "pearl": pearl.to_toml(),
-        "scene": scene.to_toml(),
+        **{"pearl" if one else f"pearl.{i}": p.to_toml() for i, p in enumerate(pearls)},
+        "scene": arrangement.scene.to_toml(),
         "settings": json.dumps(settings),
         "versions": json.dumps(versions),
     }

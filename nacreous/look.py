@@ -9,16 +9,17 @@ from nacreous.film import columns_of
 from nacreous.nacre import stack_of
 from nacreous.spec import Pearl
 
-__all__ = ["outer_um_of", "of_pearl"]
+__all__ = ["GRAIN", "of_pearl", "outer_um_of"]
 
-_GRAIN = ("hue_weight", "chroma_weight", "value_weight")
+#: Weights of the grain; it shows where one of them is above 0.
+GRAIN = ("hue_weight", "chroma_weight", "value_weight")
 
 
 def of_pearl(pearl: Pearl) -> dict[str, Any]:
     """What the renderer needs of the pearl; knobs give what the file leaves open."""
     knobs = _core.parameters(pearl.depth, pearl.shininess, pearl.grain)
     common = {"facet_spread_rad": pearl.surface.facet_spread_rad}
-    common |= {weight: getattr(pearl.texture, weight) for weight in _GRAIN}
+    common |= {weight: getattr(pearl.texture, weight) for weight in GRAIN}
     transport = pearl.model == "transport"
     return {
         "diameter_mm": pearl.diameter_mm,

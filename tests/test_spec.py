@@ -11,7 +11,7 @@ import sys
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
@@ -26,6 +26,7 @@ from nacreous.spec import (
     Lamp,
     Layers,
     Pearl,
+    Row,
     Scene,
     Surface,
     Uniaxial,
@@ -35,6 +36,7 @@ from nacreous.spec import (
     override,
     preset,
 )
+from nacreous.spec.body import Pigment
 from nacreous.spec.key import Key, alternatives, every_key, sections_in
 from nacreous.spec.model import only_with
 
@@ -46,6 +48,7 @@ def kinds_of(key: Key) -> tuple[Any, ...]:
 
 
 FILES = (Pearl, Scene)
+LISTED = {"lamps": Lamp, "rows": Row}
 KEYS = [(model, key) for model in FILES for key in every_key(model)]
 LEAVES = [(model, key) for model, key in KEYS if not all(map(sections_in, kinds_of(key)))]
 NUMBERS = [
@@ -88,8 +91,9 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
     if home(key):
         values["model"] = home(key)
     target[last] = value
-    if "lamps" in values and key.owner is Lamp:
-        values["lamps"] = [values["lamps"]]
+    for name, owner in LISTED.items():
+        if name in values and key.owner is owner:
+            values[name] = [values[name]]
     return values
 
 
@@ -172,6 +176,7 @@ def test_a_mistyped_name_is_offered_the_nearest(values: dict[str, Any], line: st
 
 def test_names_of_media_and_pigments_are_those_of_the_compiled_rooms() -> None:
     assert medium.NAMES == nc.medium.NAMES
+    assert get_args(Pigment) == nc.body.PIGMENTS
 
 
 # --- keys of one model ----------------------------------------------------------------------------
@@ -301,8 +306,8 @@ TEXTS = [case for case in LEAVES if case not in NUMBERS]
 @pytest.mark.parametrize("value", ["", "nonsense\n", "#12345g", "02-30", "99999K", "-1"])
 def test_every_text_key_refuses_nonsense(case: Any, value: str) -> None:
     model, key = case
-    if key.path == "name" and value not in ("", "nonsense\n"):
-        assert model.check({"name": value}, "my.toml", Path()).name == value
+    if key.path in ("name", "rows.0.label") and value not in ("", "nonsense\n"):
+        assert model.check(file_with(model, key, value), "my.toml", Path())
         return
     line = refusal(model, key, value)
     assert f"is {json.dumps(value)}; " in line

@@ -14,6 +14,7 @@ _EXAMPLES = """\
 examples:
   nacreous render paper                            the pearl of 1996, as pearl.png
   nacreous render paper --set depth=0.8            one knob turned
+  nacreous render a.toml b.toml --scene tray.toml  two pearls in the rows of a scene
   nacreous render my.toml --scene dark --size 1024 your pearl in another scene
   nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
 """
@@ -23,13 +24,17 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """Describe the command."""
     parser = subparsers.add_parser(
         "render",
-        help="make a picture of a pearl",
-        description="Make a picture of a pearl in a scene. The picture file carries everything "
-        "that makes it again: pearl, scene, seeds and versions.",
+        help="make a picture of a pearl, or of several",
+        description="Make a picture of a pearl, or of several, in a scene. The picture file "
+        "carries everything that makes it again: pearls, scene, seeds and versions.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("pearl", help="a pearl file, or a preset's name")
+    parser.add_argument(
+        "pearl",
+        nargs="+",
+        help="a pearl file, or a preset's name; several take the scene's places in turn",
+    )
     parser.add_argument("--scene", default="paper", help="a scene file, or a preset's name (paper)")
     parser.add_argument("--size", type=_whole, default=512, help="pixels a side, 1 to 8192 (512)")
     parser.add_argument(
@@ -71,14 +76,14 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.spec import Pearl, Scene
 
     of_pearl, of_scene = _overrides(args.set)
-    pearl = Pearl.load(args.pearl, of_pearl)
+    pearls = [Pearl.load(pearl, of_pearl) for pearl in args.pearl]
     scene = Scene.load(args.scene, of_scene)
     file.check_output(args.output, image.SUFFIXES)
     begin = time.monotonic()
     with bar("rendering") as show:
-        picture = image.render(pearl, scene, args.size, args.samples, show)
+        picture = image.render(pearls, scene, args.size, args.samples, show)
     outside = picture.save(args.output, args.bits, args.space, args.gamut)
-    print(_report(args, pearl, scene, time.monotonic() - begin, outside))
+    print(_report(args, pearls, scene, time.monotonic() - begin, outside))
     return 0
 
 
@@ -99,15 +104,18 @@ def _overrides(settings: list[str]) -> tuple[list[Override], list[Override]]:
 
 
 def _report(
-    args: argparse.Namespace, pearl: Pearl, scene: Scene, seconds: float, outside: float
+    args: argparse.Namespace, pearls: list[Pearl], scene: Scene, seconds: float, outside: float
 ) -> str:
     """One line: what was made, where, and how far the screen falls short of it."""
     from nacreous.nacre import stack_of
 
-    stack = stack_of(pearl)
-    nacre = f"{len(stack)} layers, {stack.total_um:.0f} um of nacre"
+    shown = f"{len(pearls)} pearls"
+    if len(pearls) == 1:
+        stack = stack_of(pearls[0])
+        nacre = f"{len(stack)} layers, {stack.total_um:.0f} um of nacre"
+        shown = f"pearl {pearls[0].name} ({nacre})"
     line = (
-        f"{args.output}: pearl {pearl.name} ({nacre}) in scene {scene.name}, "
+        f"{args.output}: {shown} in scene {scene.name}, "
         f"{args.size} x {args.size}, {args.samples} samples a pixel, {seconds:.1f} s"
     )
     if outside:

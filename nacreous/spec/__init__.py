@@ -16,6 +16,7 @@ from nacreous.spec.load import load
 from nacreous.spec.medium import Uniaxial
 from nacreous.spec.nacre import Layers, Nacre
 from nacreous.spec.pearl import Pearl
+from nacreous.spec.row import Row
 from nacreous.spec.scene import Scene, Sky, Table, Walls
 from nacreous.spec.schema import json_schema
 from nacreous.spec.surface import Surface
@@ -32,6 +33,7 @@ __all__ = [
     "Layers",
     "Nacre",
     "Pearl",
+    "Row",
     "Scene",
     "Sky",
     "Surface",

@@ -44,7 +44,7 @@ class Body(Section):
         left_out="the thickness of the layers",
     )
     scattering_per_mm: float = quantity(
-        10.0,
+        3.0,
         "Kubelka and Munk's scattering coefficient S of the nacre.",
         least=0,
         most=1000,

@@ -41,7 +41,7 @@ class Camera(Section):
         most=10_000,
         unit="mm",
         source="**(ours)**",
-        left_out="1.5 x the pearl's diameter",
+        left_out="1.5 x the pearl's diameter, or as wide as the rows",
     )
     distance_mm: float = quantity(
         150.0,

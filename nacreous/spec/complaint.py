@@ -213,8 +213,14 @@ def _in_words(kind: Any) -> str:
     if kind is int:
         return "a whole number"
     if get_origin(kind) is tuple:
-        return "a list of tables" if sections_in(kind) else "a list of numbers"
+        return f"a list of {_entries(kind)}"
     return "text in quotes" if kind is str or get_origin(kind) is Literal else "a table of keys"
+
+
+def _entries(kind: Any) -> str:
+    if sections_in(kind):
+        return "tables"
+    return "texts" if alternatives(get_args(kind)[0]) == (str,) else "numbers"
 
 
 def _fits(value: Any, kind: Any) -> bool:

@@ -1,7 +1,8 @@
 """The scene: camera, lamps and what stands around the pearl.
 
 Directions and positions share one frame with the pearl's centre at the origin: y is up, z points
-to where the camera stands at azimuth 0, x to that viewer's right.
+to where the camera stands at azimuth 0, x to that viewer's right. Of several pearls, the origin is
+the middle of the rows, as high as the centre of the largest.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from nacreous.spec.camera import Camera
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import FilePath, key, quantity, section
 from nacreous.spec.lamp import Lamp
+from nacreous.spec.row import GIVEN, MOST_PEARLS, Row
 from nacreous.spec.section import Section
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.words import COLOUR, NAME, Colour, Name, ending
@@ -148,6 +150,24 @@ class Scene(SpecFile):
         allowed='"1931-2" or "1964-10"',
         source="CIE 015:2018",
     )
+    pitch_mm: float | None = quantity(
+        None,
+        "Distance in a row from the middle of a pearl to that of the next.",
+        least=1,
+        most=1000,
+        unit="mm",
+        source="**(ours)**",
+        left_out="1.1 x the largest pearl's diameter",
+    )
+    row_gap_mm: float | None = quantity(
+        None,
+        "Distance from the middle of a row to that of the next.",
+        least=1,
+        most=1000,
+        unit="mm",
+        source="**(ours)**",
+        left_out="1.1 x the largest pearl's diameter",
+    )
     camera: Camera = section(Camera, "The camera.")
     lamps: Annotated[tuple[Lamp, ...], Field(max_length=256)] = key(
         (),
@@ -156,6 +176,23 @@ class Scene(SpecFile):
         source="**(ours)**",
         strict=False,
     )
+    rows: Annotated[tuple[Row, ...], Field(max_length=MOST_PEARLS)] = key(
+        (),
+        "Rows of pearls, each headed [[rows]]; without them, the one pearl given.",
+        allowed=f"0 to {MOST_PEARLS} tables, each headed [[rows]]",
+        source="**(ours)**",
+        strict=False,
+    )
     table: Table = section(Table, "The table below the pearl.")
     walls: Walls | None = section(None, "The walls around; none when left out.")
     sky: Sky = section(Sky, "What lies beyond.")
+
+    def contradictions(self) -> Iterator[Contradiction]:
+        """Rows with too many pearls, or with no place for the pearl to render."""
+        names = [name for row in self.rows for name in row.pearls]
+        if len(names) > MOST_PEARLS:
+            yield Contradiction(
+                "rows", f"hold {len(names)} pearls together; allowed: at most {MOST_PEARLS}"
+            )
+        if names and not any(name.startswith(GIVEN) for name in names):
+            yield Contradiction("rows", f'have no "{GIVEN}"; wanted: a place for the pearl given')

@@ -129,10 +129,19 @@ def _anchor(model: type[BaseModel], values: Any, folder: Path) -> None:
     if not isinstance(values, dict):
         return
     for name, field in model.model_fields.items():
-        value = values.get(name)
+        if name not in values:
+            continue
+        value = values[name]
         marks = [mark for mark in field.metadata if isinstance(mark, FilePath)]
-        if isinstance(value, str) and any(mark.names_file(value) for mark in marks):
-            values[name] = str(folder / value)
+        for mark in marks:
+            if isinstance(value, list):
+                values[name] = [_anchored(entry, mark, folder) for entry in value]
+            else:
+                values[name] = _anchored(value, mark, folder)
         for inner in sections_in(field.annotation):
             for entry in value if isinstance(value, list) else [value]:
                 _anchor(inner, entry, folder)
+
+
+def _anchored(value: Any, mark: FilePath, folder: Path) -> Any:
+    return str(folder / value) if isinstance(value, str) and mark.names_file(value) else value

@@ -5,9 +5,9 @@ use glam::DVec3;
 pub enum Projection {
     /// All parallel, as if seen from afar: then view angles are the same around every ring.
     Orthographic,
-    /// From one point, `distance_mm` from the pearl's centre.
+    /// From one point, `distance_mm` from the origin.
     Perspective {
-        /// Distance from the eye to the pearl's centre.
+        /// Distance from the eye to the origin.
         distance_mm: f64,
     },
 }
@@ -21,7 +21,7 @@ pub struct Ray {
     pub along: DVec3,
 }
 
-/// The eye. The pearl's centre is the origin, y points up, z towards the viewer at azimuth 0.
+/// The eye. It looks at the origin, y points up, z towards the viewer at azimuth 0.
 ///
 /// ```
 /// use nacreous_image::{Camera, Projection};
@@ -36,10 +36,12 @@ pub struct Camera {
     right: DVec3,
     up: DVec3,
     half_field_mm: f64,
+    /// Where parallel lines of sight start.
+    far_mm: f64,
 }
 
 impl Camera {
-    /// `field_mm` is the width of the square view in the plane of the pearl's centre.
+    /// `field_mm` is the width of the square view in the plane of the origin.
     pub fn new(
         projection: Projection,
         elevation_rad: f64,
@@ -48,7 +50,14 @@ impl Camera {
     ) -> Self {
         let back = direction(azimuth_rad, elevation_rad);
         let right = DVec3::new(libm::cos(azimuth_rad), 0.0, -libm::sin(azimuth_rad));
-        Self { projection, back, right, up: back.cross(right), half_field_mm: 0.5 * field_mm }
+        let (up, half_field_mm) = (back.cross(right), 0.5 * field_mm);
+        Self { projection, back, right, up, half_field_mm, far_mm: FAR_MM }
+    }
+
+    /// Starts parallel lines of sight in front of everything within `reach_mm` of the origin.
+    #[must_use]
+    pub fn in_front_of(self, reach_mm: f64) -> Self {
+        Self { far_mm: self.far_mm.max(2.0 * reach_mm), ..self }
     }
 
     /// The line of sight through (x, y) of the view, both from -1 (left, bottom) to 1 (right, top).
@@ -56,7 +65,7 @@ impl Camera {
         let target = (self.right * x + self.up * y) * self.half_field_mm;
         match self.projection {
             Projection::Orthographic => {
-                Ray { from: target + self.back * FAR_MM, along: -self.back }
+                Ray { from: target + self.back * self.far_mm, along: -self.back }
             }
             Projection::Perspective { distance_mm } => {
                 let eye = self.back * distance_mm;
@@ -71,13 +80,27 @@ impl Camera {
         ray.from.length()
     }
 
-    /// Width of a cell of the view, `cells` of which make its whole width, at the pearl's centre.
+    /// How much wider a cell of the view is at `point` than at the origin; 0 and less behind the eye.
+    pub fn scale_at(&self, point: DVec3) -> f64 {
+        match self.projection {
+            Projection::Orthographic => 1.0,
+            Projection::Perspective { distance_mm } => 1.0 - point.dot(self.back) / distance_mm,
+        }
+    }
+
+    /// Distance of `point` from the plane of all lines of sight at the height `y` of the view.
+    pub fn off_row_mm(&self, y: f64, point: DVec3) -> f64 {
+        let ray = self.ray(0.0, y);
+        (point - ray.from).dot(self.right.cross(ray.along)).abs()
+    }
+
+    /// Width of a cell of the view, `cells` of which make its whole width, at the origin.
     pub fn cell_mm(&self, cells: usize) -> f64 {
         2.0 * self.half_field_mm / cells as f64
     }
 }
 
-/// Where parallel lines of sight start: in front of everything near the pearl.
+/// Where parallel lines of sight start: in front of everything near one pearl.
 const FAR_MM: f64 = 1000.0;
 
 /// The unit vector towards an azimuth (0 is the viewer's side, positive to the right) and elevation.

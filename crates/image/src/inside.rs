@@ -1,10 +1,10 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use nacreous_colour::matrix::apply;
+use nacreous_colour::{SAMPLES, matrix::apply};
 
 use crate::{
-    bands::{BANDS, Bands, Palette},
+    bands::{BANDS, Bands, Palette, means},
     film::STEPS,
     harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
     rgb::{self, Rgb},
@@ -30,6 +30,13 @@ pub struct Body {
     /// How far light wanders before it leaves: waves of degree l fade by exp(-l (l + 1) spread). 0 leaves a
     /// matt body, much a body that shines alike on all sides.
     pub spread: f64,
+}
+
+impl Body {
+    /// Of a reflectance by wavelength.
+    pub fn new(reflectance: &[f64; SAMPLES], spread: f64) -> Self {
+        Self { reflectance: means(reflectance), spread }
+    }
 }
 
 /// Light that has been inside, ready to be looked at.

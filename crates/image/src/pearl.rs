@@ -1,14 +1,13 @@
 use glam::DVec3;
 
 use crate::{
-    camera::Ray,
-    facet::Facets,
+    ball::Hit,
+    glow::Glow,
     grain::texture::Texture,
-    irradiance::Irradiance,
+    illuminant::Illuminant,
     rgb::{self, Rgb},
-    rings::Rings,
-    sphere::Hit,
     surroundings::Surroundings,
+    transport::Transport,
 };
 
 /// How strongly the grain's textures act, per unit of texture and of lightness.
@@ -22,35 +21,48 @@ pub struct Grain {
     pub value: f64,
 }
 
-/// How the pearl answers to light, all of it known before the first pixel.
+/// A pearl in its place and light, all of it known before the first pixel.
 #[derive(Debug)]
 pub struct Pearl<'a> {
-    /// Interference colour by view angle.
-    pub rings: Rings,
-    /// Share of interference against body colour.
-    pub mixing: f64,
-    /// Share of light that the body sends back, linear RGB.
-    pub body_colour: Rgb,
-    /// Light of the surroundings, lamps apart, on every side of the pearl.
-    pub irradiance: Irradiance,
-    /// The surface.
-    pub facets: Facets,
-    /// Share of the mirrored surroundings that the surface leaves clear.
-    pub mirror_weight: f64,
-    /// Distance over which a mirrored thing fades to 1/e of its contrast with the backdrop.
-    pub falloff_mm: f64,
+    /// What it does with light.
+    pub model: Model,
     /// The grain over the sphere, if any.
     pub texture: Option<&'a Texture>,
     /// How strongly it acts.
     pub grain: Grain,
 }
 
+/// The two models of a pearl's light.
+#[derive(Debug)]
+pub enum Model {
+    /// The paper's of 1996.
+    Illuminant(Illuminant),
+    /// Light through the film, into the pearl and out again.
+    Transport(Transport),
+}
+
+/// A point of a pearl under the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// The pearl's number among the balls.
+    pub ball: usize,
+    /// The point.
+    pub hit: Hit,
+    /// Towards the eye.
+    pub view: DVec3,
+    /// The width on the pearl that a pixel stands for.
+    pub pixel_mm: f64,
+    /// Which of the pixel's samples this is.
+    pub sample: usize,
+}
+
 /// The light of one point of the pearl, in parts.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Shade {
-    /// From the rings; depends on the view angle alone.
+    /// What interference does. In the model of 1996 the rings' light; in the transport model what the film's
+    /// colours add to light from inside, and take from it: there it may be negative.
     pub interference: Rgb,
-    /// From the body.
+    /// From the body; in the transport model light from inside, were the film without colour.
     pub diffuse: Rgb,
     /// Lamps and surroundings mirrored.
     pub mirror: Rgb,
@@ -59,56 +71,50 @@ pub struct Shade {
 }
 
 impl Pearl<'_> {
-    /// What goes from `hit` towards `view`. `pixel_mm` is the width that it stands for on the pearl.
-    pub fn shade(
-        &self,
-        surroundings: &Surroundings,
-        hit: &Hit,
-        view: DVec3,
-        pixel_mm: f64,
-    ) -> Shade {
-        let radius_mm = surroundings.pearl.radius_mm;
+    /// What goes from the point towards the eye.
+    pub fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+        let radius_mm = surroundings.balls[sight.ball].radius_mm;
         let texture = self.texture.map_or([0.0; 3], |texture| {
-            texture.at(hit.normal, pixel_mm / radius_mm).map(f64::from)
+            texture.at(sight.hit.normal, sight.pixel_mm / radius_mm).map(f64::from)
         });
-        Shade {
-            interference: rgb::scaled(self.rings.colour(hit.cos_view), self.mixing),
-            diffuse: rgb::scaled(self.body(surroundings, hit), 1.0 - self.mixing),
-            mirror: self.mirror(surroundings, hit, view, pixel_mm),
-            texture,
-        }
-    }
-
-    /// Lambert's law in the body colour.
-    fn body(&self, surroundings: &Surroundings, hit: &Hit) -> Rgb {
-        let mut light = self.irradiance.at(hit.normal);
-        for lamp in &surroundings.lamps {
-            rgb::add(&mut light, lamp.matt(hit.point, hit.normal));
-        }
-        rgb::times(self.body_colour, light)
-    }
-
-    /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
-    fn mirror(&self, surroundings: &Surroundings, hit: &Hit, view: DVec3, pixel_mm: f64) -> Rgb {
-        let along = 2.0 * hit.cos_view * hit.normal - view;
-        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
-        // a slanted surface turns it faster.
-        let spread_rad = 2.0 * pixel_mm / surroundings.pearl.radius_mm / hit.cos_view.max(0.02);
-        let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad);
-        let clear = libm::exp(-seen.distance_mm / self.falloff_mm);
-        let faded = if clear < 1.0 && seen.distance_mm.is_finite() {
-            rgb::mix(surroundings.backdrop(along, spread_rad), seen.radiance, clear)
-        } else {
-            seen.radiance
+        let shade = match &self.model {
+            Model::Illuminant(model) => model.shade(surroundings, sight),
+            Model::Transport(model) => model.shade(surroundings, sight),
         };
-        let mut mirrored =
-            rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
-        for lamp in &surroundings.lamps {
-            let facets = &self.facets;
-            let reflected = |cos_half| [facets.reflectance(cos_half); 3];
-            let image = lamp.image(&facets.relief, hit.point, hit.normal, view, reflected);
-            rgb::add(&mut mirrored, rgb::times(lamp.brightness, image));
-        }
-        mirrored
+        Shade { texture, ..shade }
     }
+
+    /// The mean light of the pearl's disc as its neighbours see it, from all around.
+    pub fn glow(&self, surroundings: &Surroundings, ball: usize) -> Glow {
+        let radius_mm = surroundings.balls[ball].radius_mm;
+        Glow::from_fn(|towards| {
+            let (x, y) = towards.any_orthonormal_pair();
+            let mut sum = [0.0; 3];
+            for sample in 0..GLOW_POINTS {
+                let [across, up] = on_disc(sample);
+                let cos_view = (1.0 - across * across - up * up).sqrt();
+                let normal = x * across + y * up + towards * cos_view;
+                let point = surroundings.balls[ball].centre + normal * radius_mm;
+                let hit = Hit { point, normal, cos_view, coverage: 1.0 };
+                let pixel_mm = 0.2 * radius_mm;
+                let sight = Sight { ball, hit, view: towards, pixel_mm, sample };
+                let shade = self.shade(surroundings, &sight);
+                for part in [shade.interference, shade.diffuse, shade.mirror] {
+                    rgb::add(&mut sum, rgb::scaled(part, 1.0 / GLOW_POINTS as f64));
+                }
+            }
+            sum
+        })
+    }
+}
+
+/// Points of the disc that stand for all of it.
+const GLOW_POINTS: usize = 64;
+
+/// One of them: a spiral of equal areas (Vogel 1979).
+fn on_disc(i: usize) -> [f64; 2] {
+    const GOLDEN_TURN: f64 = 2.399_963_229_728_653;
+    let (sin, cos) = libm::sincos(i as f64 * GOLDEN_TURN);
+    let radius = ((i as f64 + 0.5) / GLOW_POINTS as f64).sqrt();
+    [radius * cos, radius * sin]
 }

@@ -1,18 +1,19 @@
 use glam::DVec3;
 
 use crate::{
+    ball::Ball,
     camera::Ray,
+    glow::Glow,
     lamp::Lamp,
     rgb::{self, Rgb},
     sky::Sky,
-    sphere::Sphere,
     table::Table,
 };
 
-/// Upright walls around the pearl, a square room open to the sky.
+/// Upright walls around the pearls, a square room open to the sky.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Walls {
-    /// From the pearl's centre to each wall.
+    /// From the middle to each wall.
     pub half_width_mm: f64,
     /// Height above the table.
     pub height_mm: f64,
@@ -20,12 +21,13 @@ pub struct Walls {
     pub colour: Rgb,
 }
 
-/// Everything the pearl stands in and mirrors: table, walls, sky, and the lamps that light them.
+/// Everything a pearl stands in and mirrors: table, walls, sky, the lamps that light them, and the
+/// other pearls.
 ///
 /// Lamps themselves are not seen here: their images in the pearl are the facets' work.
 #[derive(Debug, Clone)]
 pub struct Surroundings {
-    /// What the pearl lies on, if anything.
+    /// What the pearls lie on, if anything.
     pub table: Option<Table>,
     /// Upright walls, if any.
     pub walls: Option<Walls>,
@@ -33,8 +35,10 @@ pub struct Surroundings {
     pub sky: Sky,
     /// The lamps.
     pub lamps: Vec<Lamp>,
-    /// The pearl, which throws its shadow.
-    pub pearl: Sphere,
+    /// The pearls, which throw shadows and give light.
+    pub balls: Vec<Ball>,
+    /// Height of the table: that of the lowest ball's lowest point.
+    table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     sky_on_table: Rgb,
 }
@@ -49,25 +53,67 @@ pub struct Seen {
 }
 
 impl Surroundings {
-    /// Puts the pieces together; the sky's light on the table is computed here, once.
+    /// Puts the pieces together; the sky's light on the table is computed here, once. The balls are
+    /// taken to lie on one plane and not to overlap.
     pub fn new(
         table: Option<Table>,
         walls: Option<Walls>,
         sky: Sky,
         lamps: Vec<Lamp>,
-        pearl: Sphere,
+        balls: Vec<Ball>,
     ) -> Self {
         let sky_on_table = sky.on_table();
-        Self { table, walls, sky, lamps, pearl, sky_on_table }
+        let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
+        let table_y_mm = lowest.unwrap_or(0.0);
+        Self { table, walls, sky, lamps, balls, table_y_mm, sky_on_table }
     }
 
-    /// What `ray` meets, the pearl left out. `spread_rad` is the angle that the ray stands for: finer
-    /// patterns are averaged away, not aliased.
-    pub fn seen(&self, ray: &Ray, spread_rad: f64) -> Seen {
+    /// Tells how a pearl looks to its neighbours and to the table.
+    pub fn set_glow(&mut self, ball: usize, glow: Glow) {
+        self.balls[ball].glow = glow;
+    }
+
+    /// What `ray` meets, the pearl `from` left out that it comes from. `spread_rad` is the angle that
+    /// the ray stands for: finer patterns are averaged away, not aliased, and balls have soft edges.
+    pub fn seen(&self, ray: &Ray, spread_rad: f64, from: Option<usize>) -> Seen {
+        let mut met = self.balls_ahead(ray, spread_rad, from);
+        if met.is_empty() {
+            return self.scenery(ray, spread_rad);
+        }
+        met.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut radiance, mut nearness, mut left) = ([0.0; 3], 0.0, 1.0);
+        for (distance_mm, share, ball) in met {
+            let glow = ball.glow.at((ray.from - ball.centre).normalize());
+            rgb::add(&mut radiance, rgb::scaled(glow, left * share));
+            nearness += left * share / distance_mm.max(1e-9);
+            left *= 1.0 - share;
+        }
+        if left > 0.0 {
+            let behind = self.scenery(ray, spread_rad);
+            rgb::add(&mut radiance, rgb::scaled(behind.radiance, left));
+            nearness += left / behind.distance_mm;
+        }
+        Seen { radiance, distance_mm: 1.0 / nearness }
+    }
+
+    /// (distance, share of the cone, ball) of the balls along `ray`, in no order.
+    fn balls_ahead(
+        &self,
+        ray: &Ray,
+        spread_rad: f64,
+        from: Option<usize>,
+    ) -> Vec<(f64, f64, &Ball)> {
+        let others = self.balls.iter().enumerate().filter(|(i, _)| Some(*i) != from);
+        let met = |ball: &'_ Ball| ball.stops(ray, spread_rad);
+        others.filter_map(|(_, ball)| met(ball).map(|(mm, share)| (mm, share, ball))).collect()
+    }
+
+    /// What `ray` meets of table, walls and sky.
+    pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
         let table = self
             .table
             .as_ref()
-            .and_then(|table| Some((table, distance_down(ray, -self.pearl.radius_mm)?)));
+            .and_then(|table| Some((table, distance_down(ray, self.table_y_mm)?)));
         let walls = self.walls.and_then(|walls| self.wall_ahead(&walls, ray));
         match (table, walls) {
             (Some((table, distance_mm)), wall)
@@ -84,6 +130,19 @@ impl Surroundings {
         }
     }
 
+    /// The share of a lamp that a point sees past all pearls; `on` is the pearl that the point lies on,
+    /// whose own horizon is no business of this.
+    pub fn lamp_past(&self, lamp: &Lamp, point: DVec3, on: Option<usize>) -> f64 {
+        if self.balls.len() == usize::from(on.is_some()) {
+            return 1.0;
+        }
+        let (toward, disc_rad) = (lamp.toward(point), lamp.angular_radius_rad());
+        let disc = libm::sincos(disc_rad);
+        let others = self.balls.iter().enumerate().filter(|(i, _)| Some(*i) != on);
+        let hiding = others.filter(|(_, ball)| !ball.is_clear_of(point, toward, disc));
+        hiding.map(|(_, ball)| ball.light_past(point, toward, disc_rad)).product()
+    }
+
     /// Radiance far away in a direction, which distant things fade into.
     pub fn backdrop(&self, along: DVec3, spread_rad: f64) -> Rgb {
         self.sky.radiance(DVec3::new(along.x, along.y.max(0.0), along.z), spread_rad)
@@ -96,15 +155,36 @@ impl Surroundings {
         rgb::times(albedo, self.light_on_table(point))
     }
 
-    /// Radiance of a white matt table at `point`: lamps past the pearl, and the sky beside it.
-    fn light_on_table(&self, point: DVec3) -> Rgb {
-        let mut light = rgb::scaled(self.sky_on_table, self.pearl.sky_past(point));
+    /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
+    /// they hide it, their own glow.
+    pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
+        let mut light = self.sky_and_glow_on_table(point);
         for lamp in &self.lamps {
             let toward = lamp.toward(point);
             if toward.y > 0.0 {
-                let past = self.pearl.light_past(point, toward, lamp.angular_radius_rad());
+                let past = self.lamp_past(lamp, point, None);
                 rgb::add(&mut light, rgb::scaled(lamp.brightness, toward.y * past));
             }
+        }
+        light
+    }
+
+    /// Each ball hides its share of the sky, exactly; that they hide them independently of each other is
+    /// an approximation **(ours)**, and their glows share in all that is hidden.
+    fn sky_and_glow_on_table(&self, point: DVec3) -> Rgb {
+        let (mut past, mut hidden, mut glow) = (1.0, 0.0, [0.0; 3]);
+        for ball in &self.balls {
+            let beside = ball.sky_past(point);
+            past *= beside;
+            hidden += 1.0 - beside;
+            if ball.glow != Glow::BLACK {
+                let seen = ball.glow.at((point - ball.centre).normalize());
+                rgb::add(&mut glow, rgb::scaled(seen, 1.0 - beside));
+            }
+        }
+        let mut light = rgb::scaled(self.sky_on_table, past);
+        if hidden > 0.0 {
+            rgb::add(&mut light, rgb::scaled(glow, (1.0 - past) / hidden));
         }
         light
     }
@@ -120,7 +200,7 @@ impl Surroundings {
         };
         let (x_mm, z_mm) = (exit(ray.from.x, ray.along.x), exit(ray.from.z, ray.along.z));
         let distance_mm = x_mm.min(z_mm);
-        let top_mm = walls.height_mm - self.pearl.radius_mm;
+        let top_mm = walls.height_mm + self.table_y_mm;
         let height_mm = ray.from.y + ray.along.y * distance_mm;
         if !(distance_mm > 0.0 && distance_mm.is_finite() && height_mm <= top_mm) {
             return None;
@@ -150,4 +230,57 @@ fn distance_down(ray: &Ray, height_mm: f64) -> Option<f64> {
     let distance_mm = (height_mm - ray.from.y) / ray.along.y;
     (ray.along.y < 0.0 && distance_mm > 0.0 && distance_mm < FOOTPRINT_LIMIT_MM)
         .then_some(distance_mm)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHITE: Option<Table> = Some(Table::Plain([1.0; 3]));
+    const EVEN: Sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
+
+    fn glowing(centre: DVec3, radius_mm: f64) -> Ball {
+        Ball { centre, radius_mm, glow: Glow::from_fn(|_| [1.0; 3]) }
+    }
+
+    #[test]
+    fn balls_that_glow_like_the_sky_leave_a_white_table_even() {
+        for balls in [
+            vec![glowing(DVec3::ZERO, 4.0)],
+            vec![glowing(DVec3::ZERO, 4.0), glowing(DVec3::new(8.0, -1.0, 0.0), 3.0)],
+        ] {
+            let surroundings = Surroundings::new(WHITE, None, EVEN, vec![], balls);
+            for x in [0.0, 0.5, 3.0, 4.0, 9.0, 40.0] {
+                let light = surroundings.light_on_table(DVec3::new(x, -4.0, 1e-3));
+                assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
+                let down = DVec3::new(0.3, -1.0, 0.2).normalize();
+                let ray = Ray { from: DVec3::new(x, 9.0, 0.0), along: down };
+                let seen = surroundings.seen(&ray, 0.2, None).radiance[0];
+                assert!((seen - 1.0).abs() < 1e-3, "{x}: {seen}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_ball_does_not_meet_itself_but_its_neighbour() {
+        let balls = vec![Ball::alone(4.0), glowing(DVec3::new(20.0, 0.0, 0.0), 4.0)];
+        let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
+        let surroundings = Surroundings::new(None, None, night, vec![], balls);
+        let ray = Ray { from: DVec3::ZERO, along: DVec3::X };
+        let seen = surroundings.seen(&ray, 0.01, Some(0));
+        assert!((seen.radiance[0] - 1.0).abs() < 1e-9 && (seen.distance_mm - 16.0).abs() < 1e-9);
+        assert!(surroundings.seen(&ray, 0.01, Some(1)).radiance[0] < 1e-9);
+    }
+
+    #[test]
+    fn a_neighbour_throws_its_shadow() {
+        let balls =
+            vec![Ball::alone(4.0), Ball { centre: DVec3::new(9.0, 0.0, 0.0), ..Ball::alone(4.0) }];
+        let lamp = Lamp::new(crate::Place::Direction(DVec3::X), 0.05, [1.0; 3]);
+        let surroundings = Surroundings::new(None, None, EVEN, vec![lamp.clone()], balls);
+        let past = |point| surroundings.lamp_past(&lamp, point, Some(0));
+        assert!(past(DVec3::new(4.0, 0.0, 0.0)) < 1e-12);
+        assert!((past(DVec3::new(0.0, 4.0, 0.0)) - 0.5).abs() < 0.01);
+        assert!((past(DVec3::new(0.0, 0.0, 4.0)) - 0.5).abs() < 0.01);
+    }
 }

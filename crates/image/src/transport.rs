@@ -1,4 +1,3 @@
-use glam::DVec3;
 use nacreous_colour::{Matrix, matrix::apply};
 
 use crate::{
@@ -7,8 +6,8 @@ use crate::{
     film::STEPS,
     inside::{Beam, Body, Inside},
     lamp::Lamp,
+    pearl::{Shade, Sight},
     rgb::{self, Rgb},
-    sphere::Hit,
     surface::{Surface, upsampled},
     surroundings::Surroundings,
 };
@@ -38,17 +37,6 @@ struct Mirrored {
 
 const COSINES: usize = 8 * STEPS;
 
-/// The parts of the light of one point.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Parts {
-    /// What interference adds to, and takes from, the light from inside; may be negative.
-    pub interference: Rgb,
-    /// The light from inside, were the film without colour.
-    pub diffuse: Rgb,
-    /// Lamps and surroundings mirrored.
-    pub mirror: Rgb,
-}
-
 impl Transport {
     /// Lets the light of `surroundings` into ball `ball`. `lamps` holds the power by band of each lamp, as
     /// light of a white matt surface that faces it; `samples` are those of a pixel.
@@ -57,6 +45,7 @@ impl Transport {
         body: &Body,
         palette: &Palette,
         surroundings: &Surroundings,
+        ball: usize,
         lamps: &[Bands],
         samples: usize,
     ) -> Self {
@@ -70,7 +59,7 @@ impl Transport {
             (0..=COSINES).map(|step| palette.rgb(&bands::times(&at(step), power))).collect()
         };
         let pairs = surroundings.lamps.iter().zip(lamps);
-        let centre = DVec3::ZERO;
+        let centre = surroundings.balls[ball].centre;
         let beams: Vec<Beam> = pairs
             .clone()
             .map(|(lamp, power)| Beam {
@@ -79,7 +68,8 @@ impl Transport {
                 power: *power,
             })
             .collect();
-        let seen = |along| surroundings.seen(&Ray { from: centre, along }, GRID_RAD).radiance;
+        let seen =
+            |along| surroundings.seen(&Ray { from: centre, along }, GRID_RAD, Some(ball)).radiance;
         let inside = Inside::new(&surface, body, palette, seen, &beams);
         let lamps = pairs
             .map(|(lamp, power)| Mirrored {
@@ -91,44 +81,35 @@ impl Transport {
         Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
     }
 
-    /// What goes from `hit` towards `view`, by the facets of one of the pixel's samples. `pixel_mm` is the
-    /// width that the pixel stands for on the pearl.
-    pub fn shade(
-        &self,
-        surroundings: &Surroundings,
-        hit: &Hit,
-        view: DVec3,
-        pixel_mm: f64,
-        sample: usize,
-    ) -> Parts {
+    /// What goes from the point towards the eye, without the grain.
+    pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+        let hit = &sight.hit;
         let (whole, plain) = self.inside.radiance(hit.normal, hit.cos_view);
-        let mut mirror = self.around(surroundings, hit, view, pixel_mm, sample);
+        let mut mirror = self.around(surroundings, sight);
         for Mirrored { lamp, colour } in &self.lamps {
-            let reflected = |cos_half: f64| colour[row(cos_half)];
-            let image = lamp.image(&self.surface.relief, hit.point, hit.normal, view, reflected);
-            rgb::add(&mut mirror, image);
+            let (relief, reflected) = (&self.surface.relief, |cos_half| colour[row(cos_half)]);
+            let image = lamp.image(relief, hit.point, hit.normal, sight.view, reflected);
+            if image != [0.0; 3] {
+                let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
+                rgb::add(&mut mirror, rgb::scaled(image, past));
+            }
         }
         let interference = std::array::from_fn(|i| whole[i] - plain[i]);
-        Parts { interference, diffuse: plain, mirror }
+        Shade { interference, diffuse: plain, mirror, ..Shade::default() }
     }
 
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
-    fn around(
-        &self,
-        surroundings: &Surroundings,
-        hit: &Hit,
-        view: DVec3,
-        pixel_mm: f64,
-        sample: usize,
-    ) -> Rgb {
+    fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
+        let Sight { ball, hit, view, pixel_mm, sample } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
         let x = aside.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
         let y = normal.cross(x);
         // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
         // a slanted surface turns it faster.
-        let pixel_rad = 2.0 * pixel_mm / surroundings.pearl.radius_mm / cos_view.max(0.02);
+        let radius_mm = surroundings.balls[ball].radius_mm;
+        let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
         let mut lobe = Lobe::default();
         let first = sample * self.draws_per_sample;
         for i in first..first + self.draws_per_sample {
@@ -137,7 +118,7 @@ impl Transport {
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
             let share_rad2 = LOBE / (facet.density * self.draws.len() as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
-            let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad);
+            let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
             lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
         }
         lobe.radiance(&self.mirrored_by_all[row(cos_view)])

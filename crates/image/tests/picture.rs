@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, RgbSpace, SAMPLES, delta_e_2000, lab_from_xyz};
 use nacreous_image::{
-    CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, PARTS, Pearl, Place, Progress,
-    Projection, Rings, Sky, Source, Sphere, Surroundings, Table, direction, render,
+    Ball, CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, PARTS, Pearl, Place, Progress,
+    Projection, Rings, Sky, Source, Surroundings, Table, direction, render,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Season};
 use nacreous_optics::IlluminantModel;
@@ -58,10 +58,10 @@ impl Set {
             let brightness = light.brightness(&source(1.0)).unwrap();
             Lamp::new(place, 0.05, brightness).resolved_for(&facets.relief)
         });
-        let ball = Sphere { radius_mm: RADIUS_MM };
         let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();
         let even = Sky::Gradient { horizon: [sky; 3], zenith: [sky; 3] };
-        let surroundings = Surroundings::new(table, None, even, lamps.collect(), ball);
+        let surroundings =
+            Surroundings::new(table, None, even, lamps.collect(), vec![Ball::alone(RADIUS_MM)]);
         Self { surroundings, rings, facets }
     }
 
@@ -70,7 +70,7 @@ impl Set {
             rings: self.rings.clone(),
             mixing: 0.3,
             body_colour: [0.8, 0.75, 0.7],
-            irradiance: Irradiance::new(&self.surroundings),
+            irradiance: Irradiance::new(&self.surroundings, 0),
             facets: self.facets,
             mirror_weight: 1.0,
             falloff_mm: 40.0,
@@ -81,7 +81,7 @@ impl Set {
 
     fn picture(&self) -> Vec<f32> {
         let camera = Camera::new(Projection::Orthographic, 0.3, 0.0, FIELD_MM);
-        render(&self.pearl(), &self.surroundings, &camera, SIZE, 4, &Progress::default()).unwrap()
+        render(&[self.pearl()], &self.surroundings, &camera, SIZE, 4, &Progress::default()).unwrap()
     }
 }
 
@@ -141,7 +141,7 @@ fn a_mirrored_table_fades_with_distance() {
     let mirrored = |table, falloff_mm: f64| -> Vec<f32> {
         let set = Set::new(&[], table, 0.5, Facets::new(0.05, 1.53, 0.1));
         let pearl = Pearl { falloff_mm, ..set.pearl() };
-        let pixels = render(&pearl, &set.surroundings, &camera, SIZE, 2, &Progress::default());
+        let pixels = render(&[pearl], &set.surroundings, &camera, SIZE, 2, &Progress::default());
         part(&pixels.unwrap(), "mirror").map(|mirror| mirror[1]).collect()
     };
     let contrast = |falloff_mm: f64| -> f32 {
@@ -196,7 +196,7 @@ fn a_stopped_render_gives_no_picture() {
     let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, FIELD_MM);
     let progress = Progress::default();
     progress.stop();
-    assert!(render(&set.pearl(), &set.surroundings, &camera, SIZE, 1, &progress).is_none());
+    assert!(render(&[set.pearl()], &set.surroundings, &camera, SIZE, 1, &progress).is_none());
 }
 
 #[test]

@@ -1,117 +1,148 @@
 //! The door to the picture.
 
+use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
-    Pearl, Progress, Rings, Source, Sphere, Surroundings, eight_bit,
+    Ball, Bands, CHANNELS, Camera, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters, Pearl,
+    Progress, Source, Surroundings, eight_bit,
 };
-use nacreous_optics::IlluminantModel;
+use nacreous_optics::OpticsError;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::{prelude::*, types::PyDict};
+use rayon::prelude::*;
 
 use crate::{
-    InputError,
-    nacre::Stack,
-    refused,
-    spec::{LampSpec, PearlSpec, SceneSpec, TableSpec, WallsSpec},
-    texture::Texture,
+    InputError, refused,
+    spec::{LampSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec},
+    subject::{Around, PearlGiven, Prepared, Subject},
     watched::{broken_off, watched},
 };
 
 /// Everything that a render needs, in the types of the rooms.
 struct Job<'a> {
-    model: IlluminantModel,
-    stack: nacreous_nacre::LayerStack,
+    subjects: Vec<Subject<'a>>,
+    /// Which of them lies in each place.
+    places: Vec<usize>,
     light: Light,
+    palette: Palette,
+    /// Power of each lamp, by band.
+    lamp_bands: Vec<Bands>,
     surroundings: Surroundings,
     camera: Camera,
-    facets: Facets,
-    look: PearlSpec,
-    texture: Option<&'a nacreous_image::grain::texture::Texture>,
     size_px: usize,
     samples_side: usize,
 }
 
 impl Job<'_> {
-    fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
-        let look = &self.look;
-        let Some(rings) = Rings::new(&self.stack, &self.model, &self.light, progress)? else {
-            return Ok(None);
-        };
-        let pearl = Pearl {
-            rings,
-            mixing: look.mixing,
-            body_colour: look.body_colour,
-            irradiance: Irradiance::new(&self.surroundings),
-            facets: self.facets,
-            mirror_weight: look.mirror_weight,
-            falloff_mm: look.falloff_mm,
-            texture: self.texture,
-            grain: Grain {
-                hue_rad: look.hue_weight,
-                chroma: look.chroma_weight,
-                value: look.value_weight,
-            },
-        };
+    fn run(mut self, progress: &Progress) -> Result<Option<Vec<f32>>, OpticsError> {
+        let mut films = Vec::new();
+        for subject in &self.subjects {
+            match subject.prepared(&self.light, progress)? {
+                Some(found) => films.push(found),
+                None => return Ok(None),
+            }
+        }
+        let pearls = self.pearls(&films);
+        let glows = pearls.par_iter().enumerate();
+        let glows: Vec<_> = glows.map(|(i, pearl)| pearl.glow(&self.surroundings, i)).collect();
+        // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
+        for (ball, glow) in glows.into_iter().enumerate() {
+            self.surroundings.set_glow(ball, glow);
+        }
+        let (pearls, around) = (self.pearls(&films), &self.surroundings);
         let (size, side) = (self.size_px, self.samples_side);
-        Ok(nacreous_image::render(&pearl, &self.surroundings, &self.camera, size, side, progress))
+        Ok(nacreous_image::render(&pearls, around, &self.camera, size, side, progress))
+    }
+
+    /// The pearls in their places, in the light that there is.
+    fn pearls(&self, prepared: &[Prepared]) -> Vec<Pearl<'_>> {
+        let samples = self.samples_side * self.samples_side;
+        let scene = Around {
+            surroundings: &self.surroundings,
+            palette: &self.palette,
+            lamps: &self.lamp_bands,
+            samples,
+        };
+        let places = self.places.par_iter().enumerate();
+        places
+            .map(|(ball, &subject)| self.subjects[subject].pearl(&prepared[subject], &scene, ball))
+            .collect()
     }
 }
 
 fn job<'a>(
-    look: PearlSpec,
+    pearls: &'a [PearlGiven<'_>],
     scene: &SceneSpec<'_>,
-    stack: &Stack,
-    texture: Option<&'a Texture>,
     size_px: usize,
     samples_side: usize,
 ) -> PyResult<Job<'a>> {
+    let subjects = pearls.iter().map(Subject::new).collect::<PyResult<Vec<_>>>()?;
+    let places = scene.places.iter().map(|place| place.pearl).collect::<Vec<_>>();
+    if places.iter().any(|&place| place >= subjects.len()) {
+        return Err(InputError::new_err("a place has no pearl"));
+    }
     let sources = scene.lamps.iter().map(LampSpec::source).collect::<PyResult<Vec<_>>>()?;
     let white = scene.white.as_deref().map(Spectrum::from_values).transpose().map_err(refused)?;
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
     let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
-    let index = stack.0.aragonite().index("aragonite").map_err(refused)?.n();
-    let facets = Facets::new(look.facet_spread_rad, index, look.layer_reflectance);
+    // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
+    let sharpest = subjects
+        .iter()
+        .map(|subject| subject.relief)
+        .min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
         let lamp = Lamp::new(spec.place(), spec.angular_radius_rad, brightness);
-        Ok(lamp.resolved_for(&facets))
+        Ok(match sharpest {
+            Some(relief) => lamp.resolved_for(&relief),
+            None => lamp,
+        })
     };
     let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
     let walls = scene.walls.as_ref().map(WallsSpec::walls);
-    let ball = Sphere { radius_mm: 0.5 * look.diameter_mm };
     let table = scene.table.as_ref().map(TableSpec::table);
+    let balls = balls(&subjects, scene);
+    let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
+    let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
+    let surroundings = Surroundings::new(table, walls, sky, lamps, balls);
+    let (palette, lamp_bands) = (light.palette(), lamp_bands(&light, &sources)?);
     Ok(Job {
-        model: IlluminantModel {
-            coherence_nm: look.coherence_nm,
-            threshold: look.threshold,
-            diffuse_loss: look.diffuse_loss,
-        },
-        stack: stack.0.clone(),
+        subjects,
+        places,
         light,
-        surroundings: Surroundings::new(table, walls, sky, lamps, ball),
-        camera: scene.camera.camera(),
-        facets,
-        look,
-        texture: texture.map(|texture| &texture.0),
+        palette,
+        lamp_bands,
+        surroundings,
+        camera,
         size_px,
         samples_side,
     })
 }
 
+fn lamp_bands(light: &Light, sources: &[Source]) -> PyResult<Vec<Bands>> {
+    sources.iter().map(|source| light.bands(source).map_err(refused)).collect()
+}
+
+/// The pearls' shapes in their places.
+fn balls(subjects: &[Subject<'_>], scene: &SceneSpec<'_>) -> Vec<Ball> {
+    let ball = |place: &PlaceSpec| Ball {
+        centre: DVec3::from(place.centre_mm),
+        ..Ball::alone(0.5 * subjects[place.pearl].diameter_mm)
+    };
+    scene.places.iter().map(ball).collect()
+}
+
 /// Linear light [row, column, channel] in the parts that `parts()` names, times the exposure.
 ///
-/// `pearl` and `scene` are mappings as image.py makes them. `report(rows_done)` is called now and then;
-/// what it raises, and Ctrl-C, stops the render.
+/// `pearls`, each different one once, and `scene` are as image.py makes them; the scene's places say
+/// which pearl lies where. `report(rows_done)` is called now and then; what it raises, and Ctrl-C,
+/// stops the render.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub fn render<'py>(
     py: Python<'py>,
-    pearl: &Bound<'py, PyDict>,
+    pearls: Vec<PearlGiven<'py>>,
     scene: &Bound<'py, PyDict>,
-    stack: &Stack,
-    texture: Option<&Texture>,
     size_px: usize,
     samples_side: usize,
     report: Option<&Bound<'py, PyAny>>,
@@ -126,7 +157,7 @@ pub fn render<'py>(
     }
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
-    let job = job(pearl.extract()?, &scene, stack, texture, size_px, samples_side)?;
+    let job = job(&pearls, &scene, size_px, samples_side)?;
     let progress = Progress::default();
     let look_up = || report.map_or(Ok(()), |say| say.call1((progress.rows_done(),)).map(drop));
     let rendered = watched(py, look_up, || progress.stop(), || job.run(&progress))?;
