@@ -1,10 +1,10 @@
 """A pearl's reflection by Mitsuba 3 (llvm_ad_rgb), to compare with ours; run by `reflection.py`.
 
-    python mitsuba_pearl.py FOLDER SAMPLES SEED WARM
+    python mitsuba_pearl.py FOLDER SAMPLES SEED
 
 in an environment that has Mitsuba, on FOLDER/job.json, table.npy and panorama.npy. Writes
-FOLDER/mitsuba.npy, linear RGB, and FOLDER/answer.json with the processor seconds: with WARM = 1 of
-the render, after another with few samples, which compiles; with 0 of the whole process up to there.
+FOLDER/mitsuba.npy, linear RGB, and FOLDER/answer.json with the processor seconds of the render,
+after another of few samples, which compiles.
 """
 
 from __future__ import annotations
@@ -135,13 +135,10 @@ def scene(folder: Path, job: dict[str, Any]) -> mi.Scene:
 
 
 def main() -> None:
-    folder, samples, seed, warm = Path(sys.argv[1]), *map(int, sys.argv[2:5])
-    job = json.loads((folder / "job.json").read_text())
-    world = scene(folder, job)
-    begin_s = 0.0
-    if warm:
-        np.array(mi.render(world, spp=16, seed=seed + 1))
-        begin_s = time.process_time()
+    folder, samples, seed = Path(sys.argv[1]), *map(int, sys.argv[2:4])
+    world = scene(folder, json.loads((folder / "job.json").read_text()))
+    np.array(mi.render(world, spp=4, seed=seed + 1))
+    begin_s = time.process_time()
     picture = np.array(mi.render(world, spp=samples, seed=seed))[..., :3]
     took_s = time.process_time() - begin_s
     np.save(folder / "mitsuba.npy", picture.astype(np.float32))
