@@ -83,8 +83,8 @@ def _nucleus(given: str | ArrayLike) -> Array:
 def of_pearl(pearl: Pearl, nacre_mm_of_stack: float) -> Array:
     """Reflectance [401] of a pearl's body, as its file says.
 
-    nacre_mm_of_stack: thickness of its layers in mm, above 0 to 15, for a file that leaves
-    body.nacre_mm out; more than the pearl's radius counts as the radius.
+    nacre_mm_of_stack: thickness of its layers in mm, 0 or more, for a file that leaves
+    body.nacre_mm out; more than the pearl's radius counts as the radius. Raises `InputError`.
 
     >>> from nacreous.spec import Pearl
     >>> thin, thick = (of_pearl(Pearl(body={"pigment": "gold"}), mm) for mm in (0.1, 0.5))

@@ -11,7 +11,7 @@ use crate::{
 /// A pearl by the model of 1996: rings of interference colour by the view angle alone, a matt body, and a
 /// mirroring surface.
 #[derive(Debug)]
-pub struct Illuminant {
+pub struct IlluminantPearl {
     /// Interference colour by view angle.
     pub rings: Rings,
     /// Share of interference against body colour.
@@ -28,7 +28,7 @@ pub struct Illuminant {
     pub falloff_mm: f64,
 }
 
-impl Illuminant {
+impl IlluminantPearl {
     /// What goes from the point towards the eye, without the grain.
     pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
         Shade {

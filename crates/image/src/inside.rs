@@ -45,18 +45,19 @@ impl Body {
 /// its colour in a direction depends on the angle to the normal by the film, on the place by the light.
 #[derive(Debug, Clone)]
 pub struct Inside {
-    /// By direction of the normal, [`ROWS`] rows: light about to leave, by band.
-    places: Vec<[f32; BANDS]>,
+    /// By direction of the normal, [`ROWS`] rows: light about to leave, by band, and what would leave of it
+    /// through a film without colour, in linear RGB.
+    places: Vec<[f32; PLACE]>,
     /// By cosine of the view angle: RGB of what leaves, by band.
     leaving: Vec<[[f32; BANDS]; 3]>,
-    /// The same without the film's colours, at any angle.
-    plain: [[f32; BANDS]; 3],
 }
 
 /// The highest degree of the waves; what a point lamp leaves out at its terminator is 0.3 % of its light.
 const TOP: usize = 40;
 const ROWS: usize = 64;
 const COSINES: usize = 8 * STEPS;
+/// The bands, RGB and one number to fill the registers.
+const PLACE: usize = BANDS + 4;
 
 impl Inside {
     /// `seen` gives the radiance around the pearl, lamps apart, averaged over 2 pi / 128.
@@ -72,7 +73,7 @@ impl Inside {
             beams.iter().map(|beam| point(to_grid(beam.direction), TOP)).collect();
         let entering = surface.moments(TOP);
         let leaving = surface.leaving(&body.reflectance);
-        let mut places = vec![[0.0_f32; BANDS]; 2 * ROWS * ROWS];
+        let mut places = vec![[0.0_f32; PLACE]; 2 * ROWS * ROWS];
         for first in (0..BANDS).step_by(CHANNELS) {
             let bands: [usize; CHANNELS] = std::array::from_fn(|i| (first + i).min(BANDS - 1));
             let mut waves = Coefficients::zero(TOP);
@@ -101,11 +102,13 @@ impl Inside {
         let coloured = |share: &Bands| by_channel(palette, |band| share[band]);
         let whole = surface.entering_from_all_sides();
         let mean = rgb::luminance(palette.rgb(&palette.bands_of_white(&whole)));
-        Self {
-            places,
-            leaving: fine.iter().map(coloured).collect(),
-            plain: by_channel(palette, |_| mean),
+        let plain = by_channel(palette, |_| mean);
+        for place in &mut places {
+            for (channel, weights) in plain.iter().enumerate() {
+                place[BANDS + channel] = dot(weights, place);
+            }
         }
+        Self { places, leaving: fine.iter().map(coloured).collect() }
     }
 
     /// Linear RGB of the light that leaves where the normal is `normal`, at an angle to it, and what it
@@ -113,15 +116,13 @@ impl Inside {
     pub fn radiance(&self, normal: DVec3, cos_view: f64) -> (Rgb, Rgb) {
         let light = self.light(Place::towards(to_grid(normal)));
         let row = (cos_view.clamp(0.0, 1.0) * COSINES as f64 + 0.5) as usize;
-        let sum = |table: &[[f32; BANDS]; 3]| {
-            table.each_ref().map(|weights| f64::from(dot(weights, &light)))
-        };
-        (sum(&self.leaving[row]), sum(&self.plain))
+        let whole = self.leaving[row].each_ref().map(|weights| f64::from(dot(weights, &light)));
+        (whole, [0, 1, 2].map(|channel| f64::from(light[BANDS + channel])))
     }
 
     /// Between the four nearest places.
     #[inline]
-    fn light(&self, place: Place) -> [f32; BANDS] {
+    fn light(&self, place: Place) -> [f32; PLACE] {
         let scale = ROWS as f32 / std::f32::consts::PI;
         let (columns, rows) = (2 * ROWS, ROWS as f32);
         // A turn and a row more keep both positive.
@@ -129,7 +130,7 @@ impl Inside {
         let down = (place.colatitude * scale + 0.5).min(rows + 0.4999);
         let (column, row) = (across as usize, down as usize);
         let (aside, below) = (across - column as f32, down - row as f32);
-        let mut sum = [0.0; BANDS];
+        let mut sum = [0.0; PLACE];
         for (r, row_share) in [(row, 1.0 - below), (row + 1, below)] {
             // Beyond a pole lies the same ring, half way round.
             let (ring, turn) = match r {
@@ -150,9 +151,9 @@ impl Inside {
 }
 
 #[inline]
-fn dot(a: &[f32; BANDS], b: &[f32; BANDS]) -> f32 {
+fn dot(weights: &[f32; BANDS], place: &[f32; PLACE]) -> f32 {
     let mut sums = [0.0_f32; 8];
-    for (a, b) in a.chunks_exact(8).zip(b.chunks_exact(8)) {
+    for (a, b) in weights.chunks_exact(8).zip(place.chunks_exact(8)) {
         for lane in 0..8 {
             sums[lane] += a[lane] * b[lane];
         }

@@ -4,7 +4,7 @@ use crate::{
     ball::Hit,
     glow::Glow,
     grain::texture::Texture,
-    illuminant::Illuminant,
+    illuminant::IlluminantPearl,
     rgb::{self, Rgb},
     surroundings::Surroundings,
     transport::Transport,
@@ -36,7 +36,7 @@ pub struct Pearl<'a> {
 #[derive(Debug)]
 pub enum Model {
     /// The paper's of 1996.
-    Illuminant(Illuminant),
+    Illuminant(IlluminantPearl),
     /// Light through the film, into the pearl and out again.
     Transport(Transport),
 }
@@ -52,8 +52,9 @@ pub struct Sight {
     pub view: DVec3,
     /// The width on the pearl that a pixel stands for.
     pub pixel_mm: f64,
-    /// Which of the pixel's samples this is.
-    pub sample: usize,
+    /// Which part of the light around this sample looks at: a pixel's samples, as many as stand along its
+    /// side, share it out. Any number.
+    pub part: usize,
 }
 
 /// The light of one point of the pearl, in parts.
@@ -71,6 +72,11 @@ pub struct Shade {
 }
 
 impl Pearl<'_> {
+    /// Whether its light has no detail that is finer than a pixel.
+    pub(crate) fn is_smooth(&self) -> bool {
+        matches!(self.model, Model::Transport(_))
+    }
+
     /// What goes from the point towards the eye.
     pub fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
         let radius_mm = surroundings.balls[sight.ball].radius_mm;
@@ -97,7 +103,7 @@ impl Pearl<'_> {
                 let point = surroundings.balls[ball].centre + normal * radius_mm;
                 let hit = Hit { point, normal, cos_view, coverage: 1.0 };
                 let pixel_mm = 0.2 * radius_mm;
-                let sight = Sight { ball, hit, view: towards, pixel_mm, sample };
+                let sight = Sight { ball, hit, view: towards, pixel_mm, part: sample };
                 let shade = self.shade(surroundings, &sight);
                 for part in [shade.interference, shade.diffuse, shade.mirror] {
                     rgb::add(&mut sum, rgb::scaled(part, 1.0 / GLOW_POINTS as f64));

@@ -29,6 +29,15 @@ pub struct Glint {
     pub cos_half: f64,
 }
 
+/// Where a draw of facets falls, wherever the eye is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Draw {
+    /// Grooves: the facet's normal. GGX: a point of the unit disc.
+    place: DVec3,
+    /// Grooves: facets by solid angle there.
+    density: f64,
+}
+
 /// A facet that the eye sees, drawn from all those it sees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facet {
@@ -123,7 +132,7 @@ impl Relief {
     }
 
     /// `count` draws for [`Self::facet`], even over all facets in whole and nearly so in runs.
-    pub fn draws(&self, count: usize) -> Vec<[f64; 3]> {
+    pub fn draws(&self, count: usize) -> Vec<Draw> {
         let lean = self.leans();
         (0..count)
             .map(|i| {
@@ -132,9 +141,12 @@ impl Relief {
                 match self.shape {
                     Shape::Grooves { .. } => {
                         let (across, along) = libm::sincos(lean(u));
-                        [across * cos, across * sin, along]
+                        let place = DVec3::new(across * cos, across * sin, along);
+                        Draw { place, density: self.density(along) }
                     }
-                    Shape::Ggx { .. } => [u.sqrt() * cos, u.sqrt() * sin, 0.0],
+                    Shape::Ggx { .. } => {
+                        Draw { place: DVec3::new(cos, sin, 0.0) * u.sqrt(), density: 0.0 }
+                    }
                 }
             })
             .collect()
@@ -159,28 +171,27 @@ impl Relief {
 
     /// The facet of one of the [`Self::draws`], in the frame where z is the normal and the eye, at
     /// `cos_view` above 0, stands over the x axis.
-    pub fn facet(&self, draw: [f64; 3], cos_view: f64) -> Option<Facet> {
+    pub fn facet(&self, draw: Draw, cos_view: f64) -> Option<Facet> {
         let view = DVec3::new((1.0 - cos_view * cos_view).max(0.0).sqrt(), 0.0, cos_view);
         let lean = match self.shape {
-            Shape::Grooves { .. } => DVec3::from(draw),
-            Shape::Ggx { alpha } => visible(alpha, [draw[0], draw[1]], view),
+            Shape::Grooves { .. } => draw.place,
+            Shape::Ggx { alpha } => visible(alpha, draw.place, view),
         };
         let cos_half = view.dot(lean);
         let light = 2.0 * cos_half * lean - view;
         if cos_half <= 1e-6 || light.z <= 0.0 {
             return None;
         }
-        let density = self.density(lean.z.min(1.0));
         Some(match self.shape {
             Shape::Grooves { .. } => Facet {
                 weight: (cos_half / (cos_view * lean.z)).min(2.0).min(2.0 * light.z / cos_view),
-                density: density * lean.z / (4.0 * cos_half),
+                density: draw.density * lean.z / (4.0 * cos_half),
                 light,
                 cos_half,
             },
             Shape::Ggx { alpha } => Facet {
                 weight: smith_over_cosine(alpha, light.z) * light.z,
-                density: density * smith_over_cosine(alpha, cos_view) / 4.0,
+                density: self.density(lean.z.min(1.0)) * smith_over_cosine(alpha, cos_view) / 4.0,
                 light,
                 cos_half,
             },
@@ -195,7 +206,7 @@ fn smith_over_cosine(alpha: f64, cosine: f64) -> f64 {
 }
 
 /// A facet among those that `view` sees, from a point of the unit disc (Heitz 2018).
-fn visible(alpha: f64, [x, y]: [f64; 2], view: DVec3) -> DVec3 {
+fn visible(alpha: f64, DVec3 { x, y, .. }: DVec3, view: DVec3) -> DVec3 {
     let stretched = DVec3::new(alpha * view.x, 0.0, view.z).normalize();
     // The view lies over the x axis, and so does the axis across it.
     let across = DVec3::Y;

@@ -7,6 +7,7 @@ use crate::{
     inside::{Beam, Body, Inside},
     lamp::Lamp,
     pearl::{Shade, Sight},
+    relief::Draw,
     rgb::{self, Rgb},
     surface::{Surface, upsampled},
     surroundings::Surroundings,
@@ -17,8 +18,8 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Transport {
     surface: Surface,
-    /// Facets drawn once for all pixels: each sample of a pixel takes the next few.
-    draws: Vec<[f64; 3]>,
+    /// Facets drawn once for all pixels, shared out among the samples along a pixel's side.
+    draws: Vec<Draw>,
     draws_per_sample: usize,
     /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
     mirrored: Vec<Matrix>,
@@ -39,7 +40,7 @@ const COSINES: usize = 8 * STEPS;
 
 impl Transport {
     /// Lets the light of `surroundings` into ball `ball`. `lamps` holds the power by band of each lamp, as
-    /// light of a white matt surface that faces it; `samples` are those of a pixel.
+    /// light of a white matt surface that faces it; `samples_side` samples stand along a pixel's side.
     pub fn new(
         surface: Surface,
         body: &Body,
@@ -47,7 +48,7 @@ impl Transport {
         surroundings: &Surroundings,
         ball: usize,
         lamps: &[Bands],
-        samples: usize,
+        samples_side: usize,
     ) -> Self {
         let relief = surface.relief;
         let draws_per_sample = draws_per_sample(relief.spread_rad());
@@ -77,7 +78,7 @@ impl Transport {
                 colour: colours(power),
             })
             .collect();
-        let draws = relief.draws(samples * draws_per_sample);
+        let draws = relief.draws(samples_side * draws_per_sample);
         Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
     }
 
@@ -101,7 +102,7 @@ impl Transport {
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
     fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
-        let Sight { ball, hit, view, pixel_mm, sample } = *sight;
+        let Sight { ball, hit, view, pixel_mm, part } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
         let x = aside.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
@@ -111,7 +112,7 @@ impl Transport {
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
         let mut lobe = Lobe::default();
-        let first = sample * self.draws_per_sample;
+        let first = part * self.draws_per_sample;
         for i in first..first + self.draws_per_sample {
             let draw = self.draws[i % self.draws.len()];
             let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
@@ -170,9 +171,9 @@ const LOBE: f64 = 1.0;
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {
     match spread_rad {
-        spread if spread < 0.02 => 1,
-        spread if spread < 0.08 => 2,
-        _ => 4,
+        spread if spread < 0.02 => 4,
+        spread if spread < 0.08 => 8,
+        _ => 16,
     }
 }
 

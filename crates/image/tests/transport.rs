@@ -6,12 +6,12 @@ use std::{f64::consts::PI, sync::atomic::AtomicBool};
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    BANDS, Bands, Body, Camera, Film, Lamp, Light, Place, Projection, Relief, Sky, Source, Sphere,
-    Surface, Surroundings, Transport,
+    BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Model, Pearl, Place, Projection,
+    Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
-const SAMPLES: usize = 16;
+const SIDE: usize = 4;
 
 /// Disordered uniaxial nacre: thicknesses that a plain rule throws about.
 fn film() -> Film {
@@ -43,30 +43,33 @@ fn scene(horizon: [f64; 3], zenith: [f64; 3], lamp: Option<(DVec3, f64)>) -> Sce
         Lamp::new(Place::Direction(direction), radius_rad, light.brightness(&source).unwrap())
     });
     let sky = Sky::Gradient { horizon, zenith };
-    let ball = Sphere { radius_mm: 4.0 };
-    let surroundings = Surroundings::new(None, None, sky, lamps.into_iter().collect(), ball);
+    let balls = vec![Ball::alone(4.0)];
+    let surroundings = Surroundings::new(None, None, sky, lamps.into_iter().collect(), balls);
     let lamps = sources.iter().map(|source| light.bands(source).unwrap()).collect();
     Scene { surroundings, light, lamps }
 }
 
 impl Scene {
-    fn pearl(&self, surface: Surface, body: &Body) -> Transport {
-        let palette = self.light.palette();
-        Transport::new(surface, body, &palette, &self.surroundings, &self.lamps, SAMPLES)
+    fn pearl(&self, surface: Surface, body: &Body) -> Pearl<'static> {
+        let (palette, around) = (self.light.palette(), &self.surroundings);
+        let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
+        Pearl { model: Model::Transport(transport), texture: None, grain }
     }
 
     /// Light from inside and light mirrored, mean over a pixel's samples, where lines of sight along -z
     /// meet the pearl `x`, `y` radii from its middle.
-    fn seen(&self, pearl: &Transport, x: f64, y: f64) -> ([f64; 3], [f64; 3]) {
+    fn seen(&self, pearl: &Pearl<'_>, x: f64, y: f64) -> ([f64; 3], [f64; 3]) {
         let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, 8.0);
         let ray = camera.ray(x, y);
-        let hit = self.surroundings.pearl.hit(&ray, 0.01).unwrap();
+        let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
         let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
-        for sample in 0..SAMPLES {
-            let parts = pearl.shade(&self.surroundings, &hit, -ray.along, 0.01, sample);
+        for part in 0..SIDE {
+            let sight = Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part };
+            let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
-                inside[i] += (parts.interference[i] + parts.diffuse[i]) / SAMPLES as f64;
-                mirror[i] += parts.mirror[i] / SAMPLES as f64;
+                inside[i] += (parts.interference[i] + parts.diffuse[i]) / SIDE as f64;
+                mirror[i] += parts.mirror[i] / SIDE as f64;
             }
         }
         (inside, mirror)
@@ -229,4 +232,52 @@ fn surface_mean(surface: &Surface, scene: &Scene) -> Bands {
         }
     }
     mean
+}
+
+#[test]
+fn few_facets_agree_with_all_of_them() {
+    // Satin under a sky with a horizon and a wide lamp: the facets that a pixel draws against the plain
+    // integral of D G R / (4 cos) over all light.
+    let lamp = DVec3::new(-0.4, 0.6, 0.7).normalize();
+    let scene = scene([0.2, 0.3, 0.4], [1.0, 0.9, 0.7], Some((lamp, 0.1)));
+    let palette = scene.light.palette();
+    for relief in [Relief::grooves(0.1), Relief::ggx(0.1), Relief::grooves(0.25)] {
+        let surface = Surface::new(film(), relief);
+        let pearl = scene.pearl(surface.clone(), &white(0.0));
+        for (x, y) in [(0.0, 0.3), (-0.3, 0.4), (0.5, -0.5)] {
+            let view = DVec3::Z;
+            let normal = DVec3::new(x, y, (1.0_f64 - x * x - y * y).sqrt());
+            let mirrored = |light: DVec3, radiance: Bands| {
+                relief.mirrored(normal, view, light).map_or([0.0; 3], |glint| {
+                    let film = surface.film.reflectance(glint.cos_half);
+                    let bands = std::array::from_fn(|b| film[b] * radiance[b] * glint.share);
+                    palette.rgb(&bands)
+                })
+            };
+            let mut all = [0.0; 3];
+            let rows = 400;
+            for row in 0..rows {
+                let theta = (f64::from(row) + 0.5) * PI / f64::from(rows);
+                for column in 0..2 * rows {
+                    let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
+                    let along =
+                        DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
+                    let solid = theta.sin() * (PI / f64::from(rows)).powi(2);
+                    let sky = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
+                    // The lamp: an even disc whose light on a surface that faces it is pi.
+                    let disc = 2.0 * (1.0 - 0.1_f64.cos());
+                    let lit = if along.dot(lamp) > 0.1_f64.cos() { 1.0 / disc } else { 0.0 };
+                    let light = std::array::from_fn(|b| sky[b] + lit * scene.lamps[0][b]);
+                    for (sum, part) in all.iter_mut().zip(mirrored(along, light)) {
+                        *sum += part * solid;
+                    }
+                }
+            }
+            let (_, mirror) = scene.seen(&pearl, x, y);
+            for i in 0..3 {
+                let error = (mirror[i] - all[i]).abs();
+                assert!(error < 0.004 + 0.02 * all[i], "{relief:?} {x} {y}: {mirror:?} {all:?}");
+            }
+        }
+    }
 }

@@ -56,12 +56,11 @@ impl Job<'_> {
 
     /// The pearls in their places, in the light that there is.
     fn pearls(&self, prepared: &[Prepared]) -> Vec<Pearl<'_>> {
-        let samples = self.samples_side * self.samples_side;
         let scene = Around {
             surroundings: &self.surroundings,
             palette: &self.palette,
             lamps: &self.lamp_bands,
-            samples,
+            samples_side: self.samples_side,
         };
         let places = self.places.par_iter().enumerate();
         places

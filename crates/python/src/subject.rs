@@ -2,7 +2,7 @@
 
 use nacreous_colour::SAMPLES;
 use nacreous_image::{
-    Bands, Body, Facets, Film, Grain, Illuminant, Irradiance, Light, Model, Palette, Pearl,
+    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Model, Palette, Pearl,
     Progress, Relief, Rgb, Rings, Surface, Surroundings, Transport, grain,
 };
 use nacreous_nacre::LayerStack;
@@ -86,7 +86,7 @@ pub struct Around<'a> {
     pub surroundings: &'a Surroundings,
     pub palette: &'a Palette,
     pub lamps: &'a [Bands],
-    pub samples: usize,
+    pub samples_side: usize,
 }
 
 impl<'a> Subject<'a> {
@@ -132,7 +132,7 @@ impl<'a> Subject<'a> {
     pub fn pearl(&self, prepared: &Prepared, around: &Around<'_>, ball: usize) -> Pearl<'a> {
         let model = match (&self.model, prepared) {
             (Known::Illuminant { look, .. }, Prepared::Illuminant(rings)) => {
-                Model::Illuminant(Illuminant {
+                Model::Illuminant(IlluminantPearl {
                     rings: rings.clone(),
                     mixing: look.mixing,
                     body_colour: look.body_colour,
@@ -161,7 +161,7 @@ impl Around<'_> {
             self.surroundings,
             ball,
             self.lamps,
-            self.samples,
+            self.samples_side,
         )
     }
 }
