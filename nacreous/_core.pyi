@@ -150,7 +150,7 @@ def interference_iridescence(
 MAX_SIZE_PX: int
 
 def render(
-    pearls: list[tuple[Mapping[str, Any], Stack, Texture | None]],
+    pearls: list[tuple[Mapping[str, Any], Texture | None]],
     scene: Mapping[str, Any],
     size_px: int,
     samples_side: int,

@@ -1,4 +1,4 @@
-"""The film of a pearl: columns of tablets of its outer nacre, which the light meets side by side."""
+"""The film of a pearl: columns of tablets of its outer nacre, side by side."""
 
 from __future__ import annotations
 
@@ -32,24 +32,18 @@ def columns_of(pearl: Pearl, outer_um: float) -> list[LayerStack]:
     (64, 25)
     """
     nacre, film = pearl.nacre, pearl.film
-    grown = isinstance(nacre, Growth)
-    default_nm = 0.0 if grown else _LISTED_SPREAD_NM
+    default_nm = 0.0 if isinstance(nacre, Growth) else _LISTED_SPREAD_NM
     spread_nm = default_nm if film.column_spread_nm is None else film.column_spread_nm
     noise = np.random.Generator(np.random.PCG64(nacre.seed if isinstance(nacre, Growth) else 1))
-    columns = []
+    columns, stack = [], stack_of(pearl)
     for column in range(film.columns):
-        stack = stack_of(_sown(pearl, column)) if grown or column == 0 else stack
+        if isinstance(nacre, Growth) and column:
+            seed = (nacre.seed + column) % 2**63
+            sown = nacre.model_copy(update={"seed": seed})
+            stack = stack_of(pearl.model_copy(update={"nacre": sown}))
         layers = stack.thickness_nm[: stack.outer(outer_um)[0]]
         columns.append(_like(stack, _spread(layers, spread_nm, noise)))
     return columns
-
-
-def _sown(pearl: Pearl, column: int) -> Pearl:
-    """The pearl grown anew from another seed."""
-    if column == 0 or not isinstance(pearl.nacre, Growth):
-        return pearl
-    seed = (pearl.nacre.seed + column) % 2**63
-    return pearl.model_copy(update={"nacre": pearl.nacre.model_copy(update={"seed": seed})})
 
 
 def _spread(

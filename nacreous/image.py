@@ -162,7 +162,7 @@ def _is_whole(value: object) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
-def _prepared(pearl: Pearl) -> tuple[dict[str, Any], _core.Texture | None]:
+def _prepared(pearl: Pearl) -> tuple[Mapping[str, Any], _core.Texture | None]:
     """A pearl's look, and its grain if it shows any."""
     seen = look.of_pearl(pearl)
     grained = any(seen[weight] for weight in look.GRAIN)

@@ -44,7 +44,10 @@ def outer_um_of(pearl: Pearl) -> float:
 def _illuminant(pearl: Pearl, knobs: dict[str, float]) -> dict[str, Any]:
     surface = pearl.surface
     given = {
-        **{name: getattr(pearl.interference, name) for name in type(pearl.interference).model_fields},
+        **{
+            name: getattr(pearl.interference, name)
+            for name in type(pearl.interference).model_fields
+        },
         "mirror_weight": surface.mirror_weight,
         "layer_reflectance": surface.layer_reflectance,
         "falloff_mm": surface.falloff_mm,
