@@ -37,7 +37,7 @@ pub struct Around {
 const BORDER: usize = 2;
 
 /// Steps of the net for each standard deviation of the facets' lean.
-const STEPS_PER_SPREAD: f64 = 2.0;
+const STEPS_PER_SPREAD: f64 = 1.4;
 
 impl Net {
     /// `None` where pixels, `pixel_mm` wide, are not much finer than the net would be. `gather` works out a

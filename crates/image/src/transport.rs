@@ -120,7 +120,8 @@ impl Transport {
         pixel_mm: f64,
     ) -> Option<Net> {
         let relief = &self.surface.relief;
-        let draws = relief.draws(KNOT_DRAWS);
+        let samples_side = self.draws.len() / self.draws_per_sample;
+        let draws = relief.draws(samples_side * KNOT_DRAWS);
         let place = &surroundings.balls[ball];
         Net::new(place, camera, relief.spread_rad(), pixel_mm, |hit, view| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
@@ -198,10 +199,10 @@ impl Lobe {
 const GRID_RAD: f64 = std::f64::consts::PI / 64.0;
 
 /// Squared width of what a draw stands for, in units of its solid angle: neighbours overlap.
-const LOBE: f64 = 1.0;
+const LOBE: f64 = 2.0;
 
-/// Facets for each knot of a net.
-const KNOT_DRAWS: usize = 512;
+/// Facets for each knot of a net, for each sample along a pixel's side.
+const KNOT_DRAWS: usize = 256;
 
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {
