@@ -65,7 +65,8 @@ impl Scene {
         let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
         let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
         for part in 0..SIDE {
-            let sight = Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part };
+            let sight =
+                Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part, around: None };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
                 inside[i] += (parts.interference[i] + parts.diffuse[i]) / SIDE as f64;
