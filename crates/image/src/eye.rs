@@ -157,7 +157,7 @@ struct View {
 
 /// Column of the one sample that is taken in row `i`, such that no column comes twice.
 fn rook(i: usize, side: usize) -> usize {
-    (2 * i + 1) % (side + usize::from(side % 2 == 0))
+    (2 * i + 1) % (side + usize::from(side.is_multiple_of(2)))
 }
 
 /// Positions of the samples along one side, in pixels from the pixel's middle, such that equal weights

@@ -1,3 +1,5 @@
+use std::f64::consts::FRAC_PI_4;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -14,7 +16,6 @@ use crate::{
 /// be worked out at every pixel. What the film makes of it changes faster, and is left to the pixel.
 #[derive(Debug)]
 pub(crate) struct Net {
-    centre: DVec3,
     /// From the ball's centre to the eye, and two directions across.
     axis: DVec3,
     across: [DVec3; 2],
@@ -39,34 +40,45 @@ const BORDER: usize = 2;
 /// Steps of the net for each standard deviation of the facets' lean.
 const STEPS_PER_SPREAD: f64 = 1.4;
 
+/// The net's share of the facets that it spares, and how many a knot has at least.
+const SHARE: f64 = 0.5;
+const FEWEST: f64 = 96.0;
+
 impl Net {
-    /// `None` where pixels, `pixel_mm` wide, are not much finer than the net would be. `gather` works out a
-    /// knot for a point and the direction to the eye.
+    /// The most facets for a knot.
+    pub(crate) const MOST: usize = 1024;
+
+    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good net's knots.
+    /// `gather` works out a knot for a point, the direction to the eye, and a number of facets.
     pub(crate) fn new(
         ball: &Ball,
         camera: &Camera,
         spread_rad: f64,
-        pixel_mm: f64,
-        gather: impl Fn(Hit, DVec3) -> Around + Sync,
+        facets: f64,
+        gather: impl Fn(Hit, DVec3, usize) -> Around + Sync,
     ) -> Option<Self> {
         let (axis, far_mm) = camera.toward_eye(ball.centre);
-        let step_rad = spread_rad / STEPS_PER_SPREAD;
-        if far_mm <= ball.radius_mm || step_rad * ball.radius_mm < 2.0 * pixel_mm {
+        if far_mm <= ball.radius_mm {
             return None;
         }
         let reach_rad = libm::acos(ball.radius_mm / far_mm);
-        let half = libm::ceil(reach_rad / step_rad) as usize;
+        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / spread_rad) as usize;
         let side = 2 * (half + BORDER) + 1;
+        // The knots lie in the disc; those beside it cost nothing.
+        let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
+        if each < FEWEST {
+            return None;
+        }
+        let each = (each as usize).min(Self::MOST);
         let (u, v) = axis.any_orthonormal_pair();
-        let mut net =
-            Self { centre: ball.centre, axis, across: [u, v], reach_rad, side, knots: Vec::new() };
+        let mut net = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
             let at = |i: usize| (i as f64 - (half + BORDER) as f64) / half as f64;
             let normal = net.normal(at(i % side), at(i / side))?;
             let point = ball.centre + normal * ball.radius_mm;
             let view = camera.toward_eye(point).0;
             let cos_view = normal.dot(view).max(0.02);
-            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view))
+            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, each))
         };
         let knots = (0..side * side).into_par_iter().map(|i| knot(i).unwrap_or_default()).collect();
         net.knots = knots;
@@ -76,7 +88,7 @@ impl Net {
     /// The normal at a place of the net; the edge of what the eye sees has radius 1. Beyond it, where cubics
     /// need knots, the edge's goes on; `None` where none is needed.
     fn normal(&self, x: f64, y: f64) -> Option<DVec3> {
-        let radius = libm::hypot(x, y);
+        let radius = (x * x + y * y).sqrt();
         let needed = 1.0 + 3.0 * (2 * BORDER) as f64 / self.side as f64;
         if radius > needed {
             return None;
@@ -91,7 +103,7 @@ impl Net {
         let half = (self.side / 2 - BORDER) as f64;
         let [u, v] = self.across.map(|axis| normal.dot(axis));
         let radius = libm::acos(normal.dot(self.axis).clamp(-1.0, 1.0)) / self.reach_rad;
-        let scale = radius.min(1.0) * half / libm::hypot(u, v).max(1e-12);
+        let scale = radius.min(1.0) * half / (u * u + v * v).sqrt().max(1e-12);
         let middle = (self.side / 2) as f64;
         let (x, y) = (middle + u * scale, middle + v * scale);
         let (left, top) = (x.floor(), y.floor());

@@ -38,9 +38,9 @@ pub struct Pearl<'a> {
 #[derive(Debug)]
 pub enum Model {
     /// The paper's of 1996.
-    Illuminant(IlluminantPearl),
+    Illuminant(Box<IlluminantPearl>),
     /// Light through the film, into the pearl and out again.
-    Transport(Transport),
+    Transport(Box<Transport>),
 }
 
 /// A point of a pearl under the eye.

@@ -1,3 +1,5 @@
+use std::f64::consts::PI;
+
 use nacreous_colour::{Matrix, matrix::apply};
 
 use crate::{
@@ -92,7 +94,7 @@ impl Transport {
         for Mirrored { lamp, colour } in &self.lamps {
             let (relief, reflected) = (&self.surface.relief, |cos_half| colour[row(cos_half)]);
             let image = lamp.image(relief, hit.point, hit.normal, sight.view, reflected);
-            if image != [0.0; 3] {
+            if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
                 rgb::add(&mut mirror, rgb::scaled(image, past));
             }
@@ -119,12 +121,13 @@ impl Transport {
         pixel_mm: f64,
     ) -> Option<Net> {
         let relief = &self.surface.relief;
-        let samples_side = self.draws.len() / self.draws_per_sample;
-        let draws = relief.draws(samples_side * KNOT_DRAWS);
         let place = &surroundings.balls[ball];
-        Net::new(place, camera, relief.spread_rad(), pixel_mm, |hit, view| {
+        let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
+        let facets = pixels * self.draws.len() as f64;
+        let draws = relief.draws(Net::MOST);
+        Net::new(place, camera, relief.spread_rad(), facets, |hit, view, each| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            self.gathered(surroundings, &sight, draws.iter().copied(), draws.len())
+            self.gathered(surroundings, &sight, draws[..each].iter().copied(), each)
         })
     }
 
@@ -197,9 +200,6 @@ impl Lobe {
 /// Squared width of what a draw is looked up with, in units of its solid angle: neighbours overlap, so that an
 /// edge that moves across them leaves no steps.
 const LOBE: f64 = 4.0;
-
-/// Facets for each knot of a net, for each sample along a pixel's side.
-const KNOT_DRAWS: usize = 256;
 
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {
