@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.spec import Pearl, Row, Scene
+from nacreous.spec import Pearl, Row, Scene, Window
 from nacreous.spec.row import GIVEN
+from nacreous.spec.window import Frame
 
 __all__ = ["Arrangement", "Place", "arrange"]
 
@@ -50,6 +51,10 @@ class Arrangement(NamedTuple):
         for place in self.places:
             yield place.centre_mm, 0.5 * self.pearls[place.pearl].diameter_mm
 
+    def frame(self, window: Window) -> Frame:
+        """Where a window of the scene is."""
+        return window.frame(min(centre[1] - radius for centre, radius in self.balls()))
+
     def field_mm(self) -> float:
         """Width of the view: the camera's own, or one that shows every pearl and some room."""
         camera = self.scene.camera
@@ -83,7 +88,9 @@ def arrange(given: Sequence[Pearl], scene: Scene) -> Arrangement:
     if not scene.rows:
         if len(given) != 1:
             raise InputError(f"scene {scene.name}: has a place for one pearl, not {len(given)}")
-        return Arrangement(list(given), [Place(0, (0.0, 0.0, 0.0))], scene)
+        alone = Arrangement(list(given), [Place(0, (0.0, 0.0, 0.0))], scene)
+        _check_windows(alone)
+        return alone
     rows = _filled(given, scene)
     numbers: dict[Pearl, int] = {}
     for pearl in (pearl for row in rows for pearl in row):
@@ -109,6 +116,7 @@ def arrange(given: Sequence[Pearl], scene: Scene) -> Arrangement:
     ]
     arrangement = Arrangement(pearls, places, scene.model_copy(update={"rows": tuple(named)}))
     _check_clearance(arrangement)
+    _check_windows(arrangement)
     return arrangement
 
 
@@ -178,6 +186,19 @@ def _check_clearance(arrangement: Arrangement) -> None:
                 f"scene {scene.name}: lamps.{number}.position_mm is {said(list(point))}; allowed: "
                 "outside of every pearl of the rows"
             )
+
+
+def _check_windows(arrangement: Arrangement) -> None:
+    """No pearl may reach through a window."""
+    for number, window in enumerate(arrangement.scene.windows):
+        frame = arrangement.frame(window)
+        for centre, radius in arrangement.balls():
+            if frame.distance_mm(centre) < radius:
+                raise InputError(
+                    f"scene {arrangement.scene.name}: windows.{number} passes "
+                    f"{frame.distance_mm(centre):.3g} mm from a pearl's centre; allowed: at least "
+                    f"its radius of {radius:g} mm"
+                )
 
 
 def _axes(azimuth_deg: float, elevation_deg: float) -> tuple[Point, Point, Point]:

@@ -181,10 +181,18 @@ def _surroundings(arrangement: Arrangement) -> dict[str, Any]:
             "azimuth_rad": math.radians(camera.azimuth_deg),
             "field_mm": arrangement.field_mm(),
             "exposure": camera.exposure,
+            "glare": camera.glare,
+            "glare_mm": camera.distance_mm * math.tan(math.radians(camera.glare_deg)),
         },
         "places": [place._asdict() for place in arrangement.places],
-        # A lamp switched off has no say in what looks white either.
+        # A lamp or window switched off has no say in what looks white either.
         "lamps": [_lamp(lamp) for lamp in scene.lamps if lamp.intensity > 0],
+        "windows": [
+            arrangement.frame(window)._asdict()
+            | {"spectrum": colour.light(window.spectrum), "luminance": window.luminance}
+            for window in scene.windows
+            if window.luminance > 0
+        ],
         "table": None if table.kind == "none" else _coloured(table.model_dump()),
         "walls": None if walls is None else _coloured(walls.model_dump()),
         "sky": _sky(scene),

@@ -30,6 +30,7 @@ from nacreous.spec import (
     Scene,
     Surface,
     Uniaxial,
+    Window,
     json_schema,
     load,
     medium,
@@ -48,7 +49,7 @@ def kinds_of(key: Key) -> tuple[Any, ...]:
 
 
 FILES = (Pearl, Scene)
-LISTED = {"lamps": Lamp, "rows": Row}
+LISTED = {"lamps": Lamp, "rows": Row, "windows": Window}
 KEYS = [(model, key) for model in FILES for key in every_key(model)]
 LEAVES = [(model, key) for model, key in KEYS if not all(map(sections_in, kinds_of(key)))]
 NUMBERS = [
@@ -74,7 +75,7 @@ def problems(act: Callable[[], Any]) -> list[str]:
 
 
 def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
-    """The smallest file that holds the key; lamps, listed layers and others need company."""
+    """The smallest file that holds the key; lamps, windows, listed layers and others need company."""
     values: dict[str, Any] = {}
     target = values
     *steps, last = key.path.split(".")
@@ -90,6 +91,12 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
         values["diameter_mm"] = 30.0
     if home(key):
         values["model"] = home(key)
+    if key.owner is Window and last not in ("position_mm", "facing", "below_mm"):
+        target |= {"azimuth_deg": 0.0, "elevation_deg": 0.0}
+    if last == "facing":
+        target["position_mm"] = [0.0, 0.0, 99.0]
+    if last == "below_mm":
+        values["table"] = {"kind": "none"}
     target[last] = value
     for name, owner in LISTED.items():
         if name in values and key.owner is owner:
@@ -224,6 +231,7 @@ def test_every_key_of_the_other_model_has_its_line() -> None:
     overrides = [("model", "illuminant")]
     lines = problems(lambda: Pearl.load("akoya-rg", overrides))
     assert [line.split(" is ")[0] for line in lines] == [
+        "preset akoya-rg: film.outer_um",
         "preset akoya-rg: body.pigment",
         "preset akoya-rg: body.nacre_mm",
         "preset akoya-rg: nacre.aragonite",

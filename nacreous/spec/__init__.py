@@ -21,6 +21,7 @@ from nacreous.spec.scene import Scene, Sky, Table, Walls
 from nacreous.spec.schema import json_schema
 from nacreous.spec.surface import Surface
 from nacreous.spec.texture import Texture
+from nacreous.spec.window import Window
 
 __all__ = [
     "Body",
@@ -41,6 +42,7 @@ __all__ = [
     "Texture",
     "Uniaxial",
     "Walls",
+    "Window",
     "json_schema",
     "load",
 ]

@@ -45,7 +45,7 @@ class Camera(Section):
     )
     distance_mm: float = quantity(
         150.0,
-        "Distance of the eye from the pearl's centre; only perspective uses it.",
+        "Distance of the eye from the pearl's centre; parallel rays use it for glare alone.",
         least=20,
         most=100_000,
         unit="mm",
@@ -57,6 +57,21 @@ class Camera(Section):
         least=0.001,
         most=1000,
         source="**(ours)**",
+    )
+    glare: float = quantity(
+        0.0,
+        "Share of the light that lens and eye spread around bright things.",
+        least=0,
+        most=0.5,
+        source="Vos 1984, Spencer et al. 1995; the share is **(ours)**",
+    )
+    glare_deg: float = quantity(
+        0.5,
+        "Radius, seen from distance_mm, within which half of the spread light stays.",
+        least=0.01,
+        most=20,
+        unit="degrees",
+        source="**(ours)**; Vos 1984, Spencer et al. 1995 for how it falls off",
     )
     white: White = key(
         "auto",

@@ -19,6 +19,7 @@ from nacreous.spec.lamp import Lamp
 from nacreous.spec.row import GIVEN, MOST_PEARLS, Row
 from nacreous.spec.section import Section
 from nacreous.spec.specfile import SpecFile
+from nacreous.spec.window import Window
 from nacreous.spec.words import COLOUR, NAME, Colour, Name, ending
 
 
@@ -176,6 +177,13 @@ class Scene(SpecFile):
         source="**(ours)**",
         strict=False,
     )
+    windows: Annotated[tuple[Window, ...], Field(max_length=64)] = key(
+        (),
+        "Rectangles of light, each headed [[windows]].",
+        allowed="0 to 64 tables, each headed [[windows]]",
+        source="trade: north-window light, lit plates and panels",
+        strict=False,
+    )
     rows: Annotated[tuple[Row, ...], Field(max_length=MOST_PEARLS)] = key(
         (),
         "Rows of pearls, each headed [[rows]]; without them, the one pearl given.",
@@ -188,7 +196,15 @@ class Scene(SpecFile):
     sky: Sky = section(Sky, "What lies beyond.")
 
     def contradictions(self) -> Iterator[Contradiction]:
-        """Rows with too many pearls, or with no place for the pearl to render."""
+        """Rows that cannot be filled, or a lit plate below a table."""
+        for number, window in enumerate(self.windows):
+            if window.below_mm is not None and self.table.kind != "none":
+                yield Contradiction(
+                    f"windows.{number}.below_mm",
+                    f"is {shown(window.below_mm)} while {{other}} is {shown(self.table.kind)}, "
+                    'which hides it; allowed: only with "none"',
+                    "table.kind",
+                )
         names = [name for row in self.rows for name in row.pearls]
         if len(names) > MOST_PEARLS:
             yield Contradiction(

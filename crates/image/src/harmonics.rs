@@ -51,6 +51,16 @@ impl Coefficients {
         self.values[self.start(m) + l - m]
     }
 
+    /// Adds as much of another field's waves as `amounts` says for each channel.
+    pub fn add(&mut self, other: &Self, amounts: [f64; CHANNELS]) {
+        for (sum, wave) in self.values.iter_mut().zip(&other.values) {
+            for (channel, amount) in amounts.into_iter().enumerate() {
+                sum[channel][0] += amount * wave[channel][0];
+                sum[channel][1] += amount * wave[channel][1];
+            }
+        }
+    }
+
     fn start(&self, m: usize) -> usize {
         m * (2 * self.band_limit + 3 - m) / 2
     }

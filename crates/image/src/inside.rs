@@ -9,6 +9,7 @@ use crate::{
     harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
     rgb::{self, Rgb},
     surface::{Surface, legendre, upsampled},
+    surroundings::Surroundings,
 };
 
 /// A lamp as the inside of a pearl meets it.
@@ -60,15 +61,16 @@ const COSINES: usize = 8 * STEPS;
 const PLACE: usize = BANDS + 4;
 
 impl Inside {
-    /// `seen` gives the radiance around the pearl, lamps apart, averaged over 2 pi / 128.
+    /// Lets in the light of `surroundings` around ball `ball`, and that of the lamps.
     pub fn new(
         surface: &Surface,
         body: &Body,
         palette: &Palette,
-        seen: impl Fn(DVec3) -> Rgb + Sync,
+        surroundings: &Surroundings,
+        ball: usize,
         beams: &[Beam],
     ) -> Self {
-        let around = around(palette, seen);
+        let around = around(palette, surroundings, ball);
         let lamps: Vec<Coefficients> =
             beams.iter().map(|beam| point(to_grid(beam.direction), TOP)).collect();
         let entering = surface.moments(TOP);
@@ -171,13 +173,22 @@ fn from_grid(direction: DVec3) -> DVec3 {
 }
 
 /// The light around in waves, as amounts of the palette's curves.
-fn around(palette: &Palette, seen: impl Fn(DVec3) -> Rgb + Sync) -> Coefficients {
+fn around(palette: &Palette, surroundings: &Surroundings, ball: usize) -> Coefficients {
     use rayon::prelude::*;
+    let step_rad = PI / ROWS as f64;
     let directions: Vec<DVec3> =
         directions_of_grid(ROWS).map(|(direction, _)| from_grid(direction)).collect();
-    let values: Vec<[f64; 3]> =
-        directions.par_iter().map(|direction| apply(palette.amounts(), seen(*direction))).collect();
-    analyse(ROWS, &values, TOP)
+    let amounts = |seen: Rgb| apply(palette.amounts(), seen);
+    let values: Vec<[f64; 3]> = directions
+        .par_iter()
+        .map(|along| amounts(surroundings.seen_without_windows(ball, *along, step_rad)))
+        .collect();
+    let mut waves = analyse(ROWS, &values, TOP);
+    for (along, solid_angle, more) in surroundings.window_points(ball) {
+        let amounts = amounts(more).map(|amount| amount * solid_angle);
+        waves.add(&point(to_grid(along), TOP), amounts);
+    }
+    waves
 }
 
 /// One wave of one band's light before it enters.

@@ -1,7 +1,8 @@
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use crate::{
-    camera::Ray,
     nine::Nine,
     rgb::Rgb,
     sky::{GRID_RAD, directions},
@@ -22,11 +23,12 @@ const ROWS: u32 = 48;
 impl Irradiance {
     /// Sums up the light of `surroundings` around the ball of number `ball`.
     pub fn new(surroundings: &Surroundings, ball: usize) -> Self {
-        let from = surroundings.balls[ball].centre;
-        Self(Nine::nearest_to(directions(ROWS).map(|(along, share)| {
-            let seen = surroundings.seen(&Ray { from, along }, GRID_RAD, Some(ball));
-            (along, share, seen.radiance)
-        })))
+        let bare = directions(ROWS).map(|(along, share)| {
+            (along, share, surroundings.seen_without_windows(ball, along, GRID_RAD))
+        });
+        let windows = surroundings.window_points(ball);
+        let windows = windows.map(|(along, solid, more)| (along, solid / (4.0 * PI), more));
+        Self(Nine::nearest_to(bare.chain(windows)))
     }
 
     /// Radiance of a white matt surface with this normal.
@@ -42,7 +44,7 @@ const COSINE: [f64; 9] = [1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ball::Ball, sky::Sky};
+    use crate::{ball::Ball, sky::Sky, window::Window};
 
     fn under(sky: Sky) -> Irradiance {
         Irradiance::new(&Surroundings::new(None, None, sky, vec![], vec![Ball::alone(4.0)]), 0)
@@ -54,6 +56,19 @@ mod tests {
         for normal in [DVec3::X, DVec3::Y, DVec3::NEG_Z] {
             assert!((even.at(normal)[0] - 0.6).abs() < 1e-3);
         }
+    }
+
+    #[test]
+    fn a_small_window_lights_like_its_form_factor() {
+        let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
+        let (right, up) = (DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 3.0));
+        let window = Window::new(DVec3::new(0.0, 60.0, 0.0), right, up, [5.0; 3]);
+        let bare = Surroundings::new(None, None, night, vec![], vec![Ball::alone(4.0)]);
+        let light = Irradiance::new(&bare.with_windows(vec![window]), 0);
+        let facing = 5.0 * window.facing_factor(DVec3::ZERO);
+        let towards = light.at(DVec3::Y)[0];
+        // Nine harmonics of a cosine lobe: 1/4 + 1/2 + 5/16 = 17/16 of its peak.
+        assert!((towards / facing - 17.0 / 16.0).abs() < 1e-3, "{towards} {facing}");
     }
 
     #[test]

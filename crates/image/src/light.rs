@@ -32,7 +32,7 @@ pub struct Light {
 const LAMP_SHARE_INSIDE: f64 = 0.5;
 
 impl Light {
-    /// The light of `lamps` and of a sky of mean luminance `sky`, which has the spectrum of the scene's
+    /// The light of `lamps`, windows among them, and of a sky of mean luminance `sky`, which has the spectrum of the scene's
     /// white. `white` is what shall look white; without it, the lamps' own mixture, and without lamps E.
     ///
     /// How much of a lamp's light gets into the pearl does not depend on where it stands: the ball takes

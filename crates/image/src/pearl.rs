@@ -76,6 +76,11 @@ pub struct Shade {
 }
 
 impl Pearl<'_> {
+    /// Whether it lights its table: the paper's pearl of 1996 does not.
+    pub fn gives_light(&self) -> bool {
+        matches!(self.model, Model::Transport(_))
+    }
+
     /// Whether its light has no detail that is finer than a pixel.
     pub(crate) fn is_smooth(&self) -> bool {
         matches!(self.model, Model::Transport(_))
@@ -112,20 +117,21 @@ impl Pearl<'_> {
     pub fn glow(&self, surroundings: &Surroundings, ball: usize) -> Glow {
         let radius_mm = surroundings.balls[ball].radius_mm;
         Glow::from_fn(|towards| {
-            let (x, y) = towards.any_orthonormal_pair();
+            // Mirrored scenes shall have mirrored glows.
+            let y = (DVec3::Y - towards * towards.y).normalize_or(DVec3::X);
+            let x = y.cross(towards);
             let mut sum = [0.0; 3];
-            for sample in 0..GLOW_POINTS {
-                let [across, up] = on_disc(sample);
+            for part in 0..RINGS * SPOKES {
+                let [across, up] = on_disc(part);
                 let cos_view = (1.0 - across * across - up * up).sqrt();
                 let normal = x * across + y * up + towards * cos_view;
                 let point = surroundings.balls[ball].centre + normal * radius_mm;
                 let hit = Hit { point, normal, cos_view, coverage: 1.0 };
                 let pixel_mm = 0.2 * radius_mm;
-                let sight =
-                    Sight { ball, hit, view: towards, pixel_mm, part: sample, around: None };
+                let sight = Sight { ball, hit, view: towards, pixel_mm, part, around: None };
                 let shade = self.shade(surroundings, &sight);
-                for part in [shade.interference, shade.diffuse, shade.mirror] {
-                    rgb::add(&mut sum, rgb::scaled(part, 1.0 / GLOW_POINTS as f64));
+                for light in [shade.interference, shade.diffuse, shade.mirror] {
+                    rgb::add(&mut sum, rgb::scaled(light, 1.0 / (RINGS * SPOKES) as f64));
                 }
             }
             sum
@@ -133,13 +139,13 @@ impl Pearl<'_> {
     }
 }
 
-/// Points of the disc that stand for all of it.
-const GLOW_POINTS: usize = 64;
+/// Rings of equal area, with so many points each, that stand for the disc.
+const RINGS: usize = 4;
+const SPOKES: usize = 16;
 
-/// One of them: a spiral of equal areas (Vogel 1979).
-fn on_disc(i: usize) -> [f64; 2] {
-    const GOLDEN_TURN: f64 = 2.399_963_229_728_653;
-    let (sin, cos) = libm::sincos(i as f64 * GOLDEN_TURN);
-    let radius = ((i as f64 + 0.5) / GLOW_POINTS as f64).sqrt();
+fn on_disc(point: usize) -> [f64; 2] {
+    let (ring, spoke) = (point / SPOKES, point % SPOKES);
+    let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
+    let (sin, cos) = libm::sincos(std::f64::consts::TAU * (spoke as f64 + 0.5) / SPOKES as f64);
     [radius * cos, radius * sin]
 }

@@ -3,11 +3,13 @@ use glam::DVec3;
 use crate::{
     ball::Ball,
     camera::Ray,
+    floor::Floor,
     glow::Glow,
     lamp::Lamp,
     rgb::{self, Rgb},
     sky::Sky,
     table::Table,
+    window::Window,
 };
 
 /// Upright walls around the pearls, a square room open to the sky.
@@ -24,7 +26,7 @@ pub struct Walls {
 /// Everything a pearl stands in and mirrors: table, walls, sky, the lamps that light them, and the
 /// other pearls.
 ///
-/// Lamps themselves are not seen here: their images in the pearl are the facets' work.
+/// Lamps themselves are not seen here: their images in the pearl are the facets' work. Windows are.
 #[derive(Debug, Clone)]
 pub struct Surroundings {
     /// What the pearls lie on, if anything.
@@ -35,12 +37,16 @@ pub struct Surroundings {
     pub sky: Sky,
     /// The lamps.
     pub lamps: Vec<Lamp>,
+    /// Rectangles of light; taken not to hide one another, nor to be hidden by walls from the table.
+    pub windows: Vec<Window>,
     /// The pearls, which throw shadows and give light.
     pub balls: Vec<Ball>,
     /// Height of the table: that of the lowest ball's lowest point.
     table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     sky_on_table: Rgb,
+    /// Soft light on the table, once it is settled.
+    floor: Option<Floor>,
 }
 
 /// What a ray meets.
@@ -48,8 +54,28 @@ pub struct Surroundings {
 pub struct Seen {
     /// Linear RGB.
     pub radiance: Rgb,
-    /// How far off it is; infinite for the sky.
+    /// How far off it is; infinite for the sky, and for windows, whose light does not fade.
     pub distance_mm: f64,
+}
+
+/// Something before table, walls and sky that a cone of light meets with a share of its width.
+#[derive(Debug, Clone, Copy)]
+struct Layer {
+    distance_mm: f64,
+    share: f64,
+    radiance: Rgb,
+    fades: bool,
+}
+
+fn panes<'a>(
+    windows: &'a [Window],
+    ray: &'a Ray,
+    spread_rad: f64,
+) -> impl Iterator<Item = Layer> + 'a {
+    windows.iter().filter_map(move |window| {
+        let (distance_mm, share) = window.seen(ray, spread_rad)?;
+        Some(Layer { distance_mm, share, radiance: window.radiance, fades: false })
+    })
 }
 
 impl Surroundings {
@@ -65,51 +91,102 @@ impl Surroundings {
         let sky_on_table = sky.on_table();
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
-        Self { table, walls, sky, lamps, balls, table_y_mm, sky_on_table }
+        let windows = Vec::new();
+        let floor = None;
+        Self { table, walls, sky, lamps, windows, balls, table_y_mm, sky_on_table, floor }
+    }
+
+    /// The same with windows.
+    #[must_use]
+    pub fn with_windows(self, windows: Vec<Window>) -> Self {
+        Self { windows, ..self }
     }
 
     /// Tells how a pearl looks to its neighbours and to the table.
     pub fn set_glow(&mut self, ball: usize, glow: Glow) {
         self.balls[ball].glow = glow;
+        self.floor = None;
+    }
+
+    /// Works out the table's soft light once and for all: for scenes in which it is costly.
+    pub fn settle(&mut self) {
+        if self.table.is_some() {
+            let soft = |point| self.soft_light_on_table(point);
+            self.floor = Floor::new(&self.balls, self.table_y_mm, soft);
+        }
     }
 
     /// What `ray` meets, the pearl `from` left out that it comes from. `spread_rad` is the angle that
-    /// the ray stands for: finer patterns are averaged away, not aliased, and balls have soft edges.
+    /// the ray stands for: finer patterns are averaged away, not aliased, and balls and windows have
+    /// soft edges.
     pub fn seen(&self, ray: &Ray, spread_rad: f64, from: Option<usize>) -> Seen {
-        let mut met = self.balls_ahead(ray, spread_rad, from);
-        if met.is_empty() {
-            return self.scenery(ray, spread_rad);
-        }
-        met.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (mut radiance, mut nearness, mut left) = ([0.0; 3], 0.0, 1.0);
-        for (distance_mm, share, ball) in met {
-            let glow = ball.glow.at((ray.from - ball.centre).normalize());
-            rgb::add(&mut radiance, rgb::scaled(glow, left * share));
-            nearness += left * share / distance_mm.max(1e-9);
-            left *= 1.0 - share;
-        }
-        if left > 0.0 {
-            let behind = self.scenery(ray, spread_rad);
-            rgb::add(&mut radiance, rgb::scaled(behind.radiance, left));
-            nearness += left / behind.distance_mm;
-        }
-        Seen { radiance, distance_mm: 1.0 / nearness }
+        self.seen_with(&self.windows, ray, spread_rad, from)
     }
 
-    /// (distance, share of the cone, ball) of the balls along `ray`, in no order.
-    fn balls_ahead(
+    /// What the middle of a ball would see, were there no windows.
+    pub(crate) fn seen_without_windows(&self, ball: usize, along: DVec3, spread_rad: f64) -> Rgb {
+        let ray = Ray { from: self.balls[ball].centre, along };
+        self.seen_with(&[], &ray, spread_rad, Some(ball)).radiance
+    }
+
+    /// What windows add to that, at points all over them: (direction, solid angle, radiance). For sums over
+    /// all directions, whose grid may be coarse against a window.
+    pub(crate) fn window_points(&self, ball: usize) -> impl Iterator<Item = (DVec3, f64, Rgb)> {
+        let from = self.balls[ball].centre;
+        self.windows.iter().flat_map(move |window| {
+            window.directions(from, WINDOW_RAD).map(move |(along, solid)| {
+                let (ray, this) = (Ray { from, along }, std::slice::from_ref(window));
+                let with = self.seen_with(this, &ray, FINE_RAD, Some(ball)).radiance;
+                let without = self.seen_without_windows(ball, along, WINDOW_RAD);
+                (along, solid, std::array::from_fn(|i| with[i] - without[i]))
+            })
+        })
+    }
+
+    /// The same as if these were the windows.
+    pub(crate) fn seen_with(
         &self,
+        windows: &[Window],
         ray: &Ray,
         spread_rad: f64,
         from: Option<usize>,
-    ) -> Vec<(f64, f64, &Ball)> {
+    ) -> Seen {
         let others = self.balls.iter().enumerate().filter(|(i, _)| Some(*i) != from);
-        let met = |ball: &'_ Ball| ball.stops(ray, spread_rad);
-        others.filter_map(|(_, ball)| met(ball).map(|(mm, share)| (mm, share, ball))).collect()
+        let balls = others.filter_map(|(_, ball)| {
+            let (distance_mm, share) = ball.stops(ray, spread_rad)?;
+            let radiance = ball.glow.at((ray.from - ball.centre).normalize());
+            Some(Layer { distance_mm, share, radiance, fades: true })
+        });
+        self.layered(balls.chain(panes(windows, ray, spread_rad)).collect(), ray, spread_rad)
+    }
+
+    /// What `ray` meets of windows, table, walls and sky.
+    pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
+        self.layered(panes(&self.windows, ray, spread_rad).collect(), ray, spread_rad)
+    }
+
+    /// From front to back, each layer lets the rest of the light through.
+    fn layered(&self, mut layers: Vec<Layer>, ray: &Ray, spread_rad: f64) -> Seen {
+        if layers.is_empty() {
+            return self.ground(ray, spread_rad);
+        }
+        layers.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
+        let ground = self.ground(ray, spread_rad);
+        let (mut radiance, mut nearness, mut left) = ([0.0; 3], 0.0, 1.0);
+        for layer in layers.iter().filter(|layer| layer.distance_mm < ground.distance_mm) {
+            rgb::add(&mut radiance, rgb::scaled(layer.radiance, left * layer.share));
+            if layer.fades {
+                nearness += left * layer.share / layer.distance_mm.max(1e-9);
+            }
+            left *= 1.0 - layer.share;
+        }
+        rgb::add(&mut radiance, rgb::scaled(ground.radiance, left));
+        nearness += left / ground.distance_mm;
+        Seen { radiance, distance_mm: 1.0 / nearness }
     }
 
     /// What `ray` meets of table, walls and sky.
-    pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
+    fn ground(&self, ray: &Ray, spread_rad: f64) -> Seen {
         let table = self
             .table
             .as_ref()
@@ -158,7 +235,8 @@ impl Surroundings {
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
     /// they hide it, their own glow.
     pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let mut light = self.sky_and_glow_on_table(point);
+        let known = self.floor.as_ref().and_then(|floor| floor.at(point));
+        let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
         for lamp in &self.lamps {
             let toward = lamp.toward(point);
             if toward.y > 0.0 {
@@ -167,6 +245,50 @@ impl Surroundings {
             }
         }
         light
+    }
+
+    /// The same without lamps.
+    fn soft_light_on_table(&self, point: DVec3) -> Rgb {
+        let mut light = self.sky_and_glow_on_table(point);
+        rgb::add(&mut light, self.windows_on(point, DVec3::Y, true));
+        light
+    }
+
+    /// Light of all windows on a white matt surface, in place of the sky behind them. `shadows` says
+    /// whether pearls throw theirs.
+    fn windows_on(&self, point: DVec3, normal: DVec3, shadows: bool) -> Rgb {
+        let mut light = [0.0; 3];
+        for window in &self.windows {
+            let factor = window.form_factor(point, normal);
+            if factor > 0.0 {
+                let (toward, cone_rad) = window.cone(point);
+                let behind = self.sky.radiance(toward, cone_rad);
+                let past = if shadows { self.window_past(window, point, normal) } else { 1.0 };
+                for i in 0..3 {
+                    light[i] += (window.radiance[i] - behind[i]) * factor * past;
+                }
+            }
+        }
+        light
+    }
+
+    /// The share of a window's light that a point receives past all pearls, patch by patch, each a disc
+    /// as large.
+    fn window_past(&self, window: &Window, point: DVec3, normal: DVec3) -> f64 {
+        let (toward, cone_rad) = window.cone(point);
+        let cone = libm::sincos(cone_rad);
+        let clear = |ball: &&Ball| ball.is_clear_of(point, toward, cone);
+        let hiding: Vec<&Ball> = self.balls.iter().filter(|ball| !clear(ball)).collect();
+        if hiding.is_empty() {
+            return 1.0;
+        }
+        let (mut past, mut whole) = (0.0, 0.0);
+        for (toward, disc_rad, weight) in window.patches(point, normal) {
+            let beside = hiding.iter().map(|ball| ball.disc_past(point, toward, disc_rad));
+            past += weight * beside.product::<f64>();
+            whole += weight;
+        }
+        if whole > 0.0 { past / whole } else { 1.0 }
     }
 
     /// Each ball hides its share of the sky, exactly; that they hide them independently of each other is
@@ -218,9 +340,14 @@ impl Surroundings {
                 rgb::scaled(lamp.brightness, lamp.toward(point).dot(inward).max(0.0)),
             );
         }
+        rgb::add(&mut light, self.windows_on(point, inward, false));
         Some((rgb::times(walls.colour, light), distance_mm))
     }
 }
+
+/// Between points of a window, and how finely each is looked at.
+const WINDOW_RAD: f64 = 0.05;
+const FINE_RAD: f64 = 1e-6;
 
 /// Beyond this a flat table is one colour; it keeps a ray along the horizon finite.
 const FOOTPRINT_LIMIT_MM: f64 = 1e6;
@@ -235,6 +362,7 @@ fn distance_down(ray: &Ray, height_mm: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::irradiance::Irradiance;
 
     const WHITE: Option<Table> = Some(Table::Plain([1.0; 3]));
     const EVEN: Sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
@@ -258,6 +386,47 @@ mod tests {
                 let seen = surroundings.seen(&ray, 0.2, None).radiance[0];
                 assert!((seen - 1.0).abs() < 1e-3, "{x}: {seen}");
             }
+        }
+    }
+
+    #[test]
+    fn a_window_as_bright_as_the_sky_behind_it_changes_nothing() {
+        let right = DVec3::new(9.0, 0.0, 0.0);
+        let window = |at, up| Window::new(at, right, up, [1.0; 3]);
+        let windows = vec![
+            window(DVec3::new(2.0, 14.0, 1.0), DVec3::new(0.0, 0.0, 6.0)),
+            window(DVec3::new(0.0, 3.0, -30.0), DVec3::new(0.0, 7.0, 0.0)),
+        ];
+        let balls = vec![glowing(DVec3::ZERO, 4.0)];
+        let bare = Surroundings::new(WHITE, None, EVEN, vec![], balls);
+        let surroundings = bare.with_windows(windows);
+        for x in [0.0, 5.0, 30.0] {
+            let light = surroundings.light_on_table(DVec3::new(x, -4.0, 0.1));
+            assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
+        }
+        let even = Irradiance::new(&surroundings, 0);
+        for normal in [DVec3::Y, DVec3::NEG_Z, DVec3::X] {
+            assert!((even.at(normal)[0] - 1.0).abs() < 2e-3, "{normal}: {:?}", even.at(normal));
+        }
+    }
+
+    #[test]
+    fn a_balls_shadow_from_a_wide_window_is_that_of_its_points() {
+        let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
+        let half = (DVec3::new(12.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 8.0));
+        let window = Window::new(DVec3::new(6.0, 25.0, 3.0), half.1, half.0, [1.0; 3]);
+        let balls = vec![Ball::alone(4.0)];
+        let lit = Surroundings::new(WHITE, None, night, vec![], balls).with_windows(vec![window]);
+        for x in [-12.0, -7.0, -3.0, -1.0, 0.5, 4.0, 9.0] {
+            let point = DVec3::new(x, -4.0, -0.5);
+            let sees = |along: DVec3| lit.balls[0].passing_mm(&Ray { from: point, along }) > 4.0;
+            let exact: f64 = window
+                .directions(point, 0.01)
+                .filter(|(along, _)| sees(*along))
+                .map(|(along, solid)| along.y * solid / std::f64::consts::PI)
+                .sum();
+            let got = lit.light_on_table(point)[0];
+            assert!((got - exact).abs() < 0.006, "{x}: {got} {exact}");
         }
     }
 

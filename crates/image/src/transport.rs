@@ -67,12 +67,11 @@ impl Transport {
             .map(|(lamp, power)| Beam {
                 direction: lamp.toward(centre),
                 angular_radius_rad: lamp.angular_radius_rad(),
-                power: *power,
+                // Neighbours shade the whole pearl as they shade its middle.
+                power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
             })
             .collect();
-        let seen =
-            |along| surroundings.seen(&Ray { from: centre, along }, GRID_RAD, Some(ball)).radiance;
-        let inside = Inside::new(&surface, body, palette, seen, &beams);
+        let inside = Inside::new(&surface, body, palette, surroundings, ball, &beams);
         let lamps = pairs
             .map(|(lamp, power)| Mirrored {
                 lamp: lamp.clone().resolved_for(&relief),
@@ -108,7 +107,7 @@ impl Transport {
         let first = sight.part * self.draws_per_sample;
         let all = self.draws.iter().cycle().skip(first % self.draws.len());
         let some = all.take(self.draws_per_sample).copied();
-        self.gathered(surroundings, sight, some, self.draws.len())
+        self.gathered(surroundings, sight, some, (self.draws.len(), LOBE))
     }
 
     /// The net over what the facets show `camera`, if pixels are finer.
@@ -125,17 +124,18 @@ impl Transport {
         let place = &surroundings.balls[ball];
         Net::new(place, camera, relief.spread_rad(), pixel_mm, |hit, view| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            self.gathered(surroundings, &sight, draws.iter().copied(), draws.len())
+            self.gathered(surroundings, &sight, draws.iter().copied(), (draws.len(), KNOT_LOBE))
         })
     }
 
-    /// The surroundings in the facets of some draws, of which `count` stand for all facets.
+    /// The surroundings in the facets of some draws, of which `count` stand for all facets, each
+    /// looked up with `lobe_width` of what it stands for.
     fn gathered(
         &self,
         surroundings: &Surroundings,
         sight: &Sight,
         draws: impl Iterator<Item = Draw>,
-        count: usize,
+        (count, lobe_width): (usize, f64),
     ) -> Around {
         let Sight { ball, hit, view, pixel_mm, .. } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
@@ -150,7 +150,7 @@ impl Transport {
         for draw in draws {
             let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
-            let share_rad2 = LOBE / (facet.density * count as f64);
+            let share_rad2 = lobe_width / (facet.density * count as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
             let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
             lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
@@ -195,11 +195,12 @@ impl Lobe {
     }
 }
 
-/// Distance of neighbours on the grid over which the light around is summed up.
-const GRID_RAD: f64 = std::f64::consts::PI / 64.0;
+/// Squared width of what a draw is looked up with, in units of its solid angle: neighbours overlap, so that an
+/// edge that moves across them leaves no steps.
+const LOBE: f64 = 4.0;
 
-/// Squared width of what a draw stands for, in units of its solid angle: neighbours overlap.
-const LOBE: f64 = 2.0;
+/// The same for the knots of a net, whose many draws need overlap less.
+const KNOT_LOBE: f64 = 2.0;
 
 /// Facets for each knot of a net, for each sample along a pixel's side.
 const KNOT_DRAWS: usize = 256;

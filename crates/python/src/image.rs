@@ -3,8 +3,8 @@
 use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    Ball, Bands, CHANNELS, Camera, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters, Pearl,
-    Progress, Source, Surroundings, eight_bit,
+    Ball, Bands, CHANNELS, Camera, Glow, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters,
+    Pearl, Progress, Source, Surroundings, eight_bit, spread_glare,
 };
 use nacreous_optics::OpticsError;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use crate::{
     InputError, refused,
-    spec::{LampSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec},
+    spec::{LampSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec, WindowSpec},
     subject::{Around, PearlGiven, Prepared, Subject},
     watched::{broken_off, watched},
 };
@@ -42,12 +42,24 @@ impl Job<'_> {
                 None => return Ok(None),
             }
         }
+        let simple = self.places.len() == 1 && self.surroundings.windows.is_empty();
+        if !simple {
+            self.surroundings.settle();
+        }
         let pearls = self.pearls(&films);
-        let glows = pearls.par_iter().enumerate();
-        let glows: Vec<_> = glows.map(|(i, pearl)| pearl.glow(&self.surroundings, i)).collect();
         // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
+        let alone = pearls.len() == 1;
+        let glow = |(ball, pearl): (usize, &Pearl<'_>)| {
+            let gives = pearl.gives_light() || !alone;
+            if gives { pearl.glow(&self.surroundings, ball) } else { Glow::BLACK }
+        };
+        let glows: Vec<Glow> = pearls.par_iter().enumerate().map(glow).collect();
+        drop(pearls);
         for (ball, glow) in glows.into_iter().enumerate() {
             self.surroundings.set_glow(ball, glow);
+        }
+        if !simple {
+            self.surroundings.settle();
         }
         let (pearls, around) = (self.pearls(&films), &self.surroundings);
         let (size, side) = (self.size_px, self.samples_side);
@@ -81,10 +93,12 @@ fn job<'a>(
         return Err(InputError::new_err("a place has no pearl"));
     }
     let sources = scene.lamps.iter().map(LampSpec::source).collect::<PyResult<Vec<_>>>()?;
+    let shining = scene.windows.iter().map(WindowSpec::source);
+    let all = sources.iter().cloned().map(Ok).chain(shining).collect::<PyResult<Vec<_>>>()?;
     let white = scene.white.as_deref().map(Spectrum::from_values).transpose().map_err(refused)?;
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
-    let light = Light::new(&sources, sky.mean_luminance(), white, observer).map_err(refused)?;
+    let light = Light::new(&all, sky.mean_luminance(), white, observer).map_err(refused)?;
     // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
     let sharpest = subjects
         .iter()
@@ -99,12 +113,15 @@ fn job<'a>(
         })
     };
     let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
+    let window =
+        |spec: &WindowSpec| Ok(spec.window(light.brightness(&spec.pane()?).map_err(refused)?));
+    let windows = scene.windows.iter().map(window).collect::<PyResult<Vec<_>>>()?;
     let walls = scene.walls.as_ref().map(WallsSpec::walls);
     let table = scene.table.as_ref().map(TableSpec::table);
     let balls = balls(&subjects, scene);
     let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
     let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
-    let surroundings = Surroundings::new(table, walls, sky, lamps, balls);
+    let surroundings = Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows);
     let (palette, lamp_bands) = (light.palette(), lamp_bands(&light, &sources)?);
     Ok(Job {
         subjects,
@@ -156,10 +173,18 @@ pub fn render<'py>(
     }
     let scene: SceneSpec<'py> = scene.extract()?;
     let exposure = scene.camera.exposure as f32;
+    let glare_px = scene.camera.glare_mm / scene.camera.field_mm * size_px as f64;
     let job = job(&pearls, &scene, size_px, samples_side)?;
     let progress = Progress::default();
     let look_up = || report.map_or(Ok(()), |say| say.call1((progress.rows_done(),)).map(drop));
-    let rendered = watched(py, look_up, || progress.stop(), || job.run(&progress))?;
+    let work = || {
+        let mut pixels = job.run(&progress);
+        if let Ok(Some(pixels)) = &mut pixels {
+            spread_glare(pixels, size_px, scene.camera.glare, glare_px);
+        }
+        pixels
+    };
+    let rendered = watched(py, look_up, || progress.stop(), work)?;
     let mut pixels = rendered.map_err(refused)?.ok_or_else(broken_off)?;
     scale_light(&mut pixels, exposure);
     pixels.into_pyarray(py).reshape([size_px, size_px, CHANNELS])

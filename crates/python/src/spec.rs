@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nacreous_colour::Spectrum;
-use nacreous_image::{Camera, Dome, Place, Projection, Rgb, Sky, Source, Table, Walls};
+use nacreous_image::{Camera, Dome, Place, Projection, Rgb, Sky, Source, Table, Walls, Window};
 use numpy::PyReadonlyArray3;
 use pyo3::prelude::*;
 
@@ -19,6 +19,9 @@ pub struct CameraSpec {
     pub azimuth_rad: f64,
     pub field_mm: f64,
     pub exposure: f64,
+    /// Share of the light that is spread, and the radius in the plane of the origin that holds half of it.
+    pub glare: f64,
+    pub glare_mm: f64,
 }
 
 #[derive(FromPyObject)]
@@ -30,6 +33,17 @@ pub struct LampSpec {
     pub angular_radius_rad: f64,
     pub spectrum: Vec<f64>,
     pub intensity: f64,
+}
+
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct WindowSpec {
+    pub centre_mm: [f64; 3],
+    /// From the middle to two edges.
+    pub right_mm: [f64; 3],
+    pub up_mm: [f64; 3],
+    pub spectrum: Vec<f64>,
+    pub luminance: f64,
 }
 
 #[derive(FromPyObject)]
@@ -79,6 +93,7 @@ pub struct SceneSpec<'py> {
     pub camera: CameraSpec,
     pub places: Vec<PlaceSpec>,
     pub lamps: Vec<LampSpec>,
+    pub windows: Vec<WindowSpec>,
     pub table: Option<TableSpec>,
     pub walls: Option<WallsSpec>,
     pub sky: SkySpec<'py>,
@@ -105,6 +120,27 @@ impl LampSpec {
             Some(direction) => Place::Direction(DVec3::from(direction)),
             None => Place::Position(DVec3::from(self.position_mm)),
         }
+    }
+}
+
+impl WindowSpec {
+    /// A window of the radiance given.
+    pub fn window(&self, radiance: Rgb) -> Window {
+        let [centre, right, up] = [self.centre_mm, self.right_mm, self.up_mm].map(DVec3::from);
+        Window::new(centre, right, up, radiance)
+    }
+
+    /// The window's own surface: what its intensity is, is its radiance.
+    pub fn pane(&self) -> PyResult<Source> {
+        let spectrum = Spectrum::from_values(&self.spectrum).map_err(refused)?;
+        Ok(Source { spectrum, intensity: self.luminance })
+    }
+
+    /// The window as a lamp, by its light on a surface in the middle of the scene that faces it.
+    pub fn source(&self) -> PyResult<Source> {
+        let Source { spectrum, intensity } = self.pane()?;
+        let factor = self.window([1.0; 3]).facing_factor(DVec3::ZERO);
+        Ok(Source { spectrum, intensity: intensity * factor })
     }
 }
 
