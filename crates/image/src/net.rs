@@ -57,8 +57,7 @@ impl Net {
         let half = libm::ceil(reach_rad / step_rad) as usize;
         let side = 2 * (half + BORDER) + 1;
         let (u, v) = axis.any_orthonormal_pair();
-        let mut net =
-            Self { centre: ball.centre, axis, across: [u, v], reach_rad, side, knots: Vec::new() };
+        let mut net = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
             let at = |i: usize| (i as f64 - (half + BORDER) as f64) / half as f64;
             let normal = net.normal(at(i % side), at(i / side))?;
