@@ -130,3 +130,40 @@ fn cubic(t: f64) -> [f64; 4] {
         0.5 * (t3 - t2),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::Projection;
+
+    fn wave(hit: Hit) -> Rgb {
+        [0, 1, 2].map(|i| 1.0 + libm::sin(8.0 * hit.normal[i]))
+    }
+
+    fn net(projection: Projection, spread_rad: f64) -> Option<Net> {
+        let camera = Camera::new(projection, 0.3, -0.5, 12.0);
+        let gather = |hit, _, _| Around { light: wave(hit), rest: [hit.cos_view; 3] };
+        Net::new(&Ball::alone(4.0), &camera, spread_rad, 1e7, gather)
+    }
+
+    #[test]
+    fn between_knots_is_what_a_knot_there_would_be() {
+        for projection in [Projection::Orthographic, Projection::Perspective { distance_mm: 60.0 }]
+        {
+            let net = net(projection, 0.1).unwrap();
+            let camera = Camera::new(projection, 0.3, -0.5, 12.0);
+            for i in 0..400 {
+                let (x, y) = (f64::from(i % 20) / 14.0 - 0.68, f64::from(i / 20) / 14.0 - 0.68);
+                let Some(hit) = Ball::alone(4.0).hit(&camera.ray(x, y), 1e-6) else { continue };
+                let found = net.at(hit.normal).light;
+                let expected = wave(hit);
+                assert!((0..3).all(|i| (found[i] - expected[i]).abs() < 0.01), "{hit:?} {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_mirror_has_no_net() {
+        assert!(net(Projection::Orthographic, 0.01).is_none());
+    }
+}

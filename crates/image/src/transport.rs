@@ -109,7 +109,7 @@ impl Transport {
         let first = sight.part * self.draws_per_sample;
         let all = self.draws.iter().cycle().skip(first % self.draws.len());
         let some = all.take(self.draws_per_sample).copied();
-        self.gathered(surroundings, sight, some, self.draws.len())
+        self.gathered(surroundings, sight, some, (self.draws.len(), LOBE))
     }
 
     /// The net over what the facets show `camera`, if pixels are finer.
@@ -127,17 +127,18 @@ impl Transport {
         let draws = relief.draws(Net::MOST);
         Net::new(place, camera, relief.spread_rad(), facets, |hit, view, each| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            self.gathered(surroundings, &sight, draws[..each].iter().copied(), each)
+            self.gathered(surroundings, &sight, draws[..each].iter().copied(), (each, KNOT_LOBE))
         })
     }
 
-    /// The surroundings in the facets of some draws, of which `count` stand for all facets.
+    /// The surroundings in the facets of some draws, of which `count` stand for all facets, each
+    /// looked up with `lobe_width` of what it stands for.
     fn gathered(
         &self,
         surroundings: &Surroundings,
         sight: &Sight,
         draws: impl Iterator<Item = Draw>,
-        count: usize,
+        (count, lobe_width): (usize, f64),
     ) -> Around {
         let Sight { ball, hit, view, pixel_mm, .. } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
@@ -152,7 +153,7 @@ impl Transport {
         for draw in draws {
             let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
-            let share_rad2 = LOBE / (facet.density * count as f64);
+            let share_rad2 = lobe_width / (facet.density * count as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
             let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
             lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
@@ -200,6 +201,9 @@ impl Lobe {
 /// Squared width of what a draw is looked up with, in units of its solid angle: neighbours overlap, so that an
 /// edge that moves across them leaves no steps.
 const LOBE: f64 = 4.0;
+
+/// The same for the knots of a net, whose many draws need overlap less.
+const KNOT_LOBE: f64 = 2.0;
 
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {
