@@ -12,7 +12,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from nacreous import colour, file, iridescence, medium, nacre, optics, scaling, texture
+    from nacreous import body, colour, file, iridescence, medium, nacre, optics, scaling, texture
     from nacreous.image import Image, render
     from nacreous.nacre import LayerStack, grow
     from nacreous.problem import InputError
@@ -26,6 +26,7 @@ __all__ = [
     "LayerStack",
     "Pearl",
     "Scene",
+    "body",
     "colour",
     "file",
     "grow",

@@ -7,6 +7,17 @@ from typing import Any, TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 
+# body
+def pigments() -> list[str]: ...
+def pigment_absorption(name: str) -> NDArray[np.float64]: ...
+def kubelka_munk(
+    scattering_per_mm: float,
+    absorption_per_mm: NDArray[np.float64],
+    thickness_mm: float,
+    background: NDArray[np.float64],
+) -> NDArray[np.float64]: ...
+def smooth_reflectance(rgb: tuple[float, float, float]) -> NDArray[np.float64]: ...
+
 # colour
 def spectrum_wavelength_nm() -> NDArray[np.float64]: ...
 def illuminant_spectrum(name: str) -> NDArray[np.float64]: ...
@@ -139,7 +150,7 @@ def interference_iridescence(
 MAX_SIZE_PX: int
 
 def render(
-    pearls: list[tuple[Mapping[str, Any], Stack, Texture | None]],
+    pearls: list[tuple[Mapping[str, Any], Texture | None]],
     scene: Mapping[str, Any],
     size_px: int,
     samples_side: int,

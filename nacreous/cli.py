@@ -19,15 +19,16 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from nacreous.commands import crops, grow, paper, presets, render, scale, schema
+from nacreous.commands import crops, grow, paper, presets, render, scale, schema, sheets
 from nacreous.problem import InputError
 
 #: In the order of the help page.
-COMMANDS = (render, grow, paper, crops, scale, presets, schema)
+COMMANDS = (render, grow, sheets, paper, crops, scale, presets, schema)
 
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
+  nacreous sheets out            families, pigments and scenes on contact sheets
   nacreous paper out             the paper's figures again, measured, on one page
   nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous presets               see the pearls and scenes that come along

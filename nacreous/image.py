@@ -13,9 +13,8 @@ from typing import Any, Literal, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous import _core, colour, file, texture
+from nacreous import _core, colour, file, look, texture
 from nacreous.arrangement import Arrangement, arrange
-from nacreous.nacre import stack_of
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.spec import Growth, Pearl, Scene
@@ -163,27 +162,11 @@ def _is_whole(value: object) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
-def _prepared(pearl: Pearl) -> tuple[dict[str, Any], _core.Stack, _core.Texture | None]:
-    """A pearl's look, its layers, and its grain if it shows any."""
-    look = _look(pearl)
-    grained = any(look[weight] for weight in ("hue_weight", "chroma_weight", "value_weight"))
-    return look, stack_of(pearl)._core, texture.of_pearl(pearl) if grained else None
-
-
-def _look(pearl: Pearl) -> dict[str, Any]:
-    """What the renderer needs of the pearl; knobs give what the file leaves open."""
-    behind_knobs = _core.parameters(pearl.depth, pearl.shininess, pearl.grain)
-    given = {
-        **pearl.interference.model_dump(),
-        **pearl.surface.model_dump(),
-        **pearl.texture.model_dump(include={"hue_weight", "chroma_weight", "value_weight"}),
-    }
-    resolved = {key: behind_knobs[key] if value is None else value for key, value in given.items()}
-    return {
-        **resolved,
-        "diameter_mm": pearl.diameter_mm,
-        "body_colour": colour.linear_from_hex(pearl.body_colour),
-    }
+def _prepared(pearl: Pearl) -> tuple[Mapping[str, Any], _core.Texture | None]:
+    """A pearl's look, and its grain if it shows any."""
+    seen = look.of_pearl(pearl)
+    grained = any(seen[weight] for weight in look.GRAIN)
+    return seen, texture.of_pearl(pearl) if grained else None
 
 
 def _surroundings(arrangement: Arrangement) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from nacreous.number import number_of, row_of, said
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
-    from nacreous.spec import Growth, Pearl
+    from nacreous.spec import Growth, Layers, Pearl
 
 __all__ = ["Diary", "LayerStack", "diary", "grow", "stack_of"]
 
@@ -172,12 +172,14 @@ def grow(growth: str | Growth = "paper", **parameters: Any) -> LayerStack:
     >>> stack == grow("akoya-rg", seed=8, harvest="12-15")
     False
     """
-    from nacreous.spec import Growth, Pearl
+    from nacreous.spec import Growth
+    from nacreous.spec.growth import Grown
+    from nacreous.spec.specfile import checked
 
     if not isinstance(growth, str | Growth):
         raise InputError(f"growth is {said(growth)}; allowed: a nacre preset's name or a Growth")
     given = {"preset": growth} if isinstance(growth, str) else growth.model_dump()
-    return stack_of(Pearl.check({"nacre": {**given, **parameters}}, "grow", Path()))
+    return _stack(checked(Grown, {"nacre": {**given, **parameters}}, "grow", Path()).nacre)
 
 
 def stack_of(pearl: Pearl) -> LayerStack:
@@ -187,11 +189,21 @@ def stack_of(pearl: Pearl) -> LayerStack:
     >>> stack_of(Pearl.load("paper", [("nacre.harvest", "08-15")])).outer(10)[1] > 600
     True
     """
+    return _stack(pearl.nacre)
+
+
+def _stack(nacre: Growth | Layers) -> LayerStack:
+    """Grown or listed layers on their core.
+
+    The core is the crystal of the layers where a name or two indices tell it, else the paper's
+    index 1.53.
+    """
     from nacreous.spec import Growth
 
-    nacre = pearl.nacre
     if isinstance(nacre, Growth):
         thickness_nm = diary(nacre).thickness_nm[::-1]
     else:
         thickness_nm = np.asarray(nacre.thickness_nm)
-    return LayerStack(thickness_nm, nacre.protein_nm, nacre.aragonite_index, nacre.protein_index)
+    aragonite, protein = nacre.aragonite_medium, nacre.protein_medium
+    core = 1.53 if isinstance(aragonite, complex) else aragonite
+    return LayerStack(thickness_nm, nacre.protein_nm, aragonite, protein, substrate=core)

@@ -30,7 +30,7 @@ SUM = ("interference", "diffuse", "mirror", "surroundings")
 
 
 def pearl(**keys: Any) -> Pearl:
-    return Pearl(**{"nacre": THIN, "grain": 0.0, **keys})
+    return Pearl(**{"model": "illuminant", "nacre": THIN, "grain": 0.0, **keys})
 
 
 def refusal(act: Any) -> str:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 import tmm
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.linalg import expm
@@ -190,6 +190,8 @@ _MEDIUM = st.one_of(_INDEX, st.tuples(_INDEX, _INDEX))
     wavelength_nm=st.floats(100, 3000),
     polarisation=st.sampled_from(["s", "p", "unpolarised"]),
 )
+@example([1.0], 0.0, 1.0, 1.0, (1.0, 0.05078125 + 1j), 1.0, 0.0, 500.0, "p")
+@example([1.0], 0.0, 1.0, 1.0, (0.05 + 4j, 0.5), 1.0, 0.6, 500.0, "p")
 def test_energy_is_conserved_and_shares_are_shares(
     thickness_nm: list[float],
     protein_nm: float,
@@ -207,6 +209,18 @@ def test_energy_is_conserved_and_shares_are_shares(
     assert pytest.approx(1, abs=1e-9) == R + T + A
     for share in (R, T, A):
         assert -1e-12 <= share <= 1 + 1e-9
+
+
+@pytest.mark.parametrize("extraordinary", [0.05078125 + 1j, 0.3 + 2j, 2.5, 0.05 + 0.05j])
+def test_head_on_a_uniaxial_medium_shows_its_ordinary_index_alone(extraordinary: complex) -> None:
+    for ordinary in (1.0, 1.68, 0.2 + 3j):
+        stacks = [
+            nc.LayerStack([400.0, 350.0], 20.0, 1.68, 1.55, 1.0, substrate)
+            for substrate in ((ordinary, extraordinary), ordinary)
+        ]
+        uniaxial, isotropic = (energies(stack, 0.0, NM, "p") for stack in stacks)
+        np.testing.assert_allclose(uniaxial.R, isotropic.R, rtol=0, atol=1e-13)
+        np.testing.assert_allclose(uniaxial.T, isotropic.T, rtol=0, atol=1e-13)
 
 
 def test_natural_light_is_the_mean_of_both() -> None:

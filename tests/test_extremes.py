@@ -111,7 +111,7 @@ def test_what_is_lit_by_nothing_is_black() -> None:
 @pytest.mark.parametrize(
     ("nacre", "message"),
     [
-        (Layers(thickness_nm=[400], aragonite=(1.53, 0.1)), "aragonite has k = 0.1; allowed: 0"),
+        (Layers(thickness_nm=[400], aragonite=(1.53, 0.1)), "Pearl: nacre.aragonite is [1.53, 0.1"),
         (Layers(thickness_nm=[400], protein=0.9), "protein has n = 0.9; allowed: at least"),
     ],
 )

@@ -34,7 +34,7 @@ from nacreous.spec import (
 
 def chroma_of(depth: float) -> float:
     """Mean chroma of rings and body together."""
-    image = nc.render(Pearl(depth=depth, grain=0.0), "paper", 32, 4)
+    image = nc.render(Pearl(model="illuminant", depth=depth, grain=0.0), "paper", 32, 4)
     both = image.layers["interference"] + image.layers["diffuse"]
     return float(nc.colour.hvc_from_rgb(both[covered(image)])[:, 2].mean())
 
@@ -132,7 +132,8 @@ def test_the_grain_of_a_photograph_lies_beside_its_pearl(
     noise = np.random.default_rng(1).normal(190, 12, (160, 160, 3)).clip(0, 255).astype(np.uint8)
     Pillow.fromarray(noise).save(tmp_path / "box" / "photo.png")
     (tmp_path / "box" / "my.toml").write_text(
-        '[nacre]\nthickness_nm = [400, 410, 420]\n[texture]\nsource = "photo.png"\nside_px = 16\n'
+        'model = "illuminant"\n[nacre]\nthickness_nm = [400, 410, 420]\n'
+        '[texture]\nsource = "photo.png"\nside_px = 16\n'
     )
     monkeypatch.chdir(tmp_path)
     taken = nc.render("box/my.toml", "paper", 24, 1).layers["texture"]

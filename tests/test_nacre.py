@@ -263,8 +263,43 @@ def test_a_preset_grows_with_parameters_over_it() -> None:
 
 
 def test_listed_layers_are_the_stack() -> None:
-    pearl = Pearl(nacre=Layers(thickness_nm=[400.0, 410.0], protein=(1.43, 0.01)))
-    assert stack_of(pearl) == nc.LayerStack([400.0, 410.0], protein=1.43 + 0.01j)
+    pearl = Pearl(nacre=Layers(thickness_nm=[400.0, 410.0], protein=1.5))
+    assert stack_of(pearl) == nc.LayerStack([400.0, 410.0], protein=1.5)
+
+
+@pytest.mark.parametrize(
+    ("given", "medium"),
+    [
+        ("aragonite", "aragonite"),
+        ("aragonite-isotropic-1.53", "aragonite-isotropic-1.53"),
+        ({"n_o": 1.683, "n_e": 1.53}, (1.683, 1.53)),
+    ],
+)
+def test_crystals_lie_on_a_core_of_the_same_crystal(given: Any, medium: Any) -> None:
+    listed = Layers(thickness_nm=[400.0, 410.0], aragonite=given, protein="chitin")
+    same = nc.LayerStack([400.0, 410.0], 20.0, medium, "chitin", substrate=medium)
+    assert stack_of(Pearl(nacre=listed)) == same
+    assert stack_of(Pearl(nacre=listed)).substrate == medium
+    grown = nc.grow("paper", seed=3, aragonite=given)
+    assert (grown.aragonite, grown.substrate) == (medium, medium)
+
+
+def test_layers_of_plain_index_lie_on_the_core_of_the_paper() -> None:
+    assert nc.grow("paper", aragonite=1.6).substrate == 1.53
+
+
+def test_growth_takes_media_that_no_model_of_a_pearl_takes() -> None:
+    assert nc.grow("paper", protein=[1.43, 0.02]).protein == 1.43 + 0.02j
+
+
+def test_akoya_is_the_crystal_as_measured() -> None:
+    for family in ("akoya", "akoya-r", "akoya-rg", "akoya-g"):
+        stack = nc.grow(family)
+        assert (stack.aragonite, stack.protein, stack.substrate) == (
+            "aragonite",
+            "chitin",
+            "aragonite",
+        )
 
 
 @pytest.mark.parametrize(

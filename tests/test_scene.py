@@ -132,14 +132,15 @@ def test_the_four_parts_of_many_pearls_add_up_and_cover_their_discs() -> None:
 
 
 def test_a_pearl_behind_another_is_covered_by_it() -> None:
-    """Seen from the horizon the row behind is hidden; its colours leave no trace but at the rim."""
+    """Seen from the horizon the row behind is hidden: nothing but its light on the front is seen."""
     keys: dict[str, Any] = {"table": NO_TABLE, "sky": BLACK}
     scene = rows(["*0"], ["*1"], camera=Camera(elevation_deg=0, field_mm=12), **keys)
     black = LARGE.model_copy(update={"body_colour": "#000000"})
     white, dark = (nc.render([back, LARGE], scene, 48, 4) for back in (LARGE, black))
     inside = np.hypot(*np.meshgrid(*[np.arange(48) - 23.5] * 2)) < 17
     for name in ("diffuse", "mirror", "interference"):
-        np.testing.assert_array_equal(white.layers[name][inside], dark.layers[name][inside])
+        apart = np.abs(white.layers[name][inside] - dark.layers[name][inside])
+        assert apart.max() < 0.01
     assert white.layers["coverage"].max() <= 1
 
 

@@ -11,34 +11,52 @@ import sys
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
+import nacreous as nc
 from nacreous.problem import InputError
 from nacreous.spec import (
+    Body,
+    Film,
     Growth,
+    Inside,
+    Interference,
     Lamp,
     Layers,
     Pearl,
     Row,
     Scene,
+    Surface,
+    Uniaxial,
     Window,
     json_schema,
     load,
+    medium,
     override,
     preset,
 )
+from nacreous.spec.body import Pigment
 from nacreous.spec.key import Key, alternatives, every_key, sections_in
+from nacreous.spec.model import only_with
 
 ROOT = Path(__file__).parent.parent
+
+
+def kinds_of(key: Key) -> tuple[Any, ...]:
+    return alternatives(key.field.annotation)
+
+
 FILES = (Pearl, Scene)
 LISTED = {"lamps": Lamp, "rows": Row, "windows": Window}
 KEYS = [(model, key) for model in FILES for key in every_key(model)]
-LEAVES = [(model, key) for model, key in KEYS if not sections_in(key.field.annotation)]
+LEAVES = [(model, key) for model, key in KEYS if not all(map(sections_in, kinds_of(key)))]
 NUMBERS = [
     (model, key) for model, key in LEAVES if set(alternatives(key.field.annotation)) <= {int, float}
 ]
+MEDIA = [case for case in LEAVES if sections_in(case[1].field.annotation)]
+MODELS = {"transport": "illuminant", "illuminant": "transport"}
 
 
 def name_of(case: Any) -> str:
@@ -57,7 +75,7 @@ def problems(act: Callable[[], Any]) -> list[str]:
 
 
 def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
-    """The smallest file that holds the key; lamps, windows and listed layers need company."""
+    """The smallest file that holds the key; lamps, windows, listed layers and others need company."""
     values: dict[str, Any] = {}
     target = values
     *steps, last = key.path.split(".")
@@ -67,6 +85,12 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
         target["thickness_nm"] = [400.0]
     if key.owner is Lamp and last != "position_mm":
         target |= {"azimuth_deg": 0.0, "elevation_deg": 0.0}
+    if key.owner is Uniaxial:
+        target |= {"n_o": 1.6, "n_e": 1.5}
+    if key.path == "body.nacre_mm":
+        values["diameter_mm"] = 30.0
+    if home(key):
+        values["model"] = home(key)
     if key.owner is Window and last not in ("position_mm", "facing", "below_mm"):
         target |= {"azimuth_deg": 0.0, "elevation_deg": 0.0}
     if last == "facing":
@@ -78,6 +102,13 @@ def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
         if name in values and key.owner is owner:
             values[name] = [values[name]]
     return values
+
+
+def home(key: Key) -> str:
+    """The model that the key or its section belongs to; "" where both have it."""
+    fields = Pearl.model_fields
+    section = fields.get(key.path.partition(".")[0]) if key.owner is not Pearl else None
+    return only_with(key.field) or (only_with(section) if section else "")
 
 
 def refusal(model: type, key: Key, value: Any) -> str:
@@ -103,8 +134,138 @@ def bounds(key: Key) -> tuple[float, float, list[float]]:
 @pytest.mark.parametrize("value", [True, {"a": 1}, [[]], dt.datetime(2026, 1, 1)])
 def test_every_key_refuses_a_value_of_the_wrong_type(case: Any, value: Any) -> None:
     model, key = case
+    if case in MEDIA and isinstance(value, dict):
+        assert len(problems(lambda: model.check(file_with(model, key, value), "", Path()))) == 3
+        return  # a table is of the right type here; the next test says what it holds
     line = refusal(model, key, value)
     assert key.field.json_schema_extra["allowed"] in line
+
+
+@pytest.mark.parametrize("case", MEDIA, ids=name_of)
+def test_a_medium_by_direction_says_which_of_its_indices_is_wrong(case: Any) -> None:
+    model, key = case
+    for value, words in (
+        ({"n_o": 1.6}, ["n_e is missing; allowed: above 0 to 10"]),
+        ({"n_o": -1, "n_e": True}, ["n_o is -1; allowed: above 0 to 10", "n_e is true; wanted"]),
+        ({"n_o": 1.6, "n_e": 1.5, "ne": 1.5}, ["ne is not a key here; did you mean n_e?"]),
+    ):
+        values = file_with(model, key, value)
+        lines = problems(lambda values=values: model.check(values, "my.toml", Path()))
+        assert len(lines) == len(words)
+        for line, word in zip(lines, words, strict=True):
+            assert line.startswith(f"my.toml: {key.path}.{word}")
+
+
+@pytest.mark.parametrize("case", MEDIA, ids=name_of)
+def test_an_index_says_its_range(case: Any) -> None:
+    for value in (0, -1.5, 10.5, math.nan, [1.5, -0.1], [1.5, 11], [1.5], [1.5, 0, 0]):
+        line = refusal(*case, value)
+        assert "; allowed: a number n above 0 to 10, [n, k] with k from 0 to 10" in line
+
+
+@pytest.mark.parametrize(
+    ("values", "line"),
+    [
+        ({"nacre": {"aragonite": "aragonit"}}, '"aragonit"; allowed: a number n above 0'),
+        ({"nacre": {"aragonite": "aragonit"}}, 'did you mean "aragonite"?'),
+        ({"nacre": {"protein": "chitine"}}, 'did you mean "chitin"?'),
+        ({"body": {"pigment": "golden"}}, 'did you mean "gold"?'),
+        ({"body": {"pigment": "blacklip"}}, 'did you mean "black-lip"?'),
+        ({"surface": {"facets": "torrance"}}, 'did you mean "torrance-sparrow"?'),
+        ({"model": "transprt"}, 'did you mean "transport"?'),
+        ({"model": "paper"}, 'model is "paper"; allowed: "transport" or "illuminant"'),
+    ],
+)
+def test_a_mistyped_name_is_offered_the_nearest(values: dict[str, Any], line: str) -> None:
+    (said,) = problems(lambda: Pearl.check(values, "my.toml", Path()))
+    assert line in said
+
+
+def test_names_of_media_and_pigments_are_those_of_the_compiled_rooms() -> None:
+    assert medium.NAMES == nc.medium.NAMES
+    assert get_args(Pigment) == nc.body.PIGMENTS
+
+
+# --- keys of one model ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("case", [case for case in LEAVES if home(case[1])], ids=name_of)
+def test_a_key_of_the_other_model_is_refused(case: Any) -> None:
+    model, key = case
+    default = key.field.default
+    bound = bounds(key) if case in NUMBERS else None
+    value = default if default is not None else bound[1] if bound else None
+    values = file_with(model, key, value)
+    assert model.check(dict(values), "my.toml", Path()).model == home(key)
+    values["model"] = MODELS[home(key)]
+    assert problems(lambda: model.check(values, "my.toml", Path())) == [
+        f'my.toml: {key.path} is given while model is "{MODELS[home(key)]}"; '
+        f'allowed: only with model = "{home(key)}"'
+    ]
+
+
+def test_transport_is_the_model_of_a_file_that_names_none() -> None:
+    assert Pearl().model == "transport"
+    (line,) = problems(lambda: Pearl.check({"body_colour": "#ffffff"}, "my.toml", Path()))
+    assert line == (
+        'my.toml: body_colour is given while model is "transport"; '
+        'allowed: only with model = "illuminant"'
+    )
+
+
+def test_an_empty_table_of_the_other_model_is_refused_by_its_name() -> None:
+    (line,) = problems(lambda: Pearl.from_toml("[interference]\n", "my.toml"))
+    assert line.startswith('my.toml: interference is given while model is "transport"; ')
+    (line,) = problems(lambda: Pearl(model="illuminant", film=Film()))
+    assert line.startswith('Pearl: film is given while model is "illuminant"; ')
+
+
+def test_every_key_of_the_other_model_has_its_line() -> None:
+    text = 'body_colour = "#ffffff"\n[interference]\nmixing = 0.5\nthreshold = 0.1\n'
+    lines = problems(lambda: Pearl.from_toml(text, "my.toml"))
+    assert [line.split()[1] for line in lines] == [
+        "body_colour",
+        "interference.threshold",
+        "interference.mixing",
+    ]
+    overrides = [("model", "illuminant")]
+    lines = problems(lambda: Pearl.load("akoya-rg", overrides))
+    assert [line.split(" is ")[0] for line in lines] == [
+        "preset akoya-rg: film.outer_um",
+        "preset akoya-rg: body.pigment",
+        "preset akoya-rg: body.nacre_mm",
+        "preset akoya-rg: nacre.aragonite",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("model", "nacre", "allowed"),
+    [
+        ("transport", {"protein": [1.43, 0.01]}, "k = 0; what absorbs is body.pigment"),
+        ("illuminant", {"aragonite": [1.53, 1e-9]}, "k = 0; what absorbs is body.pigment"),
+        ("illuminant", {"aragonite": "aragonite"}, "an index that is the same in all directions"),
+        ("illuminant", {"protein": {"n_o": 1.5, "n_e": 1.5}}, "an index that is the same in all"),
+    ],
+)
+def test_a_model_refuses_media_that_it_does_not_know(
+    model: str, nacre: dict[str, Any], allowed: str
+) -> None:
+    values = {"model": model, "nacre": nacre}
+    (line,) = problems(lambda: Pearl.check(values, "my.toml", Path()))
+    assert line.startswith(f"my.toml: nacre.{next(iter(nacre))} is ")
+    assert f'while model is "{model}"; allowed: {allowed}' in line
+
+
+def test_both_models_take_the_media_that_they_know() -> None:
+    for model in MODELS:
+        for index in (1.5, [1.5, 0.0], "aragonite-isotropic-1.53", "silk-fibroin"):
+            assert Pearl(model=model, nacre={"aragonite": index, "protein": index})
+    assert Pearl(nacre={"aragonite": {"n_o": 1.683, "n_e": 1.53}}).nacre.aragonite_medium == (
+        1.683,
+        1.53,
+    )
+    assert Pearl(nacre={"aragonite": "aragonite"}).nacre.aragonite_medium == "aragonite"
+    assert Pearl(nacre={"protein": [1.43, 0]}).nacre.protein_medium == 1.43
 
 
 @pytest.mark.parametrize("case", NUMBERS, ids=name_of)
@@ -214,6 +375,7 @@ def test_a_misspelt_key_is_told_its_right_name(case: Any) -> None:
             {"nacre": {"layers_winter": 0, "layers_summer": 0, "layers_noise": 0}},
             "nacre.layers_summer layers_winter layers_noise",
         ),
+        (Pearl, {"body": {"nacre_mm": 4.1}}, "body.nacre_mm diameter_mm 4.1 mm"),
         (
             Pearl,
             {"texture": {"low_per_mm": 3.0, "high_per_mm": 3.0}},
@@ -243,6 +405,7 @@ def test_keys_that_disagree_are_both_named(model: Any, values: Any, both: str) -
 
 def test_all_problems_of_a_file_come_at_once() -> None:
     values = {
+        "model": "illuminant",
         "diameter_mm": -1,
         "deph": 1,
         "nacre": {"seed": 1.5, "protein_nm": True},
@@ -324,7 +487,7 @@ def test_a_scene_given_as_a_pearl_is_called_a_scene(tmp_path: Path) -> None:
 def test_a_folder_does_not_hide_the_preset_of_its_name(tmp_path: Path, monkeypatch: Any) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "paper").mkdir()
-    assert Pearl.load("paper") == Pearl(name="paper")
+    assert Pearl.load("paper") == Pearl(name="paper", model="illuminant")
 
 
 def test_an_existing_file_wins_over_the_preset_of_its_name(
@@ -356,7 +519,7 @@ def test_the_preset_paper_is_the_default_of_every_key() -> None:
     assert preset.values("nacre", "paper") == {
         key: value for key, value in Growth().model_dump().items() if key not in ("preset", "seed")
     }
-    assert Pearl.load("paper") == Pearl(name="paper")
+    assert Pearl.load("paper") == Pearl(name="paper", model="illuminant")
 
 
 def test_akoya_is_akoya_rg() -> None:
@@ -489,7 +652,22 @@ def test_a_date_without_quotes_means_the_same() -> None:
     [
         *(Pearl.load(name) for name in preset.names("pearl")),
         *(Scene.load(name) for name in preset.names("scene")),
-        Pearl(name='quo"te\\ 真珠', nacre=Layers(thickness_nm=[1e-7, 1e5], aragonite=[1.68, 1e-9])),
+        Pearl(name='quo"te\\ 真珠', nacre=Layers(thickness_nm=[1e-7, 1e5], aragonite=[1.68, 0.0])),
+        Pearl(
+            name="all of transport",
+            film=Film(outer_um=20, columns=8, column_spread_nm=12),
+            body=Body(pigment="gold", nacre_mm=0.5, nucleus="#ffffff"),
+            inside=Inside(spread=0.1),
+            surface=Surface(facets="ggx", facet_spread_rad=0.1),
+            nacre=Growth(aragonite=Uniaxial(n_o=1.683, n_e=1.53), protein="chitin"),
+        ),
+        Pearl(
+            name="all of illuminant",
+            model="illuminant",
+            body_colour="#102030",
+            interference=Interference(mixing=0.2),
+            surface=Surface(mirror_weight=0.5, layer_reflectance=0.0, falloff_mm=3.0),
+        ),
         Scene(lamps=[{"position_mm": [0, 0, -99.5]}], walls={}),
         Scene(),
     ],
@@ -517,7 +695,8 @@ def test_the_schema_states_every_key_with_description_range_and_default(model: A
             low, high, _ = bounds(key)
             assert entry.get("minimum", entry.get("exclusiveMinimum")) == low
             assert entry.get("maximum", entry.get("exclusiveMaximum")) == high
-            assert entry.get("default") == key.field.default
+            default = None if key.field.is_required() else key.field.default
+            assert entry.get("default") == default
     assert "null" not in json.dumps(schema)
 
 
@@ -555,7 +734,7 @@ def test_the_python_of_the_reference_page_runs() -> None:
     ids=["400 digits", "5000 digits", "1e308", "surrogate", "right to left", "long"],
 )
 def test_monstrous_values_are_refused_in_one_short_line(value: Any) -> None:
-    for values in ({"depth": value}, {"nacre": {"seed": value}}, {"body_colour": value}):
+    for values in ({"depth": value}, {"nacre": {"seed": value}}, {"body": {"nucleus": value}}):
         (line,) = problems(lambda values=values: Pearl.check(dict(values), "my.toml", Path()))
         assert len(line) < 250
         assert line.isprintable()

@@ -12,8 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous import _core, file
-from nacreous.paper import folder
+from nacreous import _core, file, folder
 from nacreous.paper.circle import Circle
 from nacreous.paper.crop import COUNT, Crop, cut, seven
 from nacreous.paper.outline import estimate

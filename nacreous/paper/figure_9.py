@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,7 +116,7 @@ def exhibit(folder: Path, pictures: Pictures) -> Exhibit:
     return Exhibit(
         "9",
         [Plate(path)],
-        measure(light, pearl.nacre.aragonite_index.real, changed),
+        measure(light, cast("complex", pearl.nacre.aragonite_medium).real, changed),
         "nacreous.optics.illuminant(stack, view_rad, wavelength_nm, 5000, 0.05, D)",
         [
             f"View angles {VIEW_DEG[0]}° and {VIEW_DEG[1]}° stand for (a) and (b) (ours): figure 5 "

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from nacreous import folder
 from nacreous.paper import (
     figure_2,
     figure_8,
@@ -20,7 +21,6 @@ from nacreous.paper import (
     figure_12,
     figure_13,
     figure_14,
-    folder,
     page,
     pictures,
 )

@@ -1,24 +1,34 @@
 """Pearl and scene files: what they may say, and every way in which they can be wrong.
 
-A pearl and a scene are TOML files. Each key is declared once, in pearl.py, nacre.py, growth.py,
-scene.py, row.py, camera.py, lamp.py or window.py, with its unit, range and source; loading,
-messages and schema follow from that.
+A pearl and a scene are TOML files. Each key is declared once, in the file of its section, such as
+pearl.py, nacre.py, body.py, scene.py or lamp.py, with its unit, range and source; loading, messages
+and schema follow from that.
 """
 
+from nacreous.spec.body import Body
 from nacreous.spec.camera import Camera
+from nacreous.spec.film import Film
 from nacreous.spec.growth import Growth
+from nacreous.spec.inside import Inside
+from nacreous.spec.interference import Interference
 from nacreous.spec.lamp import Lamp
 from nacreous.spec.load import load
+from nacreous.spec.medium import Uniaxial
 from nacreous.spec.nacre import Layers, Nacre
-from nacreous.spec.pearl import Interference, Pearl, Surface, Texture
+from nacreous.spec.pearl import Pearl
 from nacreous.spec.row import Row
 from nacreous.spec.scene import Scene, Sky, Table, Walls
 from nacreous.spec.schema import json_schema
+from nacreous.spec.surface import Surface
+from nacreous.spec.texture import Texture
 from nacreous.spec.window import Window
 
 __all__ = [
+    "Body",
     "Camera",
+    "Film",
     "Growth",
+    "Inside",
     "Interference",
     "Lamp",
     "Layers",
@@ -30,6 +40,7 @@ __all__ = [
     "Surface",
     "Table",
     "Texture",
+    "Uniaxial",
     "Walls",
     "Window",
     "json_schema",

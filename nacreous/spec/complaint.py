@@ -121,8 +121,8 @@ def _locate(model: type[BaseModel], loc: tuple[int | str, ...]) -> _Place:
     field = FieldInfo(annotation=model)  # the file as a whole
     owners: tuple[type[BaseModel], ...] = (model,)
     for part in loc:
-        chosen = tuple(owner for owner in owners if owner.__name__.lower() == part)
-        if len(owners) > 1 and chosen:
+        chosen = tuple(owner for owner in owners if owner.__name__.lower() == str(part).lower())
+        if chosen:
             owners = chosen
         elif isinstance(part, int) and is_list(field.annotation):
             path.append(part)  # the numbers of a pair or a triple are shown together
@@ -186,7 +186,7 @@ def _bad_value(value: Any, at: _Place) -> str:
     words = [f"is {shown(value)}"]
     if not any(_fits(value, kind) for kind in kinds):
         words.append(f"wanted: {' or '.join(dict.fromkeys(_in_words(kind) for kind in kinds))}")
-    if not (sections_in(annotation) and (inside_list or not is_list(annotation))):
+    if not (inside_list and sections_in(annotation)) and _has_range(at.field):
         words.append(f"allowed: {_allowed(at.field)}")
     choices = [*(at.field.examples or []), *(arg for kind in kinds for arg in get_args(kind))]
     texts = [choice for choice in choices if isinstance(choice, str)]
@@ -196,9 +196,15 @@ def _bad_value(value: Any, at: _Place) -> str:
     return "; ".join(words)
 
 
+def _has_range(field: FieldInfo) -> bool:
+    """Whether the key has a value of its own, and is not a table alone."""
+    return isinstance(field.json_schema_extra, dict) and "allowed" in field.json_schema_extra
+
+
 def _allowed(field: FieldInfo) -> str:
     extra = field.json_schema_extra
-    return str(extra["allowed"]) if isinstance(extra, dict) else "a table of keys"
+    allowed = extra.get("allowed") if isinstance(extra, dict) else None
+    return str(allowed or "a table of keys")
 
 
 def _in_words(kind: Any) -> str:

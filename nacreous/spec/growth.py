@@ -10,8 +10,9 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from nacreous.spec import preset
 from nacreous.spec.complaint import Contradiction
-from nacreous.spec.key import key, quantity
+from nacreous.spec.key import key, quantity, section
 from nacreous.spec.nacre import Nacre
+from nacreous.spec.section import Section
 
 #: Any year that is not a leap year stands for "every year".
 _EVERY_YEAR = 2001
@@ -65,7 +66,7 @@ class Growth(Nacre):
     preset: Annotated[str, AfterValidator(_known)] = key(
         "paper",
         "The nacre preset whose values hold wherever this file gives none.",
-        allowed=f"a nacre preset: {', '.join(preset.names('nacre'))}",
+        allowed="a name that `nacreous presets nacre` lists",
         source="nacreous presets nacre",
         examples=preset.names("nacre"),
     )
@@ -219,3 +220,9 @@ class Growth(Nacre):
                 f'allowed: 1 day to 20 years after {{other}}, which is "{self.seeding}"',
                 "seeding",
             )
+
+
+class Grown(Section):
+    """Growth alone, without a pearl whose model would ask more of its media."""
+
+    nacre: Growth = section(Growth, "The layers, grown over a season.")

@@ -36,24 +36,33 @@ def key(
     source: str,
     left_out: str = "",
     unit: str = "",
+    model: str = "",
     **constraints: Any,
 ) -> Any:
     """Declare a key of a section: the value it has when left out, its meaning, range and source.
 
     `allowed` is the phrase that both the schema and every complaint about the key use. `left_out`
-    says where the value comes from when the default is None. `constraints` are pydantic's.
+    says where the value comes from when the default is None. `model` names the only model that has
+    the key. `constraints` are pydantic's.
     """
     sentences = [meaning, f"Allowed: {allowed}.", f"Source: {source}."]
     if left_out:
         sentences.insert(2, f"Left out: {left_out}.")
-    extra = {"allowed": allowed} | ({"unit": unit} if unit else {})
+    extra = {"allowed": allowed, "unit": unit, "model": model}
     return Field(
-        default, description=" ".join(sentences), json_schema_extra=dict(extra), **constraints
+        default,
+        description=" ".join([*sentences, *_belonging(model)]),
+        json_schema_extra={name: text for name, text in extra.items() if text},
+        **constraints,
     )
 
 
+def _belonging(model: str) -> list[str]:
+    return [f'Only with model = "{model}".'] if model else []
+
+
 def quantity(
-    default: float | None,
+    default: float | types.EllipsisType | None,
     meaning: str,
     *,
     source: str,
@@ -63,6 +72,7 @@ def quantity(
     below: float | None = None,
     unit: str = "",
     left_out: str = "",
+    model: str = "",
 ) -> Any:
     """Declare a number with its unit and range; `above` and `below` exclude the bound itself.
 
@@ -79,6 +89,7 @@ def quantity(
         source=source,
         left_out=left_out,
         unit=unit,
+        model=model,
         ge=least,
         gt=above,
         le=most,
@@ -93,11 +104,15 @@ def _plain(number: float | None) -> str:
     return str(int(number)) if number == int(number) else f"{number:g}"
 
 
-def section(default: Any, meaning: str) -> Any:
-    """Declare a table of keys; `default` is its class, or None where it may be left out."""
-    if default is None:
-        return Field(None, description=meaning)
-    return Field(default_factory=default, description=meaning)
+def section(default: Any, meaning: str, *, model: str = "") -> Any:
+    """Declare a table of keys; `default` is its class, or None where it may be left out.
+
+    `model` names the only model that has the table.
+    """
+    made: dict[str, Any] = {"description": " ".join([meaning, *_belonging(model)])}
+    if model:
+        made["json_schema_extra"] = {"model": model}
+    return Field(None, **made) if default is None else Field(default_factory=default, **made)
 
 
 def alternatives(annotation: Any) -> tuple[Any, ...]:

@@ -4,28 +4,16 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
 from nacreous.spec.complaint import Contradiction
 from nacreous.spec.key import key, quantity
+from nacreous.spec.medium import MEDIUM, NAMES, Medium, medium_of
 from nacreous.spec.section import Section, contradiction
 
 
-def _pair(value: Any) -> Any:
-    """TOML gives lists, models that cannot change hold tuples."""
-    return tuple(value) if isinstance(value, list) else value
-
-
-_N = Annotated[float, Field(gt=0, le=10)]
-_K = Annotated[float, Field(ge=0, le=10)]
-
-#: A refractive index: the number n, or the pair [n, k] of n + ik with exp(-i w t).
-Index = Annotated[_N | tuple[_N, _K], BeforeValidator(_pair)]
-_INDEX = "a number n above 0 to 10, or [n, k] with k from 0 to 10"
-
-
 class Nacre(Section):
-    """What all nacre has: the thickness of its protein layers and the indices of its two kinds."""
+    """What all nacre has: how thick its protein layers are, and what both kinds are made of."""
 
     protein_nm: float = quantity(
         20.0,
@@ -35,36 +23,39 @@ class Nacre(Section):
         unit="nm",
         source="paper 3.2.1, constant 20 nm",
     )
-    aragonite: Index = key(
+    aragonite: Medium = key(
         1.53,
-        "Refractive index of aragonite, n or [n, k] for n + ik.",
-        allowed=_INDEX,
+        "What the aragonite layers are: an index n, [n, k] for n + ik, the pair along and across "
+        "the layers, or a medium by name.",
+        allowed=MEDIUM,
+        examples=list(NAMES),
         source="paper 3.2.3, the value along the c-axis; about 1.683 is measured across it",
     )
-    protein: Index = key(
+    protein: Medium = key(
         1.43,
-        "Refractive index of the protein, n or [n, k] for n + ik.",
-        allowed=_INDEX,
+        "What the protein layers are, likewise.",
+        allowed=MEDIUM,
+        examples=list(NAMES),
         source="paper 3.2.3; 1.43 to 1.56 in later work",
     )
 
     @property
-    def aragonite_index(self) -> complex:
-        """The index of aragonite as n + ik."""
-        return _complex(self.aragonite)
+    def aragonite_medium(self) -> complex | tuple[complex, complex] | str:
+        """The aragonite as `nacreous.medium.Medium` has it: n + ik, (n_o, n_e) or a name.
+
+        >>> Layers(thickness_nm=[400.0], aragonite={"n_o": 1.683, "n_e": 1.53}).aragonite_medium
+        ((1.683+0j), (1.53+0j))
+        """
+        return medium_of(self.aragonite)
 
     @property
-    def protein_index(self) -> complex:
-        """The index of the protein as n + ik.
+    def protein_medium(self) -> complex | tuple[complex, complex] | str:
+        """The protein likewise.
 
-        >>> Layers(thickness_nm=[400.0], protein=[1.43, 0.01]).protein_index
+        >>> Layers(thickness_nm=[400.0], protein=[1.43, 0.01]).protein_medium
         (1.43+0.01j)
         """
-        return _complex(self.protein)
-
-
-def _complex(index: float | tuple[float, float]) -> complex:
-    return complex(*index) if isinstance(index, tuple) else complex(index)
+        return medium_of(self.protein)
 
 
 class Layers(Nacre):

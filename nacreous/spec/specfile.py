@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Self, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -14,6 +14,8 @@ from nacreous.spec.complaint import complaints, nearest, shown
 from nacreous.spec.key import FilePath, sections_in
 from nacreous.spec.section import Section
 from nacreous.spec.toml import to_toml
+
+Checked = TypeVar("Checked", bound=Section)
 
 
 class SpecFile(Section):
@@ -52,13 +54,7 @@ class SpecFile(Section):
                 raise InputError(
                     f"{where}: is a {other.preset_kind} file; wanted: a {cls.preset_kind} file"
                 )
-        _anchor(cls, values, folder)
-        overridden = override.apply(values, overrides)
-        try:
-            return cls.model_validate(values)
-        except ValidationError as error:
-            lines = complaints(error, cls, values, _placed(where, overridden))
-            raise InputError("\n".join(lines)) from None
+        return checked(cls, values, where, folder, overrides)
 
     @classmethod
     def known_keys(cls, values: dict[str, Any]) -> int:
@@ -73,6 +69,23 @@ class SpecFile(Section):
         True
         """
         return to_toml(self.model_dump(exclude_none=True))
+
+
+def checked(
+    model: type[Checked],
+    values: dict[str, Any],
+    where: str,
+    folder: Path,
+    overrides: Iterable[override.Override] = (),
+) -> Checked:
+    """Keys as a section, or an InputError with a line for each problem; `where` names the keys."""
+    _anchor(model, values, folder)
+    overridden = override.apply(values, overrides)
+    try:
+        return model.model_validate(values)
+    except ValidationError as error:
+        lines = complaints(error, model, values, _placed(where, overridden))
+        raise InputError("\n".join(lines)) from None
 
 
 def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path, str]:

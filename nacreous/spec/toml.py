@@ -47,6 +47,8 @@ def _written(value: Any) -> str:
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_written(item) for item in value) + "]"
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(_line(*item).rstrip() for item in value.items()) + " }"
     if isinstance(value, int | float):
         return repr(value)
     raise TypeError(f"TOML has no {type(value).__name__}")

@@ -1,7 +1,7 @@
 use crate::{
     ball::Hit,
     camera::{Camera, Ray},
-    pearl::Pearl,
+    pearl::{Pearl, Sight},
     pixel::Pixel,
     rgb::{self, Rgb},
     surroundings::Surroundings,
@@ -70,11 +70,17 @@ impl<'a> Eye<'a> {
     }
 
     fn pixel(&self, row: usize, column: usize, view: &mut View) -> Pixel {
-        let samples = self.offsets.len() * self.offsets.len();
-        for &down in &self.offsets {
-            for &aside in &self.offsets {
+        let side = self.offsets.len();
+        let smooth = self.is_smooth(row, column, view);
+        let weight = 1.0 / (if smooth { side } else { side * side }) as f64;
+        for (i, &down) in self.offsets.iter().enumerate() {
+            for (j, &aside) in self.offsets.iter().enumerate() {
+                if smooth && j != rook(i, side) {
+                    continue;
+                }
                 let (x, y) = self.place(row, column, down, aside);
-                self.sample(&self.camera.ray(x, y), 1.0 / samples as f64, view);
+                let part = if smooth { i } else { (i + j) % side };
+                self.sample(&self.camera.ray(x, y), (weight, part), view);
             }
         }
         let mut pixel = Pixel::of_surroundings(view.behind);
@@ -85,14 +91,25 @@ impl<'a> Eye<'a> {
         pixel
     }
 
+    /// Whether nothing but the inner disc of one pearl is seen whose light has no detail finer than a pixel:
+    /// then one sample in each row and column will do.
+    fn is_smooth(&self, row: usize, column: usize, view: &View) -> bool {
+        let [ball] = view.balls[..] else { return false };
+        let (x, y) = self.place(row, column, 0.0, 0.0);
+        let edge_mm = self.surroundings.balls[ball].radius_mm - 3.0 * self.pixel_mm[ball];
+        self.pearls[ball].is_smooth()
+            && self.surroundings.balls[ball].passing_mm(&self.camera.ray(x, y)) < edge_mm
+    }
+
     /// From front to back, each pearl covers what lies behind it.
-    fn sample(&self, ray: &Ray, weight: f64, view: &mut View) {
+    fn sample(&self, ray: &Ray, (weight, part): (f64, usize), view: &mut View) {
         self.meet(ray, view);
         let mut left = 1.0;
         for (place, hit) in &view.hits {
             let ball = view.balls[*place];
-            let (pearl, pixel_mm) = (&self.pearls[ball], self.pixel_mm[ball]);
-            let shade = pearl.shade(self.surroundings, ball, hit, -ray.along, pixel_mm);
+            let pixel_mm = self.pixel_mm[ball];
+            let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part };
+            let shade = self.pearls[ball].shade(self.surroundings, &sight);
             view.parts[*place].add(&shade, weight * left * hit.coverage);
             left *= 1.0 - hit.coverage;
             if left <= 0.0 {
@@ -130,6 +147,11 @@ struct View {
     behind: Rgb,
     /// Where the present line of sight meets them, by place in `balls`.
     hits: Vec<(usize, Hit)>,
+}
+
+/// Column of the one sample that is taken in row `i`, such that no column comes twice.
+fn rook(i: usize, side: usize) -> usize {
+    (2 * i + 1) % (side + usize::from(side % 2 == 0))
 }
 
 /// Positions of the samples along one side, in pixels from the pixel's middle, such that equal weights

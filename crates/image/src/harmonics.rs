@@ -1,48 +1,73 @@
-use glam::DVec3;
+//! Spherical harmonics: fields on the whole sphere as sums of waves.
+//!
+//! A real field of band limit L is
+//! `f(theta, phi) = sum over l of [a_l0 P_l0 + 2 Re sum over m > 0 of a_lm P_lm exp(i m phi)]`
+//! with orthonormal associated Legendre functions `P_lm(cos theta)`, the Condon-Shortley sign
+//! included. Colatitude counts from +z, longitude from +x to +y.
 
-use crate::rgb::{self, Rgb};
+mod analysis;
+mod fourier;
+mod legendre;
+mod place;
+mod synthesis;
 
-/// Linear RGB by direction, as far as nine spherical harmonics tell it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Harmonics([Rgb; 9]);
+pub use analysis::{analyse, directions_of_grid, point};
+pub(crate) use place::Place;
+pub use synthesis::synthesise;
 
-impl Harmonics {
-    pub(crate) const ZERO: Self = Self([[0.0; 3]; 9]);
+/// How many fields are summed together: hue, value and chroma.
+pub const CHANNELS: usize = 3;
 
-    /// What is nearest, in the mean square, to directions given as (direction, share of the sphere,
-    /// value); the shares add up to 1.
-    pub(crate) fn nearest_to(values: impl Iterator<Item = (DVec3, f64, Rgb)>) -> Self {
-        let mut coefficients = [[0.0; 3]; 9];
-        for (direction, share, value) in values {
-            for (sum, basis) in coefficients.iter_mut().zip(harmonics(direction)) {
-                rgb::add(sum, rgb::scaled(value, 4.0 * basis * share));
-            }
-        }
-        Self(coefficients)
-    }
-
-    /// The value in a direction, each harmonic times its weight.
-    pub(crate) fn at(&self, direction: DVec3, weights: &[f64; 9]) -> Rgb {
-        let mut value = [0.0; 3];
-        for ((coefficient, basis), weight) in self.0.iter().zip(harmonics(direction)).zip(weights) {
-            rgb::add(&mut value, rgb::scaled(*coefficient, basis * weight));
-        }
-        value
-    }
+/// The coefficients `a_lm` (0 <= m <= l <= band limit) of three real fields.
+#[derive(Clone, Debug)]
+pub struct Coefficients {
+    band_limit: usize,
+    /// Column m after column m - 1, each from l = m up: the order in which the sums walk.
+    values: Vec<[[f64; 2]; CHANNELS]>,
 }
 
-/// Real spherical harmonics of degree 0 to 2, times sqrt(pi).
-fn harmonics(d: DVec3) -> [f64; 9] {
-    let (a, b) = (3.0_f64.sqrt() / 2.0, 15.0_f64.sqrt() / 2.0);
-    [
-        0.5,
-        a * d.x,
-        a * d.y,
-        a * d.z,
-        b * d.x * d.y,
-        b * d.y * d.z,
-        b * d.z * d.x,
-        0.5 * b * (d.x * d.x - d.z * d.z),
-        5.0_f64.sqrt() / 4.0 * (3.0 * d.y * d.y - 1.0),
-    ]
+impl Coefficients {
+    /// All coefficients zero.
+    pub fn zero(band_limit: usize) -> Self {
+        let count = (band_limit + 1) * (band_limit + 2) / 2;
+        Self { band_limit, values: vec![[[0.0; 2]; CHANNELS]; count] }
+    }
+
+    /// The highest degree l.
+    pub fn band_limit(&self) -> usize {
+        self.band_limit
+    }
+
+    /// The (real, imaginary) coefficient of degree `l` and order `m` for each channel.
+    ///
+    /// The imaginary part at m = 0 has no meaning for a real field and is not used.
+    pub fn at_mut(&mut self, l: usize, m: usize) -> &mut [[f64; 2]; CHANNELS] {
+        let start = self.start(m);
+        &mut self.values[start + l - m]
+    }
+
+    /// The coefficient, as [`Self::at_mut`].
+    pub fn at(&self, l: usize, m: usize) -> [[f64; 2]; CHANNELS] {
+        self.values[self.start(m) + l - m]
+    }
+
+    /// Adds as much of another field's waves as `amounts` says for each channel.
+    pub fn add(&mut self, other: &Self, amounts: [f64; CHANNELS]) {
+        for (sum, wave) in self.values.iter_mut().zip(&other.values) {
+            for (channel, amount) in amounts.into_iter().enumerate() {
+                sum[channel][0] += amount * wave[channel][0];
+                sum[channel][1] += amount * wave[channel][1];
+            }
+        }
+    }
+
+    fn start(&self, m: usize) -> usize {
+        m * (2 * self.band_limit + 3 - m) / 2
+    }
+
+    /// Column m for l = m..=top.
+    pub(super) fn column(&self, m: usize, top: usize) -> &[[[f64; 2]; CHANNELS]] {
+        let start = self.start(m);
+        &self.values[start..=start + top - m]
+    }
 }

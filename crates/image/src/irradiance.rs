@@ -3,12 +3,10 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use crate::{
-    camera::Ray,
-    harmonics::Harmonics,
+    nine::Nine,
     rgb::Rgb,
     sky::{GRID_RAD, directions},
     surroundings::Surroundings,
-    window::Window,
 };
 
 /// The light of the surroundings, lamps apart, that falls on a matt surface by its normal: nine
@@ -17,33 +15,20 @@ use crate::{
 /// Taken at the pearl's centre: that the pearl itself hides part of the table from its own flanks is
 /// left out, but its shadow on the table is not. Other pearls hide what is behind them, and glow.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Irradiance(Harmonics);
+pub struct Irradiance(Nine);
 
 /// Rows of directions to sum over.
 const ROWS: u32 = 48;
-/// Between points of a window, and how finely each is looked at.
-const WINDOW_RAD: f64 = 0.05;
-const FINE_RAD: f64 = 1e-6;
 
 impl Irradiance {
     /// Sums up the light of `surroundings` around the ball of number `ball`.
     pub fn new(surroundings: &Surroundings, ball: usize) -> Self {
-        let from = surroundings.balls[ball].centre;
-        let seen = |windows: &[Window], along, spread_rad| {
-            surroundings.seen_with(windows, &Ray { from, along }, spread_rad, Some(ball)).radiance
-        };
-        let bare =
-            directions(ROWS).map(|(along, share)| (along, share, seen(&[], along, GRID_RAD)));
-        // A window may be small against the grid: what it adds is summed up over its own points.
-        let windows = surroundings.windows.iter().flat_map(|window| {
-            window.directions(from, WINDOW_RAD).map(|(along, solid)| {
-                let with = seen(std::slice::from_ref(window), along, FINE_RAD);
-                let without = seen(&[], along, WINDOW_RAD);
-                let more = std::array::from_fn(|i| with[i] - without[i]);
-                (along, solid / (4.0 * PI), more)
-            })
+        let bare = directions(ROWS).map(|(along, share)| {
+            (along, share, surroundings.seen_without_windows(ball, along, GRID_RAD))
         });
-        Self(Harmonics::nearest_to(bare.chain(windows)))
+        let windows = surroundings.window_points(ball);
+        let windows = windows.map(|(along, solid, more)| (along, solid / (4.0 * PI), more));
+        Self(Nine::nearest_to(bare.chain(windows)))
     }
 
     /// Radiance of a white matt surface with this normal.

@@ -14,6 +14,10 @@ pub struct Parameters {
     pub diffuse_loss: f64,
     /// Share of interference against body colour in the mixture.
     pub mixing: f64,
+    /// Depth of the outer nacre whose layers interfere, um: the transport model's share of what depth means.
+    pub outer_um: f64,
+    /// How far light wanders inside: its waves of degree l fade by exp(-l (l + 1) spread).
+    pub spread: f64,
     /// Standard deviation of the facets' lean.
     pub facet_spread_rad: f64,
     /// Share of the mirrored surroundings that the surface leaves clear.
@@ -35,6 +39,10 @@ impl Parameters {
             diffuse_loss: geometric(0.2, 0.03, depth),
             // Pale in the middle of the scale, where most pearls are; half interference at its end.
             mixing: 0.5 * libm::pow(depth, 1.5),
+            // From five layers to 250; at 0.6 the outer 50 um, of which the trade's reports speak.
+            outer_um: 2.0 + 98.0 * libm::pow(depth, 1.45),
+            // From a body nearly as matt as chalk, to one that shines with a seventh of its contrast.
+            spread: geometric(0.02, 1.0, depth),
             // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).
             facet_spread_rad: geometric(0.25, 0.012, shininess),
             mirror_weight: shininess.sqrt(),

@@ -3,7 +3,10 @@ use nacreous_colour::{
     matrix::apply, xyz_from_spectrum,
 };
 
-use crate::rgb::{self, Rgb};
+use crate::{
+    bands::{self, Bands, Palette, unit},
+    rgb::{self, Rgb},
+};
 
 /// A light of the scene: its spectrum and its strength.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +22,7 @@ pub struct Source {
 pub struct Light {
     /// Of unit luminance by wavelength, observer and the light inside together.
     weights: [[f64; SAMPLES]; 3],
+    white: Spectrum,
     observer: Observer,
     amount: f64,
     to_display: Matrix,
@@ -54,7 +58,7 @@ impl Light {
         let weights = observer.weights(if amount > 0.0 { &inside } else { &white })?;
         let white_xyz = xyz_from_spectrum(&observer.weights(&white)?, equal_energy.values());
         let to_display = adaptation(white_xyz, RgbSpace::Srgb.white_xyz())?;
-        Ok(Self { weights, observer, amount, to_display })
+        Ok(Self { weights, white, observer, amount, to_display })
     }
 
     /// Linear RGB of a white matt surface that faces a lamp, seen by a camera adapted to the scene.
@@ -77,6 +81,24 @@ impl Light {
         self.rgb_from_xyz(xyz_from_spectrum(&self.weights, spectrum))
     }
 
+    /// How RGB becomes light in bands and back.
+    pub fn palette(&self) -> Palette {
+        let column =
+            |i: usize| self.rgb_from_xyz(std::array::from_fn(|k| f64::from(u8::from(k == i))));
+        let columns = [0, 1, 2].map(column);
+        let to_rgb = [0, 1, 2].map(|row| columns.map(|column| column[row]));
+        Palette::new(&self.white, self.observer, &to_rgb)
+    }
+
+    /// Light of a lamp in bands, as sent back by a white matt surface that faces it.
+    ///
+    /// # Errors
+    /// A lamp without visible light.
+    pub fn bands(&self, lamp: &Source) -> Result<Bands, ColourError> {
+        let spectrum = unit(&lamp.spectrum, self.observer)?;
+        Ok(bands::sums(spectrum.values()).map(|power| power * lamp.intensity))
+    }
+
     fn rgb_from_xyz(&self, xyz: [f64; 3]) -> Rgb {
         RgbSpace::Srgb.rgb_from_xyz(apply(&self.to_display, xyz))
     }
@@ -89,13 +111,6 @@ fn mixture(lamps: &[Source], observer: Observer) -> Result<Spectrum, ColourError
         sum = &sum + &(&unit(&lamp.spectrum, observer)? * lamp.intensity);
     }
     Ok(sum)
-}
-
-/// The spectrum scaled to luminance 1.
-fn unit(spectrum: &Spectrum, observer: Observer) -> Result<Spectrum, ColourError> {
-    let [_, y, _] = nacreous_colour::xyz(spectrum, observer);
-    observer.weights(spectrum)?;
-    Ok(spectrum * (1.0 / y))
 }
 
 #[cfg(test)]

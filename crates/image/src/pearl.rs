@@ -2,13 +2,12 @@ use glam::DVec3;
 
 use crate::{
     ball::Hit,
-    camera::Ray,
-    facet::Facets,
+    glow::Glow,
     grain::texture::Texture,
-    irradiance::Irradiance,
+    illuminant::IlluminantPearl,
     rgb::{self, Rgb},
-    rings::Rings,
     surroundings::Surroundings,
+    transport::Transport,
 };
 
 /// How strongly the grain's textures act, per unit of texture and of lightness.
@@ -22,35 +21,49 @@ pub struct Grain {
     pub value: f64,
 }
 
-/// How the pearl answers to light, all of it known before the first pixel.
+/// A pearl in its place and light, all of it known before the first pixel.
 #[derive(Debug)]
 pub struct Pearl<'a> {
-    /// Interference colour by view angle.
-    pub rings: Rings,
-    /// Share of interference against body colour.
-    pub mixing: f64,
-    /// Share of light that the body sends back, linear RGB.
-    pub body_colour: Rgb,
-    /// Light of the surroundings, lamps apart, on every side of the pearl where it lies.
-    pub irradiance: Irradiance,
-    /// The surface.
-    pub facets: Facets,
-    /// Share of the mirrored surroundings that the surface leaves clear.
-    pub mirror_weight: f64,
-    /// Distance over which a mirrored thing fades to 1/e of its contrast with the backdrop.
-    pub falloff_mm: f64,
+    /// What it does with light.
+    pub model: Model,
     /// The grain over the sphere, if any.
     pub texture: Option<&'a Texture>,
     /// How strongly it acts.
     pub grain: Grain,
 }
 
+/// The two models of a pearl's light.
+#[derive(Debug)]
+pub enum Model {
+    /// The paper's of 1996.
+    Illuminant(IlluminantPearl),
+    /// Light through the film, into the pearl and out again.
+    Transport(Transport),
+}
+
+/// A point of a pearl under the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// The pearl's number among the balls.
+    pub ball: usize,
+    /// The point.
+    pub hit: Hit,
+    /// Towards the eye.
+    pub view: DVec3,
+    /// The width on the pearl that a pixel stands for.
+    pub pixel_mm: f64,
+    /// Which part of the light around this sample looks at: a pixel's samples, as many as stand along its
+    /// side, share it out. Any number.
+    pub part: usize,
+}
+
 /// The light of one point of the pearl, in parts.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Shade {
-    /// From the rings; depends on the view angle alone.
+    /// What interference does. In the model of 1996 the rings' light; in the transport model what the film's
+    /// colours add to light from inside, and take from it: there it may be negative.
     pub interference: Rgb,
-    /// From the body.
+    /// From the body; in the transport model light from inside, were the film without colour.
     pub diffuse: Rgb,
     /// Lamps and surroundings mirrored.
     pub mirror: Rgb,
@@ -59,68 +72,62 @@ pub struct Shade {
 }
 
 impl Pearl<'_> {
-    /// What goes from `hit` on the ball of number `ball` towards `view`. `pixel_mm` is the width that
-    /// it stands for on the pearl.
-    pub fn shade(
-        &self,
-        surroundings: &Surroundings,
-        ball: usize,
-        hit: &Hit,
-        view: DVec3,
-        pixel_mm: f64,
-    ) -> Shade {
-        let radius_mm = surroundings.balls[ball].radius_mm;
+    /// Whether it lights its table: the paper's pearl of 1996 does not.
+    pub fn gives_light(&self) -> bool {
+        matches!(self.model, Model::Transport(_))
+    }
+
+    /// Whether its light has no detail that is finer than a pixel.
+    pub(crate) fn is_smooth(&self) -> bool {
+        matches!(self.model, Model::Transport(_))
+    }
+
+    /// What goes from the point towards the eye.
+    pub fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+        let radius_mm = surroundings.balls[sight.ball].radius_mm;
         let texture = self.texture.map_or([0.0; 3], |texture| {
-            texture.at(hit.normal, pixel_mm / radius_mm).map(f64::from)
+            texture.at(sight.hit.normal, sight.pixel_mm / radius_mm).map(f64::from)
         });
-        Shade {
-            interference: rgb::scaled(self.rings.colour(hit.cos_view), self.mixing),
-            diffuse: rgb::scaled(self.body(surroundings, ball, hit), 1.0 - self.mixing),
-            mirror: self.mirror(surroundings, ball, hit, view, pixel_mm),
-            texture,
-        }
-    }
-
-    /// Lambert's law in the body colour.
-    fn body(&self, surroundings: &Surroundings, ball: usize, hit: &Hit) -> Rgb {
-        let mut light = self.irradiance.at(hit.normal);
-        for lamp in &surroundings.lamps {
-            let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
-            rgb::add(&mut light, rgb::scaled(lamp.matt(hit.point, hit.normal), past));
-        }
-        rgb::times(self.body_colour, light)
-    }
-
-    /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
-    fn mirror(
-        &self,
-        surroundings: &Surroundings,
-        ball: usize,
-        hit: &Hit,
-        view: DVec3,
-        pixel_mm: f64,
-    ) -> Rgb {
-        let along = 2.0 * hit.cos_view * hit.normal - view;
-        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
-        // a slanted surface turns it faster.
-        let spread_rad =
-            2.0 * pixel_mm / surroundings.balls[ball].radius_mm / hit.cos_view.max(0.02);
-        let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
-        let clear = libm::exp(-seen.distance_mm / self.falloff_mm);
-        let faded = if clear < 1.0 && seen.distance_mm.is_finite() {
-            rgb::mix(surroundings.backdrop(along, spread_rad), seen.radiance, clear)
-        } else {
-            seen.radiance
+        let shade = match &self.model {
+            Model::Illuminant(model) => model.shade(surroundings, sight),
+            Model::Transport(model) => model.shade(surroundings, sight),
         };
-        let mut mirrored =
-            rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
-        for lamp in &surroundings.lamps {
-            let image = lamp.image(&self.facets, hit.point, hit.normal, view);
-            if image > 0.0 {
-                let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
-                rgb::add(&mut mirrored, rgb::scaled(lamp.brightness, image * past));
-            }
-        }
-        mirrored
+        Shade { texture, ..shade }
     }
+
+    /// The mean light of the pearl's disc as its neighbours see it, from all around.
+    pub fn glow(&self, surroundings: &Surroundings, ball: usize) -> Glow {
+        let radius_mm = surroundings.balls[ball].radius_mm;
+        Glow::from_fn(|towards| {
+            // Mirrored scenes shall have mirrored glows.
+            let y = (DVec3::Y - towards * towards.y).normalize_or(DVec3::X);
+            let x = y.cross(towards);
+            let mut sum = [0.0; 3];
+            for part in 0..RINGS * SPOKES {
+                let [across, up] = on_disc(part);
+                let cos_view = (1.0 - across * across - up * up).sqrt();
+                let normal = x * across + y * up + towards * cos_view;
+                let point = surroundings.balls[ball].centre + normal * radius_mm;
+                let hit = Hit { point, normal, cos_view, coverage: 1.0 };
+                let pixel_mm = 0.2 * radius_mm;
+                let sight = Sight { ball, hit, view: towards, pixel_mm, part };
+                let shade = self.shade(surroundings, &sight);
+                for light in [shade.interference, shade.diffuse, shade.mirror] {
+                    rgb::add(&mut sum, rgb::scaled(light, 1.0 / (RINGS * SPOKES) as f64));
+                }
+            }
+            sum
+        })
+    }
+}
+
+/// Rings of equal area, with so many points each, that stand for the disc.
+const RINGS: usize = 4;
+const SPOKES: usize = 16;
+
+fn on_disc(point: usize) -> [f64; 2] {
+    let (ring, spoke) = (point / SPOKES, point % SPOKES);
+    let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
+    let (sin, cos) = libm::sincos(std::f64::consts::TAU * (spoke as f64 + 0.5) / SPOKES as f64);
+    [radius * cos, radius * sin]
 }

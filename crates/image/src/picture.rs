@@ -35,7 +35,7 @@ impl Progress {
     }
 
     /// What turns true with the wish to stop.
-    pub(crate) fn stop_flag(&self) -> &AtomicBool {
+    pub fn stop_flag(&self) -> &AtomicBool {
         &self.stop
     }
 

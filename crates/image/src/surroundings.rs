@@ -110,6 +110,26 @@ impl Surroundings {
         self.seen_with(&self.windows, ray, spread_rad, from)
     }
 
+    /// What the middle of a ball would see, were there no windows.
+    pub(crate) fn seen_without_windows(&self, ball: usize, along: DVec3, spread_rad: f64) -> Rgb {
+        let ray = Ray { from: self.balls[ball].centre, along };
+        self.seen_with(&[], &ray, spread_rad, Some(ball)).radiance
+    }
+
+    /// What windows add to that, at points all over them: (direction, solid angle, radiance). For sums over
+    /// all directions, whose grid may be coarse against a window.
+    pub(crate) fn window_points(&self, ball: usize) -> impl Iterator<Item = (DVec3, f64, Rgb)> {
+        let from = self.balls[ball].centre;
+        self.windows.iter().flat_map(move |window| {
+            window.directions(from, WINDOW_RAD).map(move |(along, solid)| {
+                let (ray, this) = (Ray { from, along }, std::slice::from_ref(window));
+                let with = self.seen_with(this, &ray, FINE_RAD, Some(ball)).radiance;
+                let without = self.seen_without_windows(ball, along, WINDOW_RAD);
+                (along, solid, std::array::from_fn(|i| with[i] - without[i]))
+            })
+        })
+    }
+
     /// The same as if these were the windows.
     pub(crate) fn seen_with(
         &self,
@@ -304,6 +324,10 @@ impl Surroundings {
         Some((rgb::times(walls.colour, light), distance_mm))
     }
 }
+
+/// Between points of a window, and how finely each is looked at.
+const WINDOW_RAD: f64 = 0.05;
+const FINE_RAD: f64 = 1e-6;
 
 /// Beyond this a flat table is one colour; it keeps a ray along the horizon finite.
 const FOOTPRINT_LIMIT_MM: f64 = 1e6;

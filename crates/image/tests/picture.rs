@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, RgbSpace, SAMPLES, delta_e_2000, lab_from_xyz};
 use nacreous_image::{
-    Ball, CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, PARTS, Pearl, Place, Progress,
-    Projection, Rings, Sky, Source, Surroundings, Table, direction, render,
+    Ball, CHANNELS, Camera, Facets, Grain, IlluminantPearl, Irradiance, Lamp, Light, Model, PARTS,
+    Pearl, Place, Progress, Projection, Rings, Sky, Source, Surroundings, Table, direction, render,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Season};
 use nacreous_optics::IlluminantModel;
@@ -56,7 +56,7 @@ impl Set {
         let light = light(&vec![source(1.0); places.len()], sky);
         let lamps = places.iter().map(|&place| {
             let brightness = light.brightness(&source(1.0)).unwrap();
-            Lamp::new(place, 0.05, brightness).resolved_for(&facets)
+            Lamp::new(place, 0.05, brightness).resolved_for(&facets.relief)
         });
         let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();
         let even = Sky::Gradient { horizon: [sky; 3], zenith: [sky; 3] };
@@ -66,7 +66,16 @@ impl Set {
     }
 
     fn pearl(&self) -> Pearl<'static> {
-        Pearl {
+        Self::with(self.model())
+    }
+
+    fn with(model: IlluminantPearl) -> Pearl<'static> {
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
+        Pearl { model: Model::Illuminant(model), texture: None, grain }
+    }
+
+    fn model(&self) -> IlluminantPearl {
+        IlluminantPearl {
             rings: self.rings.clone(),
             mixing: 0.3,
             body_colour: [0.8, 0.75, 0.7],
@@ -74,8 +83,6 @@ impl Set {
             facets: self.facets,
             mirror_weight: 1.0,
             falloff_mm: 40.0,
-            texture: None,
-            grain: Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 },
         }
     }
 
@@ -140,7 +147,7 @@ fn a_mirrored_table_fades_with_distance() {
     let camera = Camera::new(Projection::Orthographic, 0.1, 0.0, FIELD_MM);
     let mirrored = |table, falloff_mm: f64| -> Vec<f32> {
         let set = Set::new(&[], table, 0.5, Facets::new(0.05, 1.53, 0.1));
-        let pearl = Pearl { falloff_mm, ..set.pearl() };
+        let pearl = Set::with(IlluminantPearl { falloff_mm, ..set.model() });
         let pixels = render(&[pearl], &set.surroundings, &camera, SIZE, 2, &Progress::default());
         part(&pixels.unwrap(), "mirror").map(|mirror| mirror[1]).collect()
     };

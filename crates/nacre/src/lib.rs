@@ -1,8 +1,8 @@
 //! What a pearl is made of: layers of aragonite, each with a thin protein layer below it, grown
 //! day by day around a nucleus.
 //!
-//! In scope: a validated stack of layers ([`LayerStack`]), refractive indices ([`Index`]) and media ([`Medium`]) and the
-//! growth of section 3.2.1 of the paper of 1996 ([`Growth`]). Out of scope: what light does in it
+//! In scope: a validated stack of layers ([`LayerStack`]), refractive indices ([`Index`]), media ([`Medium`]) and
+//! pigments ([`Pigment`]), and the growth of section 3.2.1 of the paper of 1996 ([`Growth`]). Out of scope: what light does in it
 //! (`nacreous-optics`), calendars (days are counted from the day of seeding) and files.
 //!
 //! Same seed, same stack, on every platform: the noise is `ChaCha8` and the bell curve is computed by
@@ -13,6 +13,7 @@ mod error;
 mod growth;
 mod index;
 mod medium;
+mod pigment;
 mod season;
 mod stack;
 
@@ -20,5 +21,6 @@ pub use error::NacreError;
 pub use growth::{Deposit, Diary, Growth};
 pub use index::Index;
 pub use medium::{Medium, Principal};
+pub use pigment::Pigment;
 pub use season::Season;
 pub use stack::{LayerStack, MAX_LAYERS, Thickness};

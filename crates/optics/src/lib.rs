@@ -1,6 +1,6 @@
 //! What light does in nacre: Fresnel's equations at one boundary ([`fresnel`]), the exact reflectance and
 //! transmittance of a whole stack ([`TransferModel`]), and the interference of light spread through the
-//! whole nacre, after the paper of 1996 ([`IlluminantModel`]).
+//! whole nacre, after the paper of 1996 ([`IlluminantModel`]); and what scatters ([`kubelka_munk`]).
 //!
 //! In scope: a stack of layers in, numbers by angle and wavelength out. Out of scope: colour, pictures.
 //!
@@ -27,6 +27,7 @@ mod phase;
 mod real;
 mod sight;
 mod transfer;
+mod turbid;
 mod wave;
 mod window;
 
@@ -35,4 +36,5 @@ pub use error::OpticsError;
 pub use fresnel::{Fresnel, fresnel};
 pub use illuminant::IlluminantModel;
 pub use transfer::{Energies, Precision, TransferModel};
+pub use turbid::kubelka_munk;
 pub use wave::Polarisation;

@@ -58,6 +58,10 @@ impl Wave {
     /// with its axis along the normal: along = sqrt(n_o^2 - s^2) in s and n_o sqrt(1 - s^2 / n_e^2) in p,
     /// s = n_ambient sin; on the branch that decays, or runs away, from the boundary.
     ///
+    /// In a passive medium n_o, sqrt(n_e^2 - s^2) and sqrt(1 - s^2 / n_e^2) all lie in the first quadrant, so
+    /// the last times n_o is that branch as it stands. To choose again by the sign of its imaginary part
+    /// would be wrong where that is 0 but for rounding: the wave would run towards the boundary.
+    ///
     /// Written with n^2 - n_ambient^2 + along^2 and not n^2 - s^2, so that equal media stay invisible up
     /// to grazing.
     #[inline(always)]
@@ -74,8 +78,10 @@ impl Wave {
             let along = beside(ordinary);
             return Self { along, admittance: along };
         }
-        let along = away(ordinary / extraordinary * beside(extraordinary));
-        Self { along, admittance: ordinary * ordinary / along }
+        let mut along = ordinary / extraordinary * beside(extraordinary);
+        let admittance = ordinary * ordinary / along;
+        along.im = if along.im > 0.0 { along.im } else { 0.0 };
+        Self { along, admittance }
     }
 }
 
@@ -101,6 +107,37 @@ fn root(square: Complex64) -> Complex64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_passive_medium_takes_energy_in() {
+        let medium = |re, im| Complex64::new(re, im);
+        let vacuum = medium(1.0, 0.0);
+        for (ordinary, extraordinary) in [
+            (medium(1.0, 0.0), medium(0.05078125, 1.0)),
+            (medium(1.68, 0.0), medium(0.1, 3.0)),
+            (medium(0.001, 4.0), medium(1.5, 0.0)),
+            (medium(0.001, 4.0), medium(0.5, 0.0)),
+            (medium(0.05, 4.0), medium(0.5, 0.0)),
+        ] {
+            for cos_angle in [1.0, 0.9, 0.5, 1e-9] {
+                let pair = (ordinary, extraordinary);
+                let incident = Wave::incident(Plane::P, vacuum, cos_angle).along;
+                let wave = Wave::refracted(Plane::P, pair, vacuum, incident);
+                let size = wave.admittance.norm();
+                assert!(wave.admittance.re >= -4e-16 * size, "{pair:?} {cos_angle} {wave:?}");
+                assert!(wave.along.im >= 0.0);
+            }
+        }
+    }
+
+    /// Head on there is no extraordinary wave: n_e plays no part.
+    #[test]
+    fn head_on_both_polarisations_are_ordinary() {
+        let (ordinary, extraordinary) = (Complex64::ONE, Complex64::new(0.05078125, 1.0));
+        let wave = Wave::refracted(Plane::P, (ordinary, extraordinary), ordinary, ordinary);
+        assert!((wave.along - 1.0).norm() < 1e-15);
+        assert!((wave.admittance - 1.0).norm() < 1e-15);
+    }
 
     #[test]
     fn the_root_squares_to_its_square() {

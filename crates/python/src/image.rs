@@ -3,80 +3,20 @@
 use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    Ball, CHANNELS, Camera, Facets, Grain, Irradiance, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters,
-    Pearl, Progress, Rings, Source, Surroundings, eight_bit, grain, spread_glare,
+    Ball, Bands, CHANNELS, Camera, Glow, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters,
+    Pearl, Progress, Source, Surroundings, eight_bit, spread_glare,
 };
-use nacreous_optics::IlluminantModel;
+use nacreous_optics::OpticsError;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::{prelude::*, types::PyDict};
 use rayon::prelude::*;
 
 use crate::{
-    InputError,
-    nacre::Stack,
-    refused,
-    spec::{LampSpec, PearlSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec, WindowSpec},
-    texture::Texture,
+    InputError, refused,
+    spec::{LampSpec, PlaceSpec, SceneSpec, TableSpec, WallsSpec, WindowSpec},
+    subject::{Around, PearlGiven, Prepared, Subject},
     watched::{broken_off, watched},
 };
-
-/// A pearl as image.py hands it over: its look, its layers, its grain.
-type PearlGiven<'py> = (PearlSpec, PyRef<'py, Stack>, Option<PyRef<'py, Texture>>);
-
-/// A pearl before its light is known.
-struct Subject<'a> {
-    look: PearlSpec,
-    model: IlluminantModel,
-    stack: nacreous_nacre::LayerStack,
-    facets: Facets,
-    texture: Option<&'a grain::texture::Texture>,
-}
-
-impl<'a> Subject<'a> {
-    fn new((look, stack, texture): &'a PearlGiven<'_>) -> PyResult<Self> {
-        let index = stack.0.aragonite().index("aragonite").map_err(refused)?.n();
-        Ok(Self {
-            look: *look,
-            model: IlluminantModel {
-                coherence_nm: look.coherence_nm,
-                threshold: look.threshold,
-                diffuse_loss: look.diffuse_loss,
-            },
-            stack: stack.0.clone(),
-            facets: Facets::new(look.facet_spread_rad, index, look.layer_reflectance),
-            texture: texture.as_ref().map(|texture| &texture.0),
-        })
-    }
-
-    /// The pearl in its light, but for the place where it lies; `None` once `progress` says to stop.
-    fn rings(
-        &self,
-        light: &Light,
-        progress: &Progress,
-    ) -> Result<Option<Rings>, nacreous_optics::OpticsError> {
-        Rings::new(&self.stack, &self.model, light, progress)
-    }
-
-    /// The pearl as it lies as the ball of number `ball`.
-    fn pearl(&self, rings: &Rings, surroundings: &Surroundings, ball: usize) -> Pearl<'a> {
-        let look = &self.look;
-        Pearl {
-            rings: rings.clone(),
-            mixing: look.mixing,
-            body_colour: look.body_colour,
-            irradiance: Irradiance::new(surroundings, ball),
-            facets: self.facets,
-            mirror_weight: look.mirror_weight,
-            falloff_mm: look.falloff_mm,
-            texture: self.texture,
-            grain: Grain {
-                hue_rad: look.hue_weight,
-                chroma: look.chroma_weight,
-                value: look.value_weight,
-            },
-        }
-    }
-}
 
 /// Everything that a render needs, in the types of the rooms.
 struct Job<'a> {
@@ -84,6 +24,9 @@ struct Job<'a> {
     /// Which of them lies in each place.
     places: Vec<usize>,
     light: Light,
+    palette: Palette,
+    /// Power of each lamp, by band.
+    lamp_bands: Vec<Bands>,
     surroundings: Surroundings,
     camera: Camera,
     size_px: usize,
@@ -91,20 +34,43 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    fn run(self, progress: &Progress) -> Result<Option<Vec<f32>>, nacreous_optics::OpticsError> {
-        let mut rings = Vec::new();
+    fn run(mut self, progress: &Progress) -> Result<Option<Vec<f32>>, OpticsError> {
+        let mut films = Vec::new();
         for subject in &self.subjects {
-            match subject.rings(&self.light, progress)? {
-                Some(found) => rings.push(found),
+            match subject.prepared(&self.light, progress)? {
+                Some(found) => films.push(found),
                 None => return Ok(None),
             }
         }
-        let pearls = self.places.par_iter().enumerate().map(|(ball, &subject)| {
-            self.subjects[subject].pearl(&rings[subject], &self.surroundings, ball)
-        });
-        let pearls: Vec<Pearl<'_>> = pearls.collect();
+        let pearls = self.pearls(&films);
+        // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
+        let alone = pearls.len() == 1;
+        let glow = |(ball, pearl): (usize, &Pearl<'_>)| {
+            let gives = pearl.gives_light() || !alone;
+            if gives { pearl.glow(&self.surroundings, ball) } else { Glow::BLACK }
+        };
+        let glows: Vec<Glow> = pearls.par_iter().enumerate().map(glow).collect();
+        drop(pearls);
+        for (ball, glow) in glows.into_iter().enumerate() {
+            self.surroundings.set_glow(ball, glow);
+        }
+        let (pearls, around) = (self.pearls(&films), &self.surroundings);
         let (size, side) = (self.size_px, self.samples_side);
-        Ok(nacreous_image::render(&pearls, &self.surroundings, &self.camera, size, side, progress))
+        Ok(nacreous_image::render(&pearls, around, &self.camera, size, side, progress))
+    }
+
+    /// The pearls in their places, in the light that there is.
+    fn pearls(&self, prepared: &[Prepared]) -> Vec<Pearl<'_>> {
+        let scene = Around {
+            surroundings: &self.surroundings,
+            palette: &self.palette,
+            lamps: &self.lamp_bands,
+            samples_side: self.samples_side,
+        };
+        let places = self.places.par_iter().enumerate();
+        places
+            .map(|(ball, &subject)| self.subjects[subject].pearl(&prepared[subject], &scene, ball))
+            .collect()
     }
 }
 
@@ -129,13 +95,13 @@ fn job<'a>(
     // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
     let sharpest = subjects
         .iter()
-        .map(|subject| &subject.facets)
+        .map(|subject| subject.relief)
         .min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
         let lamp = Lamp::new(spec.place(), spec.angular_radius_rad, brightness);
         Ok(match sharpest {
-            Some(facets) => lamp.resolved_for(facets),
+            Some(relief) => lamp.resolved_for(&relief),
             None => lamp,
         })
     };
@@ -149,14 +115,29 @@ fn job<'a>(
     let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
     let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
     let surroundings = Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows);
-    Ok(Job { subjects, places, light, surroundings, camera, size_px, samples_side })
+    let (palette, lamp_bands) = (light.palette(), lamp_bands(&light, &sources)?);
+    Ok(Job {
+        subjects,
+        places,
+        light,
+        palette,
+        lamp_bands,
+        surroundings,
+        camera,
+        size_px,
+        samples_side,
+    })
+}
+
+fn lamp_bands(light: &Light, sources: &[Source]) -> PyResult<Vec<Bands>> {
+    sources.iter().map(|source| light.bands(source).map_err(refused)).collect()
 }
 
 /// The pearls' shapes in their places.
 fn balls(subjects: &[Subject<'_>], scene: &SceneSpec<'_>) -> Vec<Ball> {
     let ball = |place: &PlaceSpec| Ball {
         centre: DVec3::from(place.centre_mm),
-        ..Ball::alone(0.5 * subjects[place.pearl].look.diameter_mm)
+        ..Ball::alone(0.5 * subjects[place.pearl].diameter_mm)
     };
     scene.places.iter().map(ball).collect()
 }
@@ -232,6 +213,8 @@ pub fn parameters(
     let named = PyDict::new(py);
     named.set_item("diffuse_loss", p.diffuse_loss)?;
     named.set_item("mixing", p.mixing)?;
+    named.set_item("outer_um", p.outer_um)?;
+    named.set_item("spread", p.spread)?;
     named.set_item("facet_spread_rad", p.facet_spread_rad)?;
     named.set_item("mirror_weight", p.mirror_weight)?;
     named.set_item("hue_weight", p.hue_weight)?;

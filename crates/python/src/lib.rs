@@ -4,6 +4,7 @@
 
 use pyo3::prelude::*;
 
+mod body;
 mod colour;
 mod file;
 mod image;
@@ -12,6 +13,7 @@ mod nacre;
 mod optics;
 mod scaling;
 mod spec;
+mod subject;
 mod texture;
 mod watched;
 
@@ -25,6 +27,8 @@ fn refused(error: impl std::fmt::Display) -> PyErr {
 /// The compiled rooms of nacreous.
 #[pymodule]
 mod _core {
+    #[pymodule_export]
+    use super::body::{kubelka_munk, pigment_absorption, pigments, smooth_reflectance};
     #[pymodule_export]
     use super::colour::{
         adapt_xyz, decode_rgb, delta_e_2000, encode_rgb, hvc_from_rgb, hvc_from_xyz,

@@ -10,25 +10,6 @@ use pyo3::prelude::*;
 
 use crate::refused;
 
-/// How the pearl looks: numbers as in a pearl file, knobs resolved.
-#[derive(FromPyObject, Clone, Copy)]
-#[pyo3(from_item_all)]
-pub struct PearlSpec {
-    pub diameter_mm: f64,
-    pub body_colour: Rgb,
-    pub coherence_nm: f64,
-    pub threshold: f64,
-    pub diffuse_loss: f64,
-    pub mixing: f64,
-    pub facet_spread_rad: f64,
-    pub layer_reflectance: f64,
-    pub mirror_weight: f64,
-    pub falloff_mm: f64,
-    pub hue_weight: f64,
-    pub chroma_weight: f64,
-    pub value_weight: f64,
-}
-
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct CameraSpec {

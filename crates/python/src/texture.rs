@@ -1,8 +1,8 @@
 //! The door to grain spectra and textures.
 
 use glam::DVec3;
-use nacreous_image::grain::harmonics::{Coefficients, synthesise};
 use nacreous_image::grain::spectrum::GrainSpectrum;
+use nacreous_image::harmonics::{Coefficients, synthesise};
 use num_complex::Complex64;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,

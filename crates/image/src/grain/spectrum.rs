@@ -5,7 +5,7 @@
 //! a patch of 64 x 64 pixels knows about the whole sphere is its statistics, not its pixels. Phases and
 //! the direction of the stripes are lost.
 
-use crate::grain::harmonics::CHANNELS;
+use crate::harmonics::CHANNELS;
 use std::f64::consts::PI;
 use thiserror::Error;
 

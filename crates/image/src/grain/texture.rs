@@ -7,9 +7,9 @@
 //! radius R, which is good to a part in l (flat-sky relation of cosmologists); phases are random, so
 //! the stripes of terraces come out as short as their spectrum leaves them.
 
-use crate::grain::harmonics::{CHANNELS, Coefficients};
-use crate::grain::level::{Level, Place};
+use crate::grain::level::Level;
 use crate::grain::spectrum::{GrainError, GrainSpectrum};
+use crate::harmonics::{CHANNELS, Coefficients, Place};
 use glam::{DVec3, Vec3A};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};

@@ -1,62 +1,20 @@
-//! Spherical harmonics: from coefficients to a field on the whole sphere, in one Legendre pass.
+//! From coefficients to a field on the whole sphere, in one Legendre pass.
 //!
-//! A real field of band limit L is
-//! `f(theta, phi) = sum over l of [a_l0 P_l0 + 2 Re sum over m > 0 of a_lm P_lm exp(i m phi)]`
-//! with orthonormal associated Legendre functions `P_lm(cos theta)`, the Condon-Shortley sign
-//! included. Rings of constant colatitude share their Legendre functions: they are summed over l
+//! Rings of constant colatitude share their Legendre functions: they are summed over l
 //! first, and one Fourier transform per ring finishes the work. A ring and its mirror image in the
 //! equator differ by the sign of the odd l - m only, so that both come from the same two sums, and
 //! travel through the transform as the real and the imaginary part of one signal.
 
-use crate::grain::fourier::{InverseTransform, Signal};
-use crate::grain::legendre::{LANES, Lanes, Recursion, Scaled, legendre};
+use super::{
+    CHANNELS, Coefficients,
+    fourier::{InverseTransform, Signal},
+    legendre::{LANES, Lanes, Recursion, Scaled, legendre},
+};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// How many fields are summed together: hue, value and chroma.
-pub const CHANNELS: usize = 3;
-
 /// Groups of `LANES` ring pairs that share the walk through the coefficients, which is long.
 const GROUPS: usize = 4;
-
-/// The coefficients `a_lm` (0 <= m <= l <= band limit) of three real fields.
-#[derive(Clone, Debug)]
-pub struct Coefficients {
-    band_limit: usize,
-    /// Column m after column m - 1, each from l = m up: the order in which the sums walk.
-    values: Vec<[[f64; 2]; CHANNELS]>,
-}
-
-impl Coefficients {
-    /// All coefficients zero.
-    pub fn zero(band_limit: usize) -> Self {
-        let count = (band_limit + 1) * (band_limit + 2) / 2;
-        Self { band_limit, values: vec![[[0.0; 2]; CHANNELS]; count] }
-    }
-
-    /// The highest degree l.
-    pub fn band_limit(&self) -> usize {
-        self.band_limit
-    }
-
-    /// The (real, imaginary) coefficient of degree `l` and order `m` for each channel.
-    ///
-    /// The imaginary part at m = 0 has no meaning for a real field and is not used.
-    pub fn at_mut(&mut self, l: usize, m: usize) -> &mut [[f64; 2]; CHANNELS] {
-        let start = self.start(m);
-        &mut self.values[start + l - m]
-    }
-
-    fn start(&self, m: usize) -> usize {
-        m * (2 * self.band_limit + 3 - m) / 2
-    }
-
-    /// Column m for l = m..=top.
-    fn column(&self, m: usize, top: usize) -> &[[[f64; 2]; CHANNELS]] {
-        let start = self.start(m);
-        &self.values[start..=start + top - m]
-    }
-}
 
 /// Fills `grid` with the fields of degree up to `top`, on `rows` rows and twice as many columns.
 ///

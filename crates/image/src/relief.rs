@@ -1,0 +1,306 @@
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::DVec3;
+
+/// The surface's relief: microscopic facets that lean about the normal and mirror, each by itself.
+///
+/// What a facet mirrors is up to whoever asks: shares here are those of perfect mirrors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Relief {
+    shape: Shape,
+    /// Density at the normal, for facets whose areas projected on the surface add up to it.
+    density_at_normal: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Shape {
+    /// Torrance and Sparrow 1967: leans spread as a Gaussian, V-shaped grooves shadow and mask.
+    Grooves { spread_rad: f64 },
+    /// Walter and others 2007: GGX with Smith's shadowing and masking, each direction by itself.
+    Ggx { alpha: f64 },
+}
+
+/// A facet that shows a direction of light to the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glint {
+    /// Radiance towards the eye for light of unit irradiance across itself, were facets perfect mirrors.
+    pub share: f64,
+    /// Cosine of the angle of incidence on the facet.
+    pub cos_half: f64,
+}
+
+/// Where a draw of facets falls, wherever the eye is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Draw {
+    /// Grooves: the facet's normal. GGX: a point of the unit disc.
+    place: DVec3,
+    /// Grooves: facets by solid angle there.
+    density: f64,
+}
+
+/// A facet that the eye sees, drawn from all those it sees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Facet {
+    /// Where the mirrored light comes from, in the frame of [`Relief::facet`].
+    pub light: DVec3,
+    /// How much it counts; its mean over all drawn is the share that leaves after one facet.
+    pub weight: f64,
+    /// Cosine of the angle of incidence on the facet.
+    pub cos_half: f64,
+    /// Draws for each unit of solid angle of `light`, over the number of draws.
+    pub density: f64,
+}
+
+impl Relief {
+    /// Torrance and Sparrow's facets; `spread_rad` from 0.002 to 0.7 is the standard deviation of the lean.
+    pub fn grooves(spread_rad: f64) -> Self {
+        let mut relief = Self { shape: Shape::Grooves { spread_rad }, density_at_normal: 1.0 };
+        relief.density_at_normal = 1.0 / relief.projected_area();
+        relief
+    }
+
+    /// GGX facets; `alpha` from 0.002 to 1 is about the root of two times the slopes' spread.
+    pub fn ggx(alpha: f64) -> Self {
+        Self { shape: Shape::Ggx { alpha }, density_at_normal: 1.0 / (PI * alpha * alpha) }
+    }
+
+    /// The lean that stands for the width of a lobe.
+    pub fn spread_rad(&self) -> f64 {
+        match self.shape {
+            Shape::Grooves { spread_rad } => spread_rad,
+            Shape::Ggx { alpha } => alpha * std::f64::consts::FRAC_1_SQRT_2,
+        }
+    }
+
+    /// The lean beyond which [`Self::mirrored`] is under a millionth (GGX: a thousandth) of its peak.
+    pub fn reach_rad(&self) -> f64 {
+        match self.shape {
+            Shape::Grooves { spread_rad } => 5.3 * spread_rad,
+            // (tan / alpha)^2 + 1 = sqrt(1000) or so
+            Shape::Ggx { alpha } => libm::atan(5.5 * alpha),
+        }
+    }
+
+    /// The facet that mirrors `light` to `view`, both unit vectors outward; `None` behind the surface.
+    ///
+    /// D G / (4 cos_view): the cosine of incidence of the microfacet formula cancels against that of the
+    /// irradiance.
+    pub fn mirrored(&self, normal: DVec3, view: DVec3, light: DVec3) -> Option<Glint> {
+        let (cos_view, cos_light) = (normal.dot(view), normal.dot(light));
+        if cos_view <= 0.0 || cos_light <= 0.0 {
+            return None;
+        }
+        let half = (view + light).normalize();
+        let (cos_lean, cos_half) = (normal.dot(half).min(1.0), view.dot(half).max(1e-12));
+        let seen = match self.shape {
+            // Shadowing and masking over cos_view in one, so that grazing views do not divide by zero.
+            Shape::Grooves { .. } => {
+                let masked = 2.0 * cos_lean / cos_half;
+                (1.0 / cos_view).min(masked).min(masked * cos_light / cos_view)
+            }
+            Shape::Ggx { alpha } => {
+                smith_over_cosine(alpha, cos_view) * smith_over_cosine(alpha, cos_light) * cos_light
+            }
+        };
+        Some(Glint { share: 0.25 * self.density(cos_lean) * seen, cos_half })
+    }
+
+    /// Facets by solid angle.
+    fn density(&self, cos_lean: f64) -> f64 {
+        match self.shape {
+            Shape::Grooves { spread_rad } => {
+                let lean = libm::acos(cos_lean) / spread_rad;
+                self.density_at_normal * libm::exp(-0.5 * lean * lean)
+            }
+            Shape::Ggx { alpha } => {
+                let narrow = 1.0 - cos_lean * cos_lean * (1.0 - alpha * alpha);
+                alpha * alpha / (PI * narrow * narrow)
+            }
+        }
+    }
+
+    /// The integral of density cos(lean) over the hemisphere, by the midpoint rule in the lean.
+    fn projected_area(&self) -> f64 {
+        const STEPS: u32 = 4096;
+        let end = FRAC_PI_2.min(8.0 * self.spread_rad());
+        let step = end / f64::from(STEPS);
+        let ring = |i| {
+            let (sin, cos) = libm::sincos((f64::from(i) + 0.5) * step);
+            self.density(cos) * cos * sin
+        };
+        2.0 * PI * step * (0..STEPS).map(ring).sum::<f64>()
+    }
+
+    /// `count` draws for [`Self::facet`], even over all facets in whole and nearly so in runs.
+    pub fn draws(&self, count: usize) -> Vec<Draw> {
+        let lean = self.leans();
+        (0..count)
+            .map(|i| {
+                let [u, v] = even(i);
+                let (sin, cos) = libm::sincos(2.0 * PI * v);
+                match self.shape {
+                    Shape::Grooves { .. } => {
+                        let (across, along) = libm::sincos(lean(u));
+                        let place = DVec3::new(across * cos, across * sin, along);
+                        Draw { place, density: self.density(along) }
+                    }
+                    Shape::Ggx { .. } => {
+                        Draw { place: DVec3::new(cos, sin, 0.0) * u.sqrt(), density: 0.0 }
+                    }
+                }
+            })
+            .collect()
+    }
+
+    /// The lean below which a share of the facets' projected area lies, by the share.
+    fn leans(&self) -> impl Fn(f64) -> f64 {
+        const STEPS: usize = 1024;
+        let step = FRAC_PI_2.min(6.0 * self.spread_rad()) / STEPS as f64;
+        let mut below = vec![0.0];
+        for i in 0..STEPS {
+            let (sin, cos) = libm::sincos((i as f64 + 0.5) * step);
+            below.push(below[i] + self.density(cos) * cos * sin);
+        }
+        move |share| {
+            let wanted = share * below[STEPS];
+            let i = below.partition_point(|sum| *sum <= wanted).clamp(1, STEPS) - 1;
+            let part = (wanted - below[i]) / (below[i + 1] - below[i]);
+            (i as f64 + part) * step
+        }
+    }
+
+    /// The facet of one of the [`Self::draws`], in the frame where z is the normal and the eye, at
+    /// `cos_view` above 0, stands over the x axis.
+    pub fn facet(&self, draw: Draw, cos_view: f64) -> Option<Facet> {
+        let view = DVec3::new((1.0 - cos_view * cos_view).max(0.0).sqrt(), 0.0, cos_view);
+        let lean = match self.shape {
+            Shape::Grooves { .. } => draw.place,
+            Shape::Ggx { alpha } => visible(alpha, draw.place, view),
+        };
+        let cos_half = view.dot(lean);
+        let light = 2.0 * cos_half * lean - view;
+        if cos_half <= 1e-6 || light.z <= 0.0 {
+            return None;
+        }
+        Some(match self.shape {
+            Shape::Grooves { .. } => Facet {
+                weight: (cos_half / (cos_view * lean.z)).min(2.0).min(2.0 * light.z / cos_view),
+                density: draw.density * lean.z / (4.0 * cos_half),
+                light,
+                cos_half,
+            },
+            Shape::Ggx { alpha } => Facet {
+                weight: smith_over_cosine(alpha, light.z) * light.z,
+                density: self.density(lean.z.min(1.0)) * smith_over_cosine(alpha, cos_view) / 4.0,
+                light,
+                cos_half,
+            },
+        })
+    }
+}
+
+/// Smith's share of facets that a direction reaches (Walter 2007, equation 34), over its cosine.
+fn smith_over_cosine(alpha: f64, cosine: f64) -> f64 {
+    let square = cosine * cosine;
+    2.0 / (cosine + (square + alpha * alpha * (1.0 - square)).sqrt())
+}
+
+/// A facet among those that `view` sees, from a point of the unit disc (Heitz 2018).
+fn visible(alpha: f64, DVec3 { x, y, .. }: DVec3, view: DVec3) -> DVec3 {
+    let stretched = DVec3::new(alpha * view.x, 0.0, view.z).normalize();
+    // The view lies over the x axis, and so does the axis across it.
+    let across = DVec3::Y;
+    let up = stretched.cross(across);
+    let half = 0.5 * (1.0 + stretched.z);
+    let bent = (1.0 - half) * (1.0 - x * x).max(0.0).sqrt() + half * y;
+    let rest = (1.0 - x * x - bent * bent).max(0.0).sqrt();
+    let lean = x * across + bent * up + rest * stretched;
+    DVec3::new(alpha * lean.x, alpha * lean.y, lean.z.max(1e-9)).normalize()
+}
+
+/// The i-th of points that fill the unit square evenly, in runs too (Roberts 2018, R2).
+fn even(i: usize) -> [f64; 2] {
+    const PLASTIC: f64 = 1.324_717_957_244_746;
+    let step = |power: f64| (0.5 + (i as f64 + 1.0) / power).fract();
+    [step(PLASTIC), step(PLASTIC * PLASTIC)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RELIEFS: [fn(f64) -> Relief; 2] = [Relief::grooves, Relief::ggx];
+
+    /// The integral over all light of what mirrors show to `view`.
+    fn albedo(relief: &Relief, view: DVec3) -> f64 {
+        let (rings, spokes) = (600, 1200);
+        let mut sum = 0.0;
+        for i in 0..rings {
+            let theta = (f64::from(i) + 0.5) * FRAC_PI_2 / f64::from(rings);
+            for j in 0..spokes {
+                let phi = (f64::from(j) + 0.5) * 2.0 * PI / f64::from(spokes);
+                let light =
+                    DVec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos());
+                sum +=
+                    relief.mirrored(DVec3::Z, view, light).map_or(0.0, |g| g.share) * theta.sin();
+            }
+        }
+        sum * (FRAC_PI_2 / f64::from(rings)) * (2.0 * PI / f64::from(spokes))
+    }
+
+    fn towards(cosine: f64) -> DVec3 {
+        DVec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine)
+    }
+
+    #[test]
+    fn facets_drawn_agree_with_the_integral_over_all_light() {
+        for make in RELIEFS {
+            for spread in [0.05, 0.2, 0.5] {
+                let relief = make(spread);
+                let draws = relief.draws(4096);
+                for cosine in [1.0, 0.7, 0.3] {
+                    let facets = draws.iter().filter_map(|draw| relief.facet(*draw, cosine));
+                    let drawn = facets.map(|facet| facet.weight).sum::<f64>() / 4096.0;
+                    let exact = albedo(&relief, towards(cosine));
+                    assert!((drawn - exact).abs() < 0.01, "{relief:?} {cosine}: {drawn} {exact}");
+                    assert!(exact < 1.002, "{relief:?} {cosine}: {exact}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn draws_are_as_dense_as_they_say() {
+        // The mean of 1 / density over the draws is the solid angle that they can reach: for narrow
+        // facets weight times density is what `mirrored` states.
+        for make in RELIEFS {
+            let relief = make(0.2);
+            for draw in relief.draws(64) {
+                let Some(facet) = relief.facet(draw, 0.6) else { continue };
+                let stated = relief.mirrored(DVec3::Z, towards(0.6), facet.light).unwrap();
+                assert!((stated.share / (facet.weight * facet.density) - 1.0).abs() < 1e-6);
+                assert!((stated.cos_half - facet.cos_half).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn light_and_view_may_change_places() {
+        // Helmholtz, on directions all over the hemisphere: radiance over the cosine of incidence is the same.
+        for make in RELIEFS {
+            let relief = make(0.3);
+            for i in 0..400 {
+                let direction = |k: usize| {
+                    let [u, v] = even(2 * i + k);
+                    let (sin, cos) = (2.0 * PI * v).sin_cos();
+                    let across = (1.0 - u * u).sqrt();
+                    DVec3::new(across * cos, across * sin, u.max(0.01)).normalize()
+                };
+                let (a, b) = (direction(0), direction(1));
+                let there = relief.mirrored(DVec3::Z, a, b).unwrap().share / b.z;
+                let back = relief.mirrored(DVec3::Z, b, a).unwrap().share / a.z;
+                assert!((there - back).abs() <= 1e-12 * there, "{a} {b}: {there} {back}");
+            }
+        }
+    }
+}

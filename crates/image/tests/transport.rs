@@ -1,0 +1,283 @@
+//! Laws of light inside the pearl: nothing is gained or lost, a body without spread is matt, one with
+//! much of it shines alike on all sides.
+
+use std::{f64::consts::PI, sync::atomic::AtomicBool};
+
+use glam::DVec3;
+use nacreous_colour::{Illuminant, Observer};
+use nacreous_image::{
+    BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Model, Pearl, Place, Projection,
+    Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
+};
+use nacreous_nacre::{Index, LayerStack, Medium};
+
+const SIDE: usize = 4;
+
+/// Disordered uniaxial nacre: thicknesses that a plain rule throws about.
+fn film() -> Film {
+    let named = |name| Medium::named(name).unwrap();
+    let air = Index::new("air", 1.0, 0.0).unwrap();
+    let column = |column: usize| {
+        let noise = |i: usize| ((i * 37 + column * 101 + i * i * 7) % 41) as f64 - 20.0;
+        let layers = (0..60).map(|i| 340.0 + noise(i)).collect();
+        LayerStack::new(layers, 20.0, named("aragonite"), named("chitin"), air, named("aragonite"))
+            .unwrap()
+    };
+    let columns: Vec<LayerStack> = (0..16).map(column).collect();
+    Film::new(&columns, &AtomicBool::new(false)).unwrap().unwrap()
+}
+
+struct Scene {
+    surroundings: Surroundings,
+    light: Light,
+    lamps: Vec<Bands>,
+}
+
+/// A sky of two colours, alike if they are, and a white lamp if a direction is given.
+fn scene(horizon: [f64; 3], zenith: [f64; 3], lamp: Option<(DVec3, f64)>) -> Scene {
+    let source = Source { spectrum: Illuminant::D65.spectrum(), intensity: 1.0 };
+    let sources: Vec<Source> = lamp.iter().map(|_| source.clone()).collect();
+    let white = Some(Illuminant::D65.spectrum());
+    let light = Light::new(&sources, 1.0, white, Observer::Cie1931).unwrap();
+    let lamps = lamp.map(|(direction, radius_rad)| {
+        Lamp::new(Place::Direction(direction), radius_rad, light.brightness(&source).unwrap())
+    });
+    let sky = Sky::Gradient { horizon, zenith };
+    let balls = vec![Ball::alone(4.0)];
+    let surroundings = Surroundings::new(None, None, sky, lamps.into_iter().collect(), balls);
+    let lamps = sources.iter().map(|source| light.bands(source).unwrap()).collect();
+    Scene { surroundings, light, lamps }
+}
+
+impl Scene {
+    fn pearl(&self, surface: Surface, body: &Body) -> Pearl<'static> {
+        let (palette, around) = (self.light.palette(), &self.surroundings);
+        let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
+        Pearl { model: Model::Transport(transport), texture: None, grain }
+    }
+
+    /// Light from inside and light mirrored, mean over a pixel's samples, where lines of sight along -z
+    /// meet the pearl `x`, `y` radii from its middle.
+    fn seen(&self, pearl: &Pearl<'_>, x: f64, y: f64) -> ([f64; 3], [f64; 3]) {
+        let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, 8.0);
+        let ray = camera.ray(x, y);
+        let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
+        let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
+        for part in 0..SIDE {
+            let sight = Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part };
+            let parts = pearl.shade(&self.surroundings, &sight);
+            for i in 0..3 {
+                inside[i] += (parts.interference[i] + parts.diffuse[i]) / SIDE as f64;
+                mirror[i] += parts.mirror[i] / SIDE as f64;
+            }
+        }
+        (inside, mirror)
+    }
+}
+
+const PLACES: [(f64, f64); 6] =
+    [(0.0, 0.0), (0.4, -0.3), (-0.7, 0.1), (0.1, 0.85), (-0.65, -0.68), (0.0, -0.97)];
+
+fn white(spread: f64) -> Body {
+    Body { reflectance: [1.0; BANDS], spread }
+}
+
+#[test]
+fn a_lossless_pearl_in_even_light_cannot_be_seen() {
+    let furnace = scene([1.0; 3], [1.0; 3], None);
+    for relief in
+        [Relief::grooves(0.012), Relief::grooves(0.25), Relief::ggx(0.1), Relief::ggx(0.4)]
+    {
+        for spread in [0.0, 0.3, 1000.0] {
+            let pearl = furnace.pearl(Surface::new(film(), relief), &white(spread));
+            for (x, y) in PLACES {
+                let (inside, mirror) = furnace.seen(&pearl, x, y);
+                for i in 0..3 {
+                    let light = inside[i] + mirror[i];
+                    assert!((light - 1.0).abs() < 0.005, "{relief:?} {spread} {x} {y}: {light}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_missing_in_even_light_is_what_the_body_absorbs() {
+    // Light of each direction enters, and is absorbed with the chance that the body keeps it before the
+    // surface lets it out: counted round by round, it is the absorptance of a beam that comes the way
+    // that the eye looks.
+    let furnace = scene([1.0; 3], [1.0; 3], None);
+    let reflectance: Bands = std::array::from_fn(|band| 0.95 - 0.015 * band as f64);
+    let surface = Surface::new(film(), Relief::grooves(0.05));
+    let n2 = 0.5 * (1.683_f64.powi(2) + 1.530_f64.powi(2));
+    let out = surface.entering_from_all_sides().map(|share| share / n2);
+    let absorbed: Bands = std::array::from_fn(|band| {
+        let (mut inside, mut kept) = (1.0, 0.0);
+        for _ in 0..3000 {
+            kept += inside * (1.0 - reflectance[band]);
+            inside *= reflectance[band] * (1.0 - out[band]);
+        }
+        kept
+    });
+    let palette = furnace.light.palette();
+    let pearl = furnace.pearl(surface.clone(), &Body { reflectance, spread: 0.2 });
+    for (x, y) in PLACES {
+        let cosine = (1.0 - x * x - y * y).sqrt();
+        let absorptance: Bands =
+            std::array::from_fn(|band| surface.entering(cosine)[band] * absorbed[band]);
+        let light = palette.bands([1.0; 3]);
+        let lost = palette.rgb(&std::array::from_fn(|band| light[band] * absorptance[band]));
+        let (inside, mirror) = furnace.seen(&pearl, x, y);
+        for i in 0..3 {
+            let missing = 1.0 - inside[i] - mirror[i];
+            assert!(lost[i] > 0.02 && (missing - lost[i]).abs() < 0.006, "{missing} {}", lost[i]);
+        }
+    }
+}
+
+/// Light of a sky and a lamp that enters where the normal is `normal`, in linear RGB after a filter by
+/// band: the plain integral over all directions.
+fn entering(scene: &Scene, surface: &Surface, normal: DVec3, lamp: Option<DVec3>) -> Bands {
+    let palette = scene.light.palette();
+    let rows = 200;
+    let mut sum = [0.0; BANDS];
+    for row in 0..rows {
+        let theta = (f64::from(row) + 0.5) * PI / f64::from(rows);
+        for column in 0..2 * rows {
+            let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
+            let along = DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
+            let cosine = along.dot(normal);
+            if cosine > 0.0 {
+                let light = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
+                let share = cosine * theta.sin() * (PI / f64::from(rows)).powi(2) / PI;
+                let enters = surface.entering(cosine);
+                for band in 0..BANDS {
+                    sum[band] += share * enters[band] * light[band];
+                }
+            }
+        }
+    }
+    if let Some(cosine) = lamp.map(|lamp| lamp.dot(normal)).filter(|cosine| *cosine > 0.0) {
+        let enters = surface.entering(cosine);
+        for band in 0..BANDS {
+            sum[band] += cosine * enters[band] * scene.lamps[0][band];
+        }
+    }
+    sum
+}
+
+#[test]
+fn without_spread_the_body_is_matt() {
+    let lamp = DVec3::new(0.5, 0.7, 0.5).normalize();
+    let scene = scene([0.3, 0.2, 0.1], [0.5, 0.7, 1.0], Some((lamp, 0.02)));
+    let surface = Surface::new(film(), Relief::grooves(0.05));
+    let reflectance: Bands = std::array::from_fn(|band| 0.5 + 0.01 * band as f64);
+    let pearl = scene.pearl(surface.clone(), &Body { reflectance, spread: 0.0 });
+    let leaving = surface.leaving(&reflectance);
+    for (x, y) in PLACES {
+        let cosine = (1.0 - x * x - y * y).sqrt();
+        let normal = DVec3::new(x, y, cosine);
+        let light = entering(&scene, &surface, normal, Some(lamp));
+        let leaves = surface.entering(cosine);
+        let direct = scene
+            .light
+            .palette()
+            .rgb(&std::array::from_fn(|band| light[band] * leaving[band] * leaves[band]));
+        let (inside, _) = scene.seen(&pearl, x, y);
+        for i in 0..3 {
+            assert!((inside[i] - direct[i]).abs() < 0.005, "{x} {y}: {inside:?} {direct:?}");
+        }
+    }
+}
+
+#[test]
+fn much_spread_is_the_illuminant_limit() {
+    // Every point sends light in every direction: it depends on the view angle alone, not on the lamp's
+    // place (paper 3.1).
+    let lit = |lamp: DVec3| scene([0.2; 3], [0.2; 3], Some((lamp.normalize(), 0.1)));
+    let scenes = [lit(DVec3::Y), lit(DVec3::new(-1.0, -0.2, 0.3)), lit(DVec3::NEG_Z)];
+    let surface = Surface::new(film(), Relief::grooves(0.05));
+    let all = surface.entering_from_all_sides();
+    for scene in &scenes {
+        let pearl = scene.pearl(surface.clone(), &white(1000.0));
+        for angle in 0..12 {
+            let (y, x) = (f64::from(angle) * PI / 6.0).sin_cos();
+            let (inside, _) = scene.seen(&pearl, 0.6 * x, 0.6 * y);
+            // A ball takes in a quarter of what a lamp's light would be on all its surface, and all of
+            // the sky's; a lossless one lets it out again evenly.
+            let palette = scene.light.palette();
+            let sky = palette.bands([0.2; 3]);
+            let mean = surface_mean(&surface, scene);
+            let leaves = surface.entering(0.8);
+            let expected = palette.rgb(&std::array::from_fn(|band| {
+                leaves[band] * (sky[band] + mean[band] / all[band])
+            }));
+            for i in 0..3 {
+                assert!((inside[i] - expected[i]).abs() < 1e-4, "{inside:?} {expected:?}");
+            }
+        }
+    }
+}
+
+/// The mean over the ball of a lamp's light that enters: the integral over the cosine of incidence.
+fn surface_mean(surface: &Surface, scene: &Scene) -> Bands {
+    let steps = 2000;
+    let mut mean = [0.0; BANDS];
+    for step in 0..steps {
+        let cosine = (f64::from(step) + 0.5) / f64::from(steps);
+        let enters = surface.entering(cosine);
+        for band in 0..BANDS {
+            mean[band] += 0.5 * cosine * enters[band] * scene.lamps[0][band] / f64::from(steps);
+        }
+    }
+    mean
+}
+
+#[test]
+fn few_facets_agree_with_all_of_them() {
+    // Satin under a sky with a horizon and a wide lamp: the facets that a pixel draws against the plain
+    // integral of D G R / (4 cos) over all light.
+    let lamp = DVec3::new(-0.4, 0.6, 0.7).normalize();
+    let scene = scene([0.2, 0.3, 0.4], [1.0, 0.9, 0.7], Some((lamp, 0.1)));
+    let palette = scene.light.palette();
+    for relief in [Relief::grooves(0.1), Relief::ggx(0.1), Relief::grooves(0.25)] {
+        let surface = Surface::new(film(), relief);
+        let pearl = scene.pearl(surface.clone(), &white(0.0));
+        for (x, y) in [(0.0, 0.3), (-0.3, 0.4), (0.5, -0.5)] {
+            let view = DVec3::Z;
+            let normal = DVec3::new(x, y, (1.0_f64 - x * x - y * y).sqrt());
+            let mirrored = |light: DVec3, radiance: Bands| {
+                relief.mirrored(normal, view, light).map_or([0.0; 3], |glint| {
+                    let film = surface.film.reflectance(glint.cos_half);
+                    let bands = std::array::from_fn(|b| film[b] * radiance[b] * glint.share);
+                    palette.rgb(&bands)
+                })
+            };
+            let mut all = [0.0; 3];
+            let rows = 400;
+            for row in 0..rows {
+                let theta = (f64::from(row) + 0.5) * PI / f64::from(rows);
+                for column in 0..2 * rows {
+                    let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
+                    let along =
+                        DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
+                    let solid = theta.sin() * (PI / f64::from(rows)).powi(2);
+                    let sky = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
+                    // The lamp: an even disc whose light on a surface that faces it is pi.
+                    let disc = 2.0 * (1.0 - 0.1_f64.cos());
+                    let lit = if along.dot(lamp) > 0.1_f64.cos() { 1.0 / disc } else { 0.0 };
+                    let light = std::array::from_fn(|b| sky[b] + lit * scene.lamps[0][b]);
+                    for (sum, part) in all.iter_mut().zip(mirrored(along, light)) {
+                        *sum += part * solid;
+                    }
+                }
+            }
+            let (_, mirror) = scene.seen(&pearl, x, y);
+            for i in 0..3 {
+                let error = (mirror[i] - all[i]).abs();
+                assert!(error < 0.004 + 0.02 * all[i], "{relief:?} {x} {y}: {mirror:?} {all:?}");
+            }
+        }
+    }
+}

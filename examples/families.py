@@ -1,0 +1,184 @@
+"""The trade's colour families R, RG and G by exact optics: tables and pictures of docs/families.md.
+
+`python examples/families.py docs/pictures` writes the pictures there; without a folder, here.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import nacreous as nc
+from nacreous import figure
+
+FOLDER = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+WHITE = nc.colour.white_xyz("D65")
+COLUMNS, LAYERS, OUTER_UM, ORDERLY_NM = 64, 120, 50.0, 12.0
+ANGLES_DEG = (0, 30, 65)
+STEPS = ("1.0", "0.7", "0.4", "0.0")
+
+#: Reported tablets in nm, ours that give the words, and the words as Munsell's letters: of the
+#: centre and of the rim, 0 and 65 degrees. Red is looked for among red-purples too.
+FAMILIES = {
+    "r": (330, 280, "R RP", "Y GY", "red centre, olive rim"),
+    "rg": (360, 340, "BG", "RP", "blue-green centre, red-purple rim"),
+    "g": (440, 358, "G", "RP", "green centre, red-purple rim"),
+}
+
+
+def film(thickness_nm, protein="chitin"):
+    """A stack as this page has it: measured aragonite on aragonite, 20 nm of protein, air."""
+    return nc.LayerStack(thickness_nm, 20.0, "aragonite", protein, 1.0, "aragonite")
+
+
+def noisy(mean_nm, spread_nm, columns=COLUMNS, protein="chitin"):
+    """Columns of equal layers with independent Gaussian noise; the same noise for every mean."""
+    noise = np.random.default_rng(1).normal(size=(columns, LAYERS))
+    return [film(np.maximum(mean_nm + spread_nm * row, 50.0), protein) for row in noise]
+
+
+def grown(name):
+    """The outer 50 um of columns that grew by a nacre preset."""
+    stacks = [nc.grow(name, seed=seed) for seed in range(1, COLUMNS + 1)]
+    return [film(stack.thickness_nm[: stack.outer(OUTER_UM)[0]]) for stack in stacks]
+
+
+def colours(stacks, angles_deg, step_nm=1):
+    """XYZ [R and T, angle, 3] under D65, each colour at Y = 1: light of columns adds by energy."""
+    nm = nc.colour.WAVELENGTH_NM[::step_nm]
+    angle_rad = np.radians(np.asarray(angles_deg, dtype=float))
+    light = [nc.optics.energies(stack, angle_rad, nm, precision="single") for stack in stacks]
+    mean = np.mean([(each.R, each.T) for each in light], axis=0)
+    weights = nc.colour.xyz_from_spectrum(np.eye(401), "D65")[::step_nm]
+    xyz = mean @ (weights * (WHITE / weights.sum(axis=0)))
+    return xyz / xyz[..., 1:2]
+
+
+def hue_and_chroma(xyz):
+    """CIE Lab hue in degrees and chroma [..., 2]; 0 chroma is the colour of the light itself."""
+    lab = nc.colour.lab_from_xyz(xyz, WHITE)
+    hue = np.degrees(np.arctan2(lab[..., 2], lab[..., 1])) % 360
+    return np.stack([hue, np.hypot(lab[..., 1], lab[..., 2])], axis=-1)
+
+
+def munsell(xyz):
+    """Munsell's hue of each colour, as "5RP"."""
+    hvc = nc.colour.hvc_from_rgb(nc.colour.rgb_from_xyz(0.8 * np.asarray(xyz)))
+    return [note.split(" ")[0] for note in np.ravel(nc.colour.munsell_notation(hvc))]
+
+
+def listed(xyz):
+    """Hue and chroma of some colours, for people."""
+    pairs = zip(munsell(xyz), hue_and_chroma(xyz), strict=True)
+    return ", ".join(f"{name} {hue:.0f}/{chroma:.1f}" for name, (hue, chroma) in pairs)
+
+
+def codes(xyz, luminance=0.62):
+    """Codes of colours on a screen, all at one luminance; chroma as it is."""
+    rgb = nc.colour.rgb_from_xyz(luminance * xyz)
+    return nc.colour.encode(nc.colour.map_to_gamut(rgb)).clip(0, 1)
+
+
+def chroma_by_spread(spreads_nm, mean_nm=340.0, protein="chitin", step_nm=1):
+    """Chroma of T along the normal against the spread of the layers."""
+    stacks = (noisy(mean_nm, spread, COLUMNS if spread else 2, protein) for spread in spreads_nm)
+    return [float(hue_and_chroma(colours(s, [0], step_nm))[1, 0, 1]) for s in stacks]
+
+
+def draw_disorder():
+    """Chroma against spread: beside an earlier calculation, by protein, and by family."""
+    spreads, table = np.arange(0, 61, 2.5), (0, 5, 10, 20, 30, 45)
+    earlier = (9, 9.5, 12, 12, 7.7, 2.6)
+    print("disorder, chroma of T along the normal; an earlier calculation:", *earlier)
+    with figure.figure(FOLDER / "disorder.png", 2, 7.2, 2.8) as (left, right):
+        for protein, style in (("chitin", "C0"), ("silk-fibroin", "C1"), (1.43, "C2")):
+            for step_nm, line in ((1, "-"), (5, ":")):
+                row = chroma_by_spread(table, protein=protein, step_nm=step_nm)
+                print(f"  {protein}, {step_nm} nm:", *(f"{chroma:.1f}" for chroma in row))
+                if step_nm == 1 or protein == "chitin":
+                    chroma = chroma_by_spread(spreads, protein=protein, step_nm=step_nm)
+                    left.plot(spreads, chroma, line, color=style, label=f"{protein}, {step_nm} nm")
+        left.plot(table, earlier, "ko", label="earlier calculation")
+        for name, (_, ours, *_) in FAMILIES.items():
+            label = f"{name.upper()}, {ours} nm"
+            right.plot(spreads, chroma_by_spread(spreads, ours), label=label)
+        for panel, title in ((left, "340 nm, by protein and step"), (right, "families, chitin")):
+            panel.set(xlabel="spread of thickness, nm", ylabel="chroma of T", title=title)
+            panel.legend(fontsize=7)
+
+
+def scan():
+    """For each family, the thicknesses whose T has its words, every 1 nm from 260 to 480."""
+    means = np.arange(260, 481)
+    found = [munsell(colours(noisy(m, ORDERLY_NM, 24), [0, 65])[1]) for m in means]
+    for name, (_, _, centre, rim, words) in FAMILIES.items():
+        fits = [
+            int(mean)
+            for mean, (middle, edge) in zip(means, found, strict=True)
+            if middle.lstrip("0123456789.") in centre.split()
+            and edge.lstrip("0123456789.") in rim.split()
+        ]
+        print(f"{name.upper()}, {words}: {runs(fits)} nm")
+
+
+def runs(numbers):
+    """Neighbours joined: 1, 2, 3, 7 becomes "1 to 3, 7 to 7"."""
+    parts = np.split(numbers, np.flatnonzero(np.diff(numbers) > 1) + 1)
+    return ", ".join(f"{part[0]} to {part[-1]}" for part in parts if len(part)) or "none"
+
+
+def tabulate_families():
+    """R and T of each family at three angles: reported, with its protein, and ours."""
+    for name, (reported, ours, *_) in FAMILIES.items():
+        for mean_nm in (reported, reported - 20, ours):
+            reflected, transmitted = colours(noisy(mean_nm, ORDERLY_NM), ANGLES_DEG)
+            print(f"{name.upper()} {mean_nm} nm  T {listed(transmitted)}; R {listed(reflected)}")
+
+
+def draw_families():
+    """What T and R look like by angle and thickness, with the families' thicknesses."""
+    means, angles = np.arange(260, 481, 4), np.linspace(0, 80, 33)
+    both = np.stack([colours(noisy(mean, ORDERLY_NM, 24), angles) for mean in means], axis=1)
+    with figure.figure(FOLDER / "families.png", 2, 7.2, 4.2) as panels:
+        titles = ("T, transmitted", "R, reflected")
+        for panel, xyz, title in zip(panels, both[::-1], titles, strict=True):
+            extent = (0, 80, means[0] - 2, means[-1] + 2)
+            panel.imshow(codes(xyz), aspect="auto", origin="lower", extent=extent)
+            for name, (reported, ours, *_) in FAMILIES.items():
+                for mean_nm, style in ((ours, "k-"), (reported, "k:")):
+                    panel.plot((0, 80), (mean_nm, mean_nm), style, lw=1)
+                panel.text(79, ours + 1, name.upper(), ha="right", fontsize=8)
+                panel.text(1, reported + 1, f"{name.upper()} reported", fontsize=7)
+            panel.set(title=title, xlabel="angle, degrees", ylabel="mean thickness, nm")
+            panel.grid(visible=False)
+
+
+def draw_steps():
+    """The twelve masters by their transmitted colour alone, as discs; their table."""
+    side = np.linspace(-1.02, 1.02, 201)
+    radius = np.hypot(*np.meshgrid(side, side))
+    angles = np.linspace(0, 80, 33)
+    with figure.figure(FOLDER / "families-steps.png", 4, 6.4, 5.0) as columns:
+        for panel, step in zip(columns, STEPS, strict=True):
+            discs = []
+            for name in FAMILIES:
+                stacks = grown(f"akoya-{name}-{step}")
+                spread_nm = np.mean([np.std(stack.thickness_nm) for stack in stacks])
+                transmitted = colours(stacks, angles)[1]
+                shown = [transmitted[np.abs(angles - deg).argmin()] for deg in ANGLES_DEG]
+                print(f"akoya-{name}-{step}: spread {spread_nm:.0f} nm; T {listed(shown)}")
+                at = np.degrees(np.arcsin(radius.clip(0, 1))).clip(0, 80)
+                row = np.stack([np.interp(at, angles, c) for c in codes(transmitted).T], axis=-1)
+                row[radius > 1] = 0.05
+                discs.append(row)
+            panel.imshow(np.concatenate(discs))
+            panel.set(title=step, xticks=[], yticks=[100, 301, 502] if step == "1.0" else [])
+            panel.set_yticklabels(["R", "RG", "G"] if step == "1.0" else [])
+            panel.grid(visible=False)
+
+
+draw_disorder()
+scan()
+tabulate_families()
+draw_families()
+draw_steps()
