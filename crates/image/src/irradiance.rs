@@ -44,7 +44,7 @@ const COSINE: [f64; 9] = [1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ball::Ball, sky::Sky};
+    use crate::{ball::Ball, sky::Sky, window::Window};
 
     fn under(sky: Sky) -> Irradiance {
         Irradiance::new(&Surroundings::new(None, None, sky, vec![], vec![Ball::alone(4.0)]), 0)
