@@ -40,7 +40,7 @@ def reflectance(
     nacre_mm: float = 0.5,
     strength: float = 1.0,
     scattering_per_mm: float = 3.0,
-    nucleus: str | ArrayLike = "#f4f1ea",
+    nucleus: str | ArrayLike = "#fcfcfa",
 ) -> Array:
     """Diffuse reflectance, [401] at 380 to 780 nm by 1 nm, of nacre over a nucleus.
 
@@ -49,9 +49,9 @@ def reflectance(
     wavelengths **(ours)**.
 
     pigment: one of `PIGMENTS`. nacre_mm: thickness of the nacre, 0 to 15. strength: factor on the
-    pigment's absorption, 0 to 10. scattering_per_mm: S, 0 to 1000. nucleus: its colour, "#rrggbb",
-    which stands for a smooth reflectance of that colour under D65, or a reflectance [401], 0 to 1.
-    Raises `InputError` for what cannot be.
+    pigment's absorption, 0 to 10. scattering_per_mm: S, 0 to 1000. nucleus: its colour without its
+    surface, "#rrggbb", which stands for a smooth reflectance of that colour under D65, or a
+    reflectance [401], 0 to 1. Raises `InputError` for what cannot be.
 
     >>> white = reflectance("none", nucleus="#ffffff")
     >>> white.shape, float(white.min()), float(white.max())

@@ -52,8 +52,8 @@ class Body(Section):
         source="**(ours)**: the nucleus begins to show below 0.3 mm",
     )
     nucleus: Colour = key(
-        "#f4f1ea",
-        "Colour of the bare nucleus as sRGB.",
+        "#fcfcfa",
+        "Reflectance of the nucleus for light that is inside, as the sRGB of a matt surface.",
         allowed=COLOUR,
-        source="**(ours)**; a polished bead of shell, reflectance about 0.9",
+        source="**(ours)**; a bead of shell, 0.97: its own surface not counted",
     )

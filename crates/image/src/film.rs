@@ -1,8 +1,8 @@
 use std::sync::atomic::AtomicBool;
 
-use nacreous_colour::WAVELENGTH_NM;
+use nacreous_colour::{SAMPLES, WAVELENGTH_NM};
 use nacreous_nacre::LayerStack;
-use nacreous_optics::{Ensemble, OpticsError, Precision, TransferModel};
+use nacreous_optics::{Ensemble, OpticsError, Polarisation, Precision, TransferModel};
 
 use crate::bands::{self, BANDS, Bands};
 
@@ -19,6 +19,13 @@ pub struct Film {
 /// Steps in the cosine. The rings of an ensemble are wider than a tenth.
 pub(crate) const STEPS: usize = 128;
 
+/// The columns in so many groups, each of which is asked every fourth nanometre: a band is the mean over all
+/// of them, and no fringe of a column that is finer than 4 nm leaves a pattern.
+const GROUPS: usize = 4;
+
+const MODEL: TransferModel =
+    TransferModel { polarisation: Polarisation::Unpolarised, precision: Precision::Single };
+
 impl Film {
     /// `columns` are stacks of the same lossless media, alike in statistics. `None` once `stop` is set.
     ///
@@ -26,14 +33,24 @@ impl Film {
     /// What [`Ensemble::with`] refuses.
     pub fn new(columns: &[LayerStack], stop: &AtomicBool) -> Result<Option<Self>, OpticsError> {
         let angle_rad: Vec<f64> = cosines().map(libm::acos).collect();
-        let model = TransferModel { precision: Precision::Single, ..TransferModel::default() };
-        let empty = Ensemble::empty(angle_rad.len() * WAVELENGTH_NM.len());
-        let Some(mean) = empty.with(model, columns, &angle_rad, &WAVELENGTH_NM, stop)? else {
-            return Ok(None);
-        };
-        let rows = mean.reflectance().chunks_exact(WAVELENGTH_NM.len());
-        let reflectance = rows.map(|row| bands::means(row).map(|r| r.clamp(0.0, 1.0))).collect();
-        Ok(Some(Self { reflectance, modes: modes(columns)? }))
+        let groups = if columns.len() < 2 * GROUPS { 1 } else { GROUPS };
+        let mut by_nm = vec![[0.0; SAMPLES]; angle_rad.len()];
+        for group in 0..groups {
+            let some: Vec<LayerStack> =
+                columns.iter().skip(group).step_by(groups).cloned().collect();
+            let nm: Vec<f64> = WAVELENGTH_NM.iter().skip(group).step_by(groups).copied().collect();
+            let empty = Ensemble::empty(angle_rad.len() * nm.len());
+            let Some(mean) = empty.with(MODEL, &some, &angle_rad, &nm, stop)? else {
+                return Ok(None);
+            };
+            for (row, found) in by_nm.iter_mut().zip(mean.reflectance().chunks_exact(nm.len())) {
+                for (to, from) in row.iter_mut().skip(group).step_by(groups).zip(found) {
+                    *to = *from;
+                }
+            }
+        }
+        let reflectance = by_nm.iter().map(|row| bands::means(row).map(|r| r.clamp(0.0, 1.0)));
+        Ok(Some(Self { reflectance: reflectance.collect(), modes: modes(columns)? }))
     }
 
     /// A film that mirrors the same at every angle and wavelength, above nacre of index `n`.

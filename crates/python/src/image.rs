@@ -42,6 +42,10 @@ impl Job<'_> {
                 None => return Ok(None),
             }
         }
+        let simple = self.places.len() == 1 && self.surroundings.windows.is_empty();
+        if !simple {
+            self.surroundings.settle();
+        }
         let pearls = self.pearls(&films);
         // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
         let alone = pearls.len() == 1;
@@ -53,6 +57,9 @@ impl Job<'_> {
         drop(pearls);
         for (ball, glow) in glows.into_iter().enumerate() {
             self.surroundings.set_glow(ball, glow);
+        }
+        if !simple {
+            self.surroundings.settle();
         }
         let (pearls, around) = (self.pearls(&films), &self.surroundings);
         let (size, side) = (self.size_px, self.samples_side);
