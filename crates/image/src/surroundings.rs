@@ -9,19 +9,9 @@ use crate::{
     rgb::{self, Rgb},
     sky::Sky,
     table::Table,
-    window::{Patch, Window},
+    walls::Walls,
+    window::Window,
 };
-
-/// Upright walls around the pearls, a square room open to the sky.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Walls {
-    /// From the middle to each wall.
-    pub half_width_mm: f64,
-    /// Height above the table.
-    pub height_mm: f64,
-    /// Share of light that the walls send back, linear RGB.
-    pub colour: Rgb,
-}
 
 /// Everything a pearl stands in and mirrors: table, walls, sky, the lamps that light them, and the
 /// other pearls.
@@ -42,11 +32,11 @@ pub struct Surroundings {
     /// The pearls, which throw shadows and give light.
     pub balls: Vec<Ball>,
     /// Height of the table: that of the lowest ball's lowest point.
-    table_y_mm: f64,
+    pub(crate) table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
-    sky_on_table: Rgb,
+    pub(crate) sky_on_table: Rgb,
     /// Soft light on the table, near and far, once it is settled.
-    floors: Vec<Floor>,
+    pub(crate) floors: Vec<Floor>,
 }
 
 /// What a ray meets.
@@ -192,7 +182,11 @@ impl Surroundings {
             .table
             .as_ref()
             .and_then(|table| Some((table, distance_down(ray, self.table_y_mm)?)));
-        let walls = self.walls.and_then(|walls| self.wall_ahead(&walls, ray));
+        let walls = self.walls.and_then(|walls| {
+            let (distance_mm, inward) = walls.ahead(ray, self.table_y_mm)?;
+            let light = self.light_on_wall(ray.from + ray.along * distance_mm, inward);
+            Some((rgb::times(walls.colour, light), distance_mm))
+        });
         match (table, walls) {
             (Some((table, distance_mm)), wall)
                 if wall.is_none_or(|(_, wall_mm)| distance_mm < wall_mm) =>
@@ -208,19 +202,6 @@ impl Surroundings {
         }
     }
 
-    /// The share of a lamp that a point sees past all pearls; `on` is the pearl that the point lies on,
-    /// whose own horizon is no business of this.
-    pub fn lamp_past(&self, lamp: &Lamp, point: DVec3, on: Option<usize>) -> f64 {
-        if self.balls.len() == usize::from(on.is_some()) {
-            return 1.0;
-        }
-        let (toward, disc_rad) = (lamp.toward(point), lamp.angular_radius_rad());
-        let disc = libm::sincos(disc_rad);
-        let others = self.balls.iter().enumerate().filter(|(i, _)| Some(*i) != on);
-        let hiding = others.filter(|(_, ball)| !ball.is_clear_of(point, toward, disc));
-        hiding.map(|(_, ball)| ball.light_past(point, toward, disc_rad)).product()
-    }
-
     /// Radiance far away in a direction, which distant things fade into.
     pub fn backdrop(&self, along: DVec3, spread_rad: f64) -> Rgb {
         self.sky.radiance(DVec3::new(along.x, along.y.max(0.0), along.z), spread_rad)
@@ -231,119 +212,6 @@ impl Surroundings {
         let footprint_mm = distance_mm.min(FOOTPRINT_LIMIT_MM) * spread_rad;
         let albedo = table.albedo(point.x, point.z, footprint_mm, -ray.along.y);
         rgb::times(albedo, self.light_on_table(point))
-    }
-
-    /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
-    /// they hide it, their own glow.
-    pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let known = self.floors.iter().find_map(|floor| floor.at(point));
-        let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
-        for lamp in &self.lamps {
-            let toward = lamp.toward(point);
-            if toward.y > 0.0 {
-                let past = self.lamp_past(lamp, point, None);
-                rgb::add(&mut light, rgb::scaled(lamp.brightness, toward.y * past));
-            }
-        }
-        light
-    }
-
-    /// The same without lamps.
-    fn soft_light_on_table(&self, point: DVec3) -> Rgb {
-        let mut light = self.sky_and_glow_on_table(point);
-        rgb::add(&mut light, self.windows_on(point, DVec3::Y, true));
-        light
-    }
-
-    /// Light of all windows on a white matt surface, in place of the sky behind them. `shadows` says
-    /// whether pearls throw theirs.
-    fn windows_on(&self, point: DVec3, normal: DVec3, shadows: bool) -> Rgb {
-        let mut light = [0.0; 3];
-        for window in &self.windows {
-            let factor = window.form_factor(point, normal);
-            if factor > 0.0 {
-                let (toward, cone_rad) = window.cone(point);
-                let behind = self.sky.radiance(toward, cone_rad);
-                let past = if shadows { self.window_past(window, point, normal) } else { 1.0 };
-                for i in 0..3 {
-                    light[i] += (window.radiance[i] - behind[i]) * factor * past;
-                }
-            }
-        }
-        light
-    }
-
-    /// The share of a window's light that a point receives past all pearls, patch by patch, each a disc
-    /// as large.
-    fn window_past(&self, window: &Window, point: DVec3, normal: DVec3) -> f64 {
-        let (toward, cone_rad) = window.cone(point);
-        let cone = libm::sincos(cone_rad);
-        let clear = |ball: &&Ball| ball.is_clear_of(point, toward, cone);
-        let hiding: Vec<&Ball> = self.balls.iter().filter(|ball| !clear(ball)).collect();
-        if hiding.is_empty() {
-            return 1.0;
-        }
-        let (mut past, mut whole) = (0.0, 0.0);
-        for Patch { toward, disc_rad, light } in window.patches(point, normal) {
-            let ray = Ray { from: point, along: toward };
-            let stopped = |ball: &&Ball| ball.stops(&ray, 2.0 * disc_rad).map_or(0.0, |(_, s)| s);
-            past += light * hiding.iter().map(|ball| 1.0 - stopped(ball)).product::<f64>();
-            whole += light;
-        }
-        if whole > 0.0 { past / whole } else { 1.0 }
-    }
-
-    /// Each ball hides its share of the sky, exactly; that they hide them independently of each other is
-    /// an approximation **(ours)**, and their glows share in all that is hidden.
-    fn sky_and_glow_on_table(&self, point: DVec3) -> Rgb {
-        let (mut past, mut hidden, mut glow) = (1.0, 0.0, [0.0; 3]);
-        for ball in &self.balls {
-            let beside = ball.sky_past(point);
-            past *= beside;
-            hidden += 1.0 - beside;
-            if ball.glow != Glow::BLACK {
-                let seen = ball.glow.at((point - ball.centre).normalize());
-                rgb::add(&mut glow, rgb::scaled(seen, 1.0 - beside));
-            }
-        }
-        let mut light = rgb::scaled(self.sky_on_table, past);
-        if hidden > 0.0 {
-            rgb::add(&mut light, rgb::scaled(glow, (1.0 - past) / hidden));
-        }
-        light
-    }
-
-    /// The wall that the ray leaves the room through, if it does so below the walls' top.
-    fn wall_ahead(&self, walls: &Walls, ray: &Ray) -> Option<(Rgb, f64)> {
-        let exit = |from: f64, along: f64| {
-            if along == 0.0 {
-                f64::INFINITY
-            } else {
-                (walls.half_width_mm.copysign(along) - from) / along
-            }
-        };
-        let (x_mm, z_mm) = (exit(ray.from.x, ray.along.x), exit(ray.from.z, ray.along.z));
-        let distance_mm = x_mm.min(z_mm);
-        let top_mm = walls.height_mm + self.table_y_mm;
-        let height_mm = ray.from.y + ray.along.y * distance_mm;
-        if !(distance_mm > 0.0 && distance_mm.is_finite() && height_mm <= top_mm) {
-            return None;
-        }
-        let inward = if x_mm < z_mm {
-            DVec3::new(-ray.along.x.signum(), 0.0, 0.0)
-        } else {
-            DVec3::new(0.0, 0.0, -ray.along.z.signum())
-        };
-        let point = ray.from + ray.along * distance_mm;
-        let mut light = rgb::scaled(self.sky_on_table, 0.5);
-        for lamp in &self.lamps {
-            rgb::add(
-                &mut light,
-                rgb::scaled(lamp.brightness, lamp.toward(point).dot(inward).max(0.0)),
-            );
-        }
-        rgb::add(&mut light, self.windows_on(point, inward, false));
-        Some((rgb::times(walls.colour, light), distance_mm))
     }
 }
 
@@ -364,7 +232,6 @@ fn distance_down(ray: &Ray, height_mm: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::irradiance::Irradiance;
 
     const WHITE: Option<Table> = Some(Table::Plain([1.0; 3]));
     const EVEN: Sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
@@ -392,47 +259,6 @@ mod tests {
     }
 
     #[test]
-    fn a_window_as_bright_as_the_sky_behind_it_changes_nothing() {
-        let right = DVec3::new(9.0, 0.0, 0.0);
-        let window = |at, up| Window::new(at, right, up, [1.0; 3]);
-        let windows = vec![
-            window(DVec3::new(2.0, 14.0, 1.0), DVec3::new(0.0, 0.0, 6.0)),
-            window(DVec3::new(0.0, 3.0, -30.0), DVec3::new(0.0, 7.0, 0.0)),
-        ];
-        let balls = vec![glowing(DVec3::ZERO, 4.0)];
-        let bare = Surroundings::new(WHITE, None, EVEN, vec![], balls);
-        let surroundings = bare.with_windows(windows);
-        for x in [0.0, 5.0, 30.0] {
-            let light = surroundings.light_on_table(DVec3::new(x, -4.0, 0.1));
-            assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
-        }
-        let even = Irradiance::new(&surroundings, 0);
-        for normal in [DVec3::Y, DVec3::NEG_Z, DVec3::X] {
-            assert!((even.at(normal)[0] - 1.0).abs() < 2e-3, "{normal}: {:?}", even.at(normal));
-        }
-    }
-
-    #[test]
-    fn a_balls_shadow_from_a_wide_window_is_that_of_its_points() {
-        let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
-        let half = (DVec3::new(12.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 8.0));
-        let window = Window::new(DVec3::new(6.0, 25.0, 3.0), half.1, half.0, [1.0; 3]);
-        let balls = vec![Ball::alone(4.0)];
-        let lit = Surroundings::new(WHITE, None, night, vec![], balls).with_windows(vec![window]);
-        for x in [-12.0, -7.0, -3.0, -1.0, 0.5, 4.0, 9.0] {
-            let point = DVec3::new(x, -4.0, -0.5);
-            let sees = |along: DVec3| lit.balls[0].passing_mm(&Ray { from: point, along }) > 4.0;
-            let exact: f64 = window
-                .directions(point, 0.01)
-                .filter(|(along, _)| sees(*along))
-                .map(|(along, solid)| along.y * solid / std::f64::consts::PI)
-                .sum();
-            let got = lit.light_on_table(point)[0];
-            assert!((got - exact).abs() < 0.006, "{x}: {got} {exact}");
-        }
-    }
-
-    #[test]
     fn a_ball_does_not_meet_itself_but_its_neighbour() {
         let balls = vec![Ball::alone(4.0), glowing(DVec3::new(20.0, 0.0, 0.0), 4.0)];
         let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
@@ -441,17 +267,5 @@ mod tests {
         let seen = surroundings.seen(&ray, 0.01, Some(0));
         assert!((seen.radiance[0] - 1.0).abs() < 1e-9 && (seen.distance_mm - 16.0).abs() < 1e-9);
         assert!(surroundings.seen(&ray, 0.01, Some(1)).radiance[0] < 1e-9);
-    }
-
-    #[test]
-    fn a_neighbour_throws_its_shadow() {
-        let balls =
-            vec![Ball::alone(4.0), Ball { centre: DVec3::new(9.0, 0.0, 0.0), ..Ball::alone(4.0) }];
-        let lamp = Lamp::new(crate::Place::Direction(DVec3::X), 0.05, [1.0; 3]);
-        let surroundings = Surroundings::new(None, None, EVEN, vec![lamp.clone()], balls);
-        let past = |point| surroundings.lamp_past(&lamp, point, Some(0));
-        assert!(past(DVec3::new(4.0, 0.0, 0.0)) < 1e-12);
-        assert!((past(DVec3::new(0.0, 4.0, 0.0)) - 0.5).abs() < 0.01);
-        assert!((past(DVec3::new(0.0, 0.0, 4.0)) - 0.5).abs() < 0.01);
     }
 }
