@@ -80,7 +80,9 @@ def test_depth_carries_colour_and_shininess_sharpness() -> None:
 
     def contrast(name: str, **given: object) -> float:
         layer = nc.render(pearl(**given), scene, size=64, samples=4).layers[name]
-        return float(np.ptp(layer[..., 0] - layer[..., 1]) if name == "interference" else layer.max())
+        return float(
+            np.ptp(layer[..., 0] - layer[..., 1]) if name == "interference" else layer.max()
+        )
 
     depths = [contrast("interference", depth=depth) for depth in (0.05, 0.3, 0.7)]
     assert depths == sorted(depths)
