@@ -43,20 +43,24 @@ def noisy(mean_nm, spread_nm, columns=COLUMNS, protein="chitin"):
     return [film(np.maximum(mean_nm + spread_nm * row, 50.0), protein) for row in noise]
 
 
-def grown(name):
-    """The outer 50 um of columns that grew by a nacre preset."""
+def grown(name, outer_um=OUTER_UM):
+    """The outer layers of columns that grew by a nacre preset."""
     stacks = [nc.grow(name, seed=seed) for seed in range(1, COLUMNS + 1)]
-    return [film(stack.thickness_nm[: stack.outer(OUTER_UM)[0]]) for stack in stacks]
+    return [film(stack.thickness_nm[: stack.outer(outer_um)[0]]) for stack in stacks]
 
 
-def colours(stacks, angles_deg, step_nm=1):
-    """XYZ [R and T, angle, 3] under D65, each colour at Y = 1: light of columns adds by energy."""
+def colours(stacks, angles_deg, step_nm=1, light="D65"):
+    """XYZ [R and T, angle, 3], each colour at Y = 1: light of columns adds by energy.
+
+    Under a light other than D65, colours are those that look alike to an eye adapted to D65.
+    """
     nm = nc.colour.WAVELENGTH_NM[::step_nm]
     angle_rad = np.radians(np.asarray(angles_deg, dtype=float))
-    light = [nc.optics.energies(stack, angle_rad, nm, precision="single") for stack in stacks]
-    mean = np.mean([(each.R, each.T) for each in light], axis=0)
-    weights = nc.colour.xyz_from_spectrum(np.eye(401), "D65")[::step_nm]
-    xyz = mean @ (weights * (WHITE / weights.sum(axis=0)))
+    each = [nc.optics.energies(stack, angle_rad, nm, precision="single") for stack in stacks]
+    mean = np.mean([(one.R, one.T) for one in each], axis=0)
+    white = nc.colour.white_xyz(light)
+    weights = nc.colour.xyz_from_spectrum(np.eye(401), light)[::step_nm]
+    xyz = nc.colour.adapt(mean @ (weights * (white / weights.sum(axis=0))), white, WHITE)
     return xyz / xyz[..., 1:2]
 
 
@@ -183,6 +187,21 @@ def draw_steps():
             panel.grid(visible=False)
 
 
+def tabulate_limits():
+    """What else moves the colours of T: the protein, how deep light sees, and the lamp."""
+    for name, (_, ours, *_) in FAMILIES.items():
+        master = f"akoya-{name}-1.0"
+        kinds = {
+            "chitin": colours(noisy(ours, ORDERLY_NM), ANGLES_DEG),
+            "silk fibroin": colours(noisy(ours, ORDERLY_NM, protein="silk-fibroin"), ANGLES_DEG),
+            "1.43": colours(noisy(ours, ORDERLY_NM, protein=1.43), ANGLES_DEG),
+            **{f"{um} um": colours(grown(master, um), ANGLES_DEG) for um in (30, 50, 70)},
+            **{lamp: colours(grown(master), ANGLES_DEG, light=lamp) for lamp in ("D50", "A")},
+        }
+        for words, xyz in kinds.items():
+            print(f"{name.upper()}, {words}: T {listed(xyz[1])}")
+
+
 @cache
 def aurora(name, *body):
     """XYZ of a pearl in the Aurora viewer [upper and lower half, centre and rim, 3], each at Y = 1.
@@ -210,8 +229,9 @@ def tabulate_aurora():
     """Hues of the families in the Aurora viewer, for the words; and the chroma of their steps."""
     for name in FAMILIES:
         for pearl in (f"akoya-{name}-1.0", f"akoya-{name}-published"):
-            upper, lower = aurora(pearl)[0]
-            print(f"Aurora, {pearl}: upper half {listed(upper)}; lower half {listed(lower)}")
+            for words, body in (("", ()), (" with a colourless body", COLOURLESS)):
+                upper, lower = aurora(pearl, *body)[0]
+                print(f"Aurora, {pearl}{words}: upper {listed(upper)}; lower {listed(lower)}")
     print("Aurora, chroma of the upper half's centre, and of that of step 1.0:")
     for name in FAMILIES:
         pearls = [f"akoya-{name}-{step}" for step in STEPS]
@@ -233,4 +253,5 @@ scan()
 tabulate_families()
 draw_families()
 draw_steps()
+tabulate_limits()
 tabulate_aurora()
