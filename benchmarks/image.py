@@ -1,11 +1,13 @@
 """The main job, process start to PNG on disk: the preset paper, 512 x 512, 16 samples a pixel.
 
     ./just bench
+    python benchmarks/image.py --peers    # and Mitsuba's pearl, and docs/benchmarks.md
 
 Prints whole-process wall time, processor time and peak memory over several runs, the import of the
 package (which loads no room until asked) and of its last room (which brings NumPy and pydantic),
 and where the time goes inside one process. The budget of the main job is 1.5 s on two cores, of
-the import 0.3 s, of memory 200 MB. Nothing here is a test: machines differ.
+the import 0.3 s, of memory 200 MB. `--peers` compares with Mitsuba 3, see `reflection.py`. Nothing
+here is a test: machines differ.
 """
 
 from __future__ import annotations
@@ -91,6 +93,10 @@ def main() -> None:
         report("import nacreous.image", [sys.executable, "-c", "import nacreous.image"])
         report("Python alone", [sys.executable, "-c", "pass"])
         break_down(folder)
+    if "--peers" in sys.argv:
+        import reflection  # which imports this file
+
+        reflection.compare()
 
 
 if __name__ == "__main__":

@@ -115,7 +115,7 @@ def render(
     arrangement = arrange(_given(pearl), scene)
     report = None if progress is None else lambda rows: progress(rows / size)
     pixels = _core.render(
-        [_prepared(pearl) for pearl in arrangement.pearls],
+        _prepared(arrangement.pearls),
         _surroundings(arrangement),
         size,
         side,
@@ -162,11 +162,19 @@ def _is_whole(value: object) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
-def _prepared(pearl: Pearl) -> tuple[Mapping[str, Any], _core.Texture | None]:
-    """A pearl's look, and its grain if it shows any."""
-    seen = look.of_pearl(pearl)
-    grained = any(seen[weight] for weight in look.GRAIN)
-    return seen, texture.of_pearl(pearl) if grained else None
+def _prepared(pearls: list[Pearl]) -> list[tuple[Mapping[str, Any], _core.Texture | None]]:
+    """Each pearl's look, and its grain if it shows any; pearls of the same grain share it."""
+    grains: dict[Any, _core.Texture] = {}
+    prepared: list[tuple[Mapping[str, Any], _core.Texture | None]] = []
+    for pearl in pearls:
+        seen, grain = look.of_pearl(pearl), (pearl.texture, pearl.diameter_mm, pearl.texture_seed)
+        if not any(seen[weight] for weight in look.GRAIN):
+            prepared.append((seen, None))
+            continue
+        if grain not in grains:
+            grains[grain] = texture.of_pearl(pearl)
+        prepared.append((seen, grains[grain]))
+    return prepared
 
 
 def _surroundings(arrangement: Arrangement) -> dict[str, Any]:

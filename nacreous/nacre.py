@@ -141,7 +141,14 @@ def diary(growth: Growth) -> Diary:
     >>> days.date[-1] < Growth().harvest_date
     True
     """
-    day, thickness_nm = _core.grow(
+    day, thickness_nm = _grown(growth)
+    seeding = growth.seeding_date
+    return Diary([seeding + dt.timedelta(days=int(days)) for days in day], thickness_nm)
+
+
+def _grown(growth: Growth) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
+    """Day and thickness of each layer, from the nucleus outward."""
+    return _core.grow(
         days=growth.days,
         peak_day=float((growth.peak_date - growth.seeding_date).days),
         season_days=growth.season_days,
@@ -153,8 +160,6 @@ def diary(growth: Growth) -> Diary:
         layers_noise=growth.layers_noise,
         seed=growth.seed,
     )
-    seeding = growth.seeding_date
-    return Diary([seeding + dt.timedelta(days=int(days)) for days in day], thickness_nm)
 
 
 def grow(growth: str | Growth = "paper", **parameters: Any) -> LayerStack:
@@ -201,7 +206,7 @@ def _stack(nacre: Growth | Layers) -> LayerStack:
     from nacreous.spec import Growth
 
     if isinstance(nacre, Growth):
-        thickness_nm = diary(nacre).thickness_nm[::-1]
+        thickness_nm = _grown(nacre)[1][::-1]
     else:
         thickness_nm = np.asarray(nacre.thickness_nm)
     aragonite, protein = nacre.aragonite_medium, nacre.protein_medium

@@ -132,7 +132,7 @@ def test_the_four_parts_of_many_pearls_add_up_and_cover_their_discs() -> None:
 
 
 def test_a_pearl_behind_another_is_covered_by_it() -> None:
-    """Seen from the horizon the row behind is hidden: nothing but its light on the front is seen."""
+    """Seen from the horizon the row behind is hidden; its light on the front is all one sees."""
     keys: dict[str, Any] = {"table": NO_TABLE, "sky": BLACK}
     scene = rows(["*0"], ["*1"], camera=Camera(elevation_deg=0, field_mm=12), **keys)
     black = LARGE.model_copy(update={"body_colour": "#000000"})

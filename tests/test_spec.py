@@ -75,7 +75,7 @@ def problems(act: Callable[[], Any]) -> list[str]:
 
 
 def file_with(model: type, key: Key, value: Any) -> dict[str, Any]:
-    """The smallest file that holds the key; lamps, windows, listed layers and others need company."""
+    """The smallest file that holds the key; lamps, windows and listed layers need company."""
     values: dict[str, Any] = {}
     target = values
     *steps, last = key.path.split(".")

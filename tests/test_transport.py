@@ -40,7 +40,7 @@ def test_a_lossless_pearl_in_even_light_is_invisible(
 
 
 def test_a_white_table_under_a_lossless_pearl_keeps_its_light_where_they_are_apart() -> None:
-    # Table, pearl and sky are all white; light bounces once, so the touching point alone stays darker.
+    # Table, pearl and sky are white; light bounces once, so the touching point alone stays darker.
     table = {"kind": "plain", "colour": "#ffffff"}
     scene = EVEN.model_copy(update={"table": Scene(table=table).table})
     image = nc.render(pearl(body=LOSSLESS), scene, size=64, samples=4)
@@ -50,8 +50,8 @@ def test_a_white_table_under_a_lossless_pearl_keeps_its_light_where_they_are_apa
 
 
 def test_with_absorption_the_loss_is_the_bodys() -> None:
-    # Colours of a body that absorbs, against the series of its rounds: enter, come back by rho, leave by
-    # the film or be mirrored back. The film's share by exact optics of the same columns.
+    # Colours of a body that absorbs, against the series of its rounds: enter, come back by rho,
+    # leave by the film or be mirrored back. The film's share by exact optics of the same columns.
     gold = pearl(body={"pigment": "gold", "nacre_mm": 0.5})
     nm = np.arange(380.0, 781.0)
     columns = columns_of(gold, look.outer_um_of(gold))

@@ -85,8 +85,9 @@ impl Ball {
     pub(crate) fn is_clear_of(&self, point: DVec3, toward: DVec3, disc: (f64, f64)) -> bool {
         let rel = self.centre - point;
         let along_mm = rel.dot(toward);
-        let passing_mm = (rel.length_squared() - along_mm * along_mm).max(0.0).sqrt();
-        passing_mm * disc.1 - along_mm * disc.0 >= self.radius_mm
+        let passing2 = rel.length_squared() - along_mm * along_mm;
+        let needed_mm = self.radius_mm + along_mm * disc.0;
+        needed_mm <= 0.0 || passing2 * disc.1 * disc.1 >= needed_mm * needed_mm
     }
 
     /// The share of a small disc of light, of angular radius `disc_rad` towards `toward`, that a point

@@ -88,6 +88,17 @@ impl Camera {
         }
     }
 
+    /// Direction from `point` to the eye, and how far off it is.
+    pub fn toward_eye(&self, point: DVec3) -> (DVec3, f64) {
+        match self.projection {
+            Projection::Orthographic => (self.back, f64::INFINITY),
+            Projection::Perspective { distance_mm } => {
+                let toward = self.back * distance_mm - point;
+                (toward.normalize(), toward.length())
+            }
+        }
+    }
+
     /// Distance of `point` from the plane of all lines of sight at the height `y` of the view.
     pub fn off_row_mm(&self, y: f64, point: DVec3) -> f64 {
         let ray = self.ray(0.0, y);

@@ -35,7 +35,8 @@ impl Dome {
     /// Radiance from `along`, the picture turned by `rotation_rad`, over about `spread_rad`.
     pub(crate) fn radiance(&self, along: DVec3, rotation_rad: f64, spread_rad: f64) -> Rgb {
         let azimuth = libm::atan2(along.x, along.z) + rotation_rad;
-        let u = (azimuth / (2.0 * PI) + 0.5).rem_euclid(1.0);
+        let turns = azimuth / (2.0 * PI) + 0.5;
+        let u = turns - turns.floor();
         let v = libm::acos(along.y.clamp(-1.0, 1.0)) / PI;
         let pixel_rad = PI / self.levels[0].height as f64;
         let level = libm::log2((spread_rad / pixel_rad).max(1.0));
@@ -68,17 +69,20 @@ impl Level {
 
     /// Bilinear, round in longitude, ending at the poles. `u`, `v` from 0 to 1.
     fn at(&self, u: f64, v: f64) -> Rgb {
-        let x = u * self.width as f64 - 0.5;
+        // One column is added so that conversion to whole numbers rounds down.
+        let x = u * self.width as f64 + 0.5;
         let y = (v * self.height as f64 - 0.5).clamp(0.0, (self.height - 1) as f64);
-        let (left, top) = (x.floor(), y.floor());
-        let pixel = |row: f64, column: f64| {
-            let row = (row as usize).min(self.height - 1);
-            let column = column.rem_euclid(self.width as f64) as usize;
-            self.pixels[row * self.width + column.min(self.width - 1)].map(f64::from)
+        let (right, top) = (x as usize, y as usize);
+        let (share_x, share_y) = (x - right as f64, y - top as f64);
+        let left = if right == 0 { self.width - 1 } else { right - 1 };
+        let right = if right >= self.width { 0 } else { right };
+        let left = left.min(self.width - 1);
+        let pixel = |row: usize, column: usize| {
+            self.pixels[row.min(self.height - 1) * self.width + column].map(f64::from)
         };
-        let upper = rgb::mix(pixel(top, left), pixel(top, left + 1.0), x - left);
-        let lower = rgb::mix(pixel(top + 1.0, left), pixel(top + 1.0, left + 1.0), x - left);
-        rgb::mix(upper, lower, y - top)
+        let upper = rgb::mix(pixel(top, left), pixel(top, right), share_x);
+        let lower = rgb::mix(pixel(top + 1, left), pixel(top + 1, right), share_x);
+        rgb::mix(upper, lower, share_y)
     }
 }
 

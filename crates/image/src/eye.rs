@@ -1,6 +1,7 @@
 use crate::{
     ball::Hit,
     camera::{Camera, Ray},
+    net::Net,
     pearl::{Pearl, Sight},
     pixel::Pixel,
     rgb::{self, Rgb},
@@ -16,6 +17,7 @@ pub(crate) struct Eye<'a> {
     size_px: usize,
     /// Width of a pixel at each ball.
     pixel_mm: Vec<f64>,
+    nets: Vec<Option<Net>>,
 }
 
 impl<'a> Eye<'a> {
@@ -27,8 +29,11 @@ impl<'a> Eye<'a> {
         samples_side: usize,
     ) -> Self {
         let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
-        let pixel_mm = surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect();
-        Self { pearls, surroundings, camera, offsets: tent(samples_side), size_px, pixel_mm }
+        let pixel_mm: Vec<_> =
+            surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect();
+        let of = |(i, pearl): (usize, &Pearl<'_>)| pearl.net(surroundings, i, camera, pixel_mm[i]);
+        let nets = pearls.iter().enumerate().map(of).collect();
+        Self { pearls, surroundings, camera, offsets: tent(samples_side), size_px, pixel_mm, nets }
     }
 
     /// One row of pixels. Balls far from its lines of sight are told apart here, once.
@@ -108,7 +113,8 @@ impl<'a> Eye<'a> {
         for (place, hit) in &view.hits {
             let ball = view.balls[*place];
             let pixel_mm = self.pixel_mm[ball];
-            let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part };
+            let around = self.nets[ball].as_ref().map(|net| net.at(hit.normal));
+            let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part, around };
             let shade = self.pearls[ball].shade(self.surroundings, &sight);
             view.parts[*place].add(&shade, weight * left * hit.coverage);
             left *= 1.0 - hit.coverage;
@@ -151,7 +157,7 @@ struct View {
 
 /// Column of the one sample that is taken in row `i`, such that no column comes twice.
 fn rook(i: usize, side: usize) -> usize {
-    (2 * i + 1) % (side + usize::from(side % 2 == 0))
+    (2 * i + 1) % (side + usize::from(side.is_multiple_of(2)))
 }
 
 /// Positions of the samples along one side, in pixels from the pixel's middle, such that equal weights

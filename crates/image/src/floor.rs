@@ -18,11 +18,20 @@ pub(crate) struct Floor {
     light: Vec<Rgb>,
 }
 
-/// Steps for each radius of the smallest pearl: the contact shadow, which is as wide as that, is met within
+/// How finely a floor is worked out, and how far.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reach {
+    /// Steps for each radius of the smallest pearl.
+    pub steps: f64,
+    /// Around the pearls, in radii of the largest.
+    pub radii: f64,
+}
+
+/// Near the pearls: the contact shadow, which is as wide as that, is met within
 /// 0.8 % of the light, at its darkest.
-const STEPS_PER_RADIUS: f64 = 10.0;
-/// How far the grid reaches around the pearls, in radii of the largest.
-const MARGIN: f64 = 5.0;
+pub(crate) const NEAR: Reach = Reach { steps: 10.0, radii: 3.0 };
+/// Farther off shadows are wide and weak.
+pub(crate) const FAR: Reach = Reach { steps: 2.0, radii: 40.0 };
 /// A grid over pearls of very unlike sizes stays this small.
 const MOST_CELLS: f64 = 400_000.0;
 
@@ -31,10 +40,11 @@ impl Floor {
     pub(crate) fn new(
         balls: &[Ball],
         table_y_mm: f64,
+        reach: Reach,
         light: impl Fn(DVec3) -> Rgb + Sync,
     ) -> Option<Self> {
         let least = balls.iter().map(|ball| ball.radius_mm).reduce(f64::min)?;
-        let margin_mm = MARGIN * balls.iter().map(|ball| ball.radius_mm).fold(0.0, f64::max);
+        let margin_mm = reach.radii * balls.iter().map(|ball| ball.radius_mm).fold(0.0, f64::max);
         let end = |sign: f64, axis: fn(DVec3) -> f64| {
             let reach = |ball: &Ball| sign * axis(ball.centre) + margin_mm;
             balls.iter().map(reach).fold(f64::NEG_INFINITY, f64::max)
@@ -42,7 +52,7 @@ impl Floor {
         let (left, right) = (-end(-1.0, |p| p.x), end(1.0, |p| p.x));
         let (back, front) = (-end(-1.0, |p| p.z), end(1.0, |p| p.z));
         let area_mm2 = (right - left) * (front - back);
-        let step_mm = (least / STEPS_PER_RADIUS).max((area_mm2 / MOST_CELLS).sqrt());
+        let step_mm = (least / reach.steps).max((area_mm2 / MOST_CELLS).sqrt());
         let count = |width_mm: f64| (width_mm / step_mm) as usize + 2;
         let (columns, rows) = (count(right - left), count(front - back));
         let at = |i: usize| {
@@ -79,13 +89,17 @@ mod tests {
     fn contact_shadows_are_met_and_the_grid_ends() {
         let ball = Ball::alone(4.0);
         let exact = |point: DVec3| [ball.sky_past(point), 1.0, 0.0];
-        let floor = Floor::new(&[ball], -4.0, exact).unwrap();
-        for i in 0..200 {
+        let floor = Floor::new(&[ball], -4.0, NEAR, exact).unwrap();
+        let far = Floor::new(&[ball], -4.0, FAR, exact).unwrap();
+        for i in 0..160 {
             let point = DVec3::new(0.07 * f64::from(i), -4.0, 0.031 * f64::from(i));
             let got = floor.at(point).unwrap();
             assert!((got[0] - exact(point)[0]).abs() < 0.008, "{point}: {}", got[0]);
+            let point = DVec3::new(8.0 + 0.9 * f64::from(i), -4.0, 12.0);
+            let got = far.at(point).unwrap();
+            assert!((got[0] - exact(point)[0]).abs() < 0.003, "{point}: {}", got[0]);
         }
         assert_eq!(floor.at(DVec3::new(30.0, -4.0, 0.0)), None);
-        assert!(Floor::new(&[], 0.0, exact).is_none());
+        assert!(Floor::new(&[], 0.0, NEAR, exact).is_none());
     }
 }

@@ -2,9 +2,11 @@ use glam::DVec3;
 
 use crate::{
     ball::Hit,
+    camera::Camera,
     glow::Glow,
     grain::texture::Texture,
     illuminant::IlluminantPearl,
+    net::{Around, Net},
     rgb::{self, Rgb},
     surroundings::Surroundings,
     transport::Transport,
@@ -36,9 +38,9 @@ pub struct Pearl<'a> {
 #[derive(Debug)]
 pub enum Model {
     /// The paper's of 1996.
-    Illuminant(IlluminantPearl),
+    Illuminant(Box<IlluminantPearl>),
     /// Light through the film, into the pearl and out again.
-    Transport(Transport),
+    Transport(Box<Transport>),
 }
 
 /// A point of a pearl under the eye.
@@ -55,6 +57,8 @@ pub struct Sight {
     /// Which part of the light around this sample looks at: a pixel's samples, as many as stand along its
     /// side, share it out. Any number.
     pub part: usize,
+    /// What all facets show of the surroundings, where that is known.
+    pub around: Option<Around>,
 }
 
 /// The light of one point of the pearl, in parts.
@@ -80,6 +84,20 @@ impl Pearl<'_> {
     /// Whether its light has no detail that is finer than a pixel.
     pub(crate) fn is_smooth(&self) -> bool {
         matches!(self.model, Model::Transport(_))
+    }
+
+    /// The net over what its facets show the camera, if there shall be one.
+    pub(crate) fn net(
+        &self,
+        surroundings: &Surroundings,
+        ball: usize,
+        camera: &Camera,
+        pixel_mm: f64,
+    ) -> Option<Net> {
+        match &self.model {
+            Model::Illuminant(_) => None,
+            Model::Transport(model) => model.net(surroundings, ball, camera, pixel_mm),
+        }
     }
 
     /// What goes from the point towards the eye.
@@ -110,7 +128,7 @@ impl Pearl<'_> {
                 let point = surroundings.balls[ball].centre + normal * radius_mm;
                 let hit = Hit { point, normal, cos_view, coverage: 1.0 };
                 let pixel_mm = 0.2 * radius_mm;
-                let sight = Sight { ball, hit, view: towards, pixel_mm, part };
+                let sight = Sight { ball, hit, view: towards, pixel_mm, part, around: None };
                 let shade = self.shade(surroundings, &sight);
                 for light in [shade.interference, shade.diffuse, shade.mirror] {
                     rgb::add(&mut sum, rgb::scaled(light, 1.0 / (RINGS * SPOKES) as f64));

@@ -3,7 +3,7 @@ use glam::DVec3;
 use crate::{
     ball::Ball,
     camera::Ray,
-    floor::Floor,
+    floor::{self, Floor},
     glow::Glow,
     lamp::Lamp,
     rgb::{self, Rgb},
@@ -45,8 +45,8 @@ pub struct Surroundings {
     table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     sky_on_table: Rgb,
-    /// Soft light on the table, once it is settled.
-    floor: Option<Floor>,
+    /// Soft light on the table, near and far, once it is settled.
+    floors: Vec<Floor>,
 }
 
 /// What a ray meets.
@@ -92,8 +92,8 @@ impl Surroundings {
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
         let windows = Vec::new();
-        let floor = None;
-        Self { table, walls, sky, lamps, windows, balls, table_y_mm, sky_on_table, floor }
+        let floors = Vec::new();
+        Self { table, walls, sky, lamps, windows, balls, table_y_mm, sky_on_table, floors }
     }
 
     /// The same with windows.
@@ -105,14 +105,15 @@ impl Surroundings {
     /// Tells how a pearl looks to its neighbours and to the table.
     pub fn set_glow(&mut self, ball: usize, glow: Glow) {
         self.balls[ball].glow = glow;
-        self.floor = None;
+        self.floors.clear();
     }
 
     /// Works out the table's soft light once and for all: for scenes in which it is costly.
     pub fn settle(&mut self) {
         if self.table.is_some() {
             let soft = |point| self.soft_light_on_table(point);
-            self.floor = Floor::new(&self.balls, self.table_y_mm, soft);
+            let floor = |reach| Floor::new(&self.balls, self.table_y_mm, reach, soft);
+            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(floor).collect();
         }
     }
 
@@ -235,7 +236,7 @@ impl Surroundings {
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
     /// they hide it, their own glow.
     pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let known = self.floor.as_ref().and_then(|floor| floor.at(point));
+        let known = self.floors.iter().find_map(|floor| floor.at(point));
         let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
         for lamp in &self.lamps {
             let toward = lamp.toward(point);

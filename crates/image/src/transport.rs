@@ -1,11 +1,14 @@
+use std::f64::consts::PI;
+
 use nacreous_colour::{Matrix, matrix::apply};
 
 use crate::{
     bands::{self, Bands, Palette},
-    camera::Ray,
+    camera::{Camera, Ray},
     film::STEPS,
     inside::{Beam, Body, Inside},
     lamp::Lamp,
+    net::{Around, Net},
     pearl::{Shade, Sight},
     relief::Draw,
     rgb::{self, Rgb},
@@ -85,11 +88,13 @@ impl Transport {
     pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
         let hit = &sight.hit;
         let (whole, plain) = self.inside.radiance(hit.normal, hit.cos_view);
-        let mut mirror = self.around(surroundings, sight);
+        let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
+        let mut mirror = apply(&self.mirrored_by_all[row(hit.cos_view)], around.light);
+        rgb::add(&mut mirror, around.rest);
         for Mirrored { lamp, colour } in &self.lamps {
             let (relief, reflected) = (&self.surface.relief, |cos_half| colour[row(cos_half)]);
             let image = lamp.image(relief, hit.point, hit.normal, sight.view, reflected);
-            if image != [0.0; 3] {
+            if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
                 rgb::add(&mut mirror, rgb::scaled(image, past));
             }
@@ -100,8 +105,42 @@ impl Transport {
 
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
-    fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
-        let Sight { ball, hit, view, pixel_mm, part } = *sight;
+    fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Around {
+        let first = sight.part * self.draws_per_sample;
+        let all = self.draws.iter().cycle().skip(first % self.draws.len());
+        let some = all.take(self.draws_per_sample).copied();
+        self.gathered(surroundings, sight, some, (self.draws.len(), LOBE))
+    }
+
+    /// The net over what the facets show `camera`, if pixels are finer.
+    pub(crate) fn net(
+        &self,
+        surroundings: &Surroundings,
+        ball: usize,
+        camera: &Camera,
+        pixel_mm: f64,
+    ) -> Option<Net> {
+        let relief = &self.surface.relief;
+        let place = &surroundings.balls[ball];
+        let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
+        let facets = pixels * self.draws.len() as f64;
+        let draws = relief.draws(Net::MOST);
+        Net::new(place, camera, relief.spread_rad(), facets, |hit, view, each| {
+            let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
+            self.gathered(surroundings, &sight, draws[..each].iter().copied(), (each, KNOT_LOBE))
+        })
+    }
+
+    /// The surroundings in the facets of some draws, of which `count` stand for all facets, each
+    /// looked up with `lobe_width` of what it stands for.
+    fn gathered(
+        &self,
+        surroundings: &Surroundings,
+        sight: &Sight,
+        draws: impl Iterator<Item = Draw>,
+        (count, lobe_width): (usize, f64),
+    ) -> Around {
+        let Sight { ball, hit, view, pixel_mm, .. } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
         let x = aside.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
@@ -111,17 +150,15 @@ impl Transport {
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
         let mut lobe = Lobe::default();
-        let first = part * self.draws_per_sample;
-        for i in first..first + self.draws_per_sample {
-            let draw = self.draws[i % self.draws.len()];
+        for draw in draws {
             let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
-            let share_rad2 = LOBE / (facet.density * self.draws.len() as f64);
+            let share_rad2 = lobe_width / (facet.density * count as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
             let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
             lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
         }
-        lobe.radiance(&self.mirrored_by_all[row(cos_view)])
+        lobe.around(&self.mirrored_by_all[row(cos_view)])
     }
 }
 
@@ -148,22 +185,25 @@ impl Lobe {
 
     /// Few facets give the surroundings' colours; `all` of them how much is mirrored: exactly where the
     /// surroundings are even (a control variate).
-    fn radiance(&self, all: &Matrix) -> Rgb {
+    fn around(&self, all: &Matrix) -> Around {
         let of_white = |film: &Matrix| rgb::luminance(apply(film, [1.0; 3]));
         let some = of_white(&self.film);
         if some <= 0.0 {
-            return [0.0; 3];
+            return Around::default();
         }
         let share = of_white(all) / some;
         let light = rgb::scaled(self.light, 1.0 / self.weight);
-        let (expected, found) = (apply(all, light), rgb::scaled(apply(&self.film, light), share));
-        std::array::from_fn(|i| self.mirrored[i] * share + expected[i] - found[i])
+        let even = apply(&self.film, light);
+        Around { light, rest: std::array::from_fn(|i| (self.mirrored[i] - even[i]) * share) }
     }
 }
 
 /// Squared width of what a draw is looked up with, in units of its solid angle: neighbours overlap, so that an
 /// edge that moves across them leaves no steps.
 const LOBE: f64 = 4.0;
+
+/// The same for the knots of a net, whose many draws need overlap less.
+const KNOT_LOBE: f64 = 2.0;
 
 /// A mirror needs few facets, satin more.
 fn draws_per_sample(spread_rad: f64) -> usize {

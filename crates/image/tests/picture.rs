@@ -71,7 +71,7 @@ impl Set {
 
     fn with(model: IlluminantPearl) -> Pearl<'static> {
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        Pearl { model: Model::Illuminant(model), texture: None, grain }
+        Pearl { model: Model::Illuminant(Box::new(model)), texture: None, grain }
     }
 
     fn model(&self) -> IlluminantPearl {

@@ -54,7 +54,7 @@ impl Scene {
         let (palette, around) = (self.light.palette(), &self.surroundings);
         let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        Pearl { model: Model::Transport(transport), texture: None, grain }
+        Pearl { model: Model::Transport(Box::new(transport)), texture: None, grain }
     }
 
     /// Light from inside and light mirrored, mean over a pixel's samples, where lines of sight along -z
@@ -65,7 +65,8 @@ impl Scene {
         let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
         let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
         for part in 0..SIDE {
-            let sight = Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part };
+            let sight =
+                Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part, around: None };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
                 inside[i] += (parts.interference[i] + parts.diffuse[i]) / SIDE as f64;
@@ -196,10 +197,10 @@ fn much_spread_is_the_illuminant_limit() {
     // Every point sends light in every direction: it depends on the view angle alone, not on the lamp's
     // place (paper 3.1).
     let lit = |lamp: DVec3| scene([0.2; 3], [0.2; 3], Some((lamp.normalize(), 0.1)));
-    let scenes = [lit(DVec3::Y), lit(DVec3::new(-1.0, -0.2, 0.3)), lit(DVec3::NEG_Z)];
+    let lamps = [DVec3::Y, DVec3::new(-1.0, -0.2, 0.3), DVec3::NEG_Z];
     let surface = Surface::new(film(), Relief::grooves(0.05));
     let all = surface.entering_from_all_sides();
-    for scene in &scenes {
+    for scene in lamps.map(|lamp| Box::new(lit(lamp))) {
         let pearl = scene.pearl(surface.clone(), &white(1000.0));
         for angle in 0..12 {
             let (y, x) = (f64::from(angle) * PI / 6.0).sin_cos();
@@ -208,7 +209,7 @@ fn much_spread_is_the_illuminant_limit() {
             // the sky's; a lossless one lets it out again evenly.
             let palette = scene.light.palette();
             let sky = palette.bands([0.2; 3]);
-            let mean = surface_mean(&surface, scene);
+            let mean = surface_mean(&surface, &scene);
             let leaves = surface.entering(0.8);
             let expected = palette.rgb(&std::array::from_fn(|band| {
                 leaves[band] * (sky[band] + mean[band] / all[band])

@@ -113,7 +113,7 @@ mod tests {
         let medium = |re, im| Complex64::new(re, im);
         let vacuum = medium(1.0, 0.0);
         for (ordinary, extraordinary) in [
-            (medium(1.0, 0.0), medium(0.05078125, 1.0)),
+            (medium(1.0, 0.0), medium(0.050_781_25, 1.0)),
             (medium(1.68, 0.0), medium(0.1, 3.0)),
             (medium(0.001, 4.0), medium(1.5, 0.0)),
             (medium(0.001, 4.0), medium(0.5, 0.0)),
@@ -133,7 +133,7 @@ mod tests {
     /// Head on there is no extraordinary wave: n_e plays no part.
     #[test]
     fn head_on_both_polarisations_are_ordinary() {
-        let (ordinary, extraordinary) = (Complex64::ONE, Complex64::new(0.05078125, 1.0));
+        let (ordinary, extraordinary) = (Complex64::ONE, Complex64::new(0.050_781_25, 1.0));
         let wave = Wave::refracted(Plane::P, (ordinary, extraordinary), ordinary, ordinary);
         assert!((wave.along - 1.0).norm() < 1e-15);
         assert!((wave.admittance - 1.0).norm() < 1e-15);

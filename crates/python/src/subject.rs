@@ -78,7 +78,7 @@ struct Look {
 /// A pearl's optics, the same in all its places.
 pub enum Prepared {
     Illuminant(Rings),
-    Transport(Surface),
+    Transport(Box<Surface>),
 }
 
 /// What is around a pearl.
@@ -124,7 +124,7 @@ impl<'a> Subject<'a> {
                 Rings::new(stack, model, light, progress)?.map(Prepared::Illuminant)
             }
             Known::Transport { columns, .. } => Film::new(columns, progress.stop_flag())?
-                .map(|film| Prepared::Transport(Surface::new(film, self.relief))),
+                .map(|film| Prepared::Transport(Box::new(Surface::new(film, self.relief)))),
         })
     }
 
@@ -132,7 +132,7 @@ impl<'a> Subject<'a> {
     pub fn pearl(&self, prepared: &Prepared, around: &Around<'_>, ball: usize) -> Pearl<'a> {
         let model = match (&self.model, prepared) {
             (Known::Illuminant { look, .. }, Prepared::Illuminant(rings)) => {
-                Model::Illuminant(IlluminantPearl {
+                Model::Illuminant(Box::new(IlluminantPearl {
                     rings: rings.clone(),
                     mixing: look.mixing,
                     body_colour: look.body_colour,
@@ -140,10 +140,10 @@ impl<'a> Subject<'a> {
                     facets: look.facets,
                     mirror_weight: look.mirror_weight,
                     falloff_mm: look.falloff_mm,
-                })
+                }))
             }
             (Known::Transport { body, .. }, Prepared::Transport(surface)) => {
-                Model::Transport(around.transport(surface, body, ball))
+                Model::Transport(Box::new(around.transport(surface, body, ball)))
             }
             _ => unreachable!("a pearl is prepared by its own model"),
         };
