@@ -66,7 +66,7 @@ def test_a_mistake_of_ours_is_not_hidden(monkeypatch: Any) -> None:
         (["--verion"], "--verion"),
         (["schema"], "kind"),
         (["schema", "nacre"], "'nacre'"),
-        (["presets", "scene", "drak"], '"drak" is not a scene preset; did you mean dark?'),
+        (["presets", "scene", "boot"], '"boot" is not a scene preset; did you mean booth?'),
         (["presets", "--al"], "--al"),
     ],
 )

@@ -192,7 +192,7 @@ def test_a_bad_setting_is_refused(refused: Run, settings: list[str], expected: s
         (["--samples", "1.5"], "argument --samples: '1.5' is not a whole number"),
         (["--bits", "12"], "argument --bits: invalid choice: 12 (choose from 8, 16)"),
         (["--space", "adobe"], "argument --space: invalid choice: 'adobe' (choose from "),
-        (["--scene", "drak"], '"drak" is neither a file nor a scene preset; did you mean dark?'),
+        (["--scene", "boot"], '"boot" is neither a file nor a scene preset; did you mean booth?'),
         (["--scene", "unknown.toml"], "unknown.toml: is a pearl file; wanted: a scene file"),
         (["-o", "pearl.gif"], "pearl.gif: the ending is .gif; allowed: .png, .exr"),
         (["-o", "pearl"], "pearl: the ending is missing; allowed: .png, .exr"),
@@ -286,12 +286,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_render_writes_one_picture_and_says_so(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert cli.main(["render", "akoya-r", "--size", "16", "--samples", "1", "--scene", "dark"]) == 0
+    assert (
+        cli.main(["render", "akoya-r", "--size", "16", "--samples", "1", "--scene", "booth"]) == 0
+    )
     said = capsys.readouterr()
     assert said.err == ""
     assert said.out.count("\n") == 1
     assert said.out.startswith("pearl.png: pearl akoya-r (")
-    assert "in scene dark, 16 x 16, 1 samples a pixel" in said.out
+    assert "in scene booth, 16 x 16, 1 samples a pixel" in said.out
     assert [path.name for path in folder.iterdir()] == ["pearl.png"]
     with Pillow.open("pearl.png") as picture:
         assert picture.size == (16, 16)

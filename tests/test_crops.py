@@ -129,7 +129,7 @@ def test_a_planted_outline_is_found_to_half_a_pixel(circle: Circle) -> None:
     assert abs(found.radius_px - circle.radius_px) < 0.7
 
 
-@pytest.mark.parametrize("scene", ["paper", "dark", "white-cloth"])
+@pytest.mark.parametrize("scene", ["paper", "north-window-black", "north-window-white"])
 def test_a_pearls_outline_is_found_to_one_part_in_a_hundred(scene: str) -> None:
     # As many samples as the command takes: a white pearl on white cloth has a faint outline.
     picture = render("akoya-rg", scene, size=256, samples=16)

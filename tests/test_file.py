@@ -2,6 +2,7 @@
 
 import io
 import os
+import resource
 import signal
 import stat
 import struct
@@ -362,6 +363,28 @@ def test_a_cmyk_jpeg_is_refused(tmp_path: Path) -> None:
     Image.fromarray(gradient(np.uint8)).convert("CMYK").save(tmp_path / "a.jpg")
     with pytest.raises(InputError, match=r"has CMYK pixels.*; save it as RGB$"):
         read_photograph(tmp_path / "a.jpg")
+
+
+def huge_radiance() -> bytes:
+    return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 12220 +X 16384\n" + bytes(999)
+
+
+def huge_exr(path: Path) -> bytes:
+    """A small file whose header says 16384 x 12220."""
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    OpenEXR.File(header, {"RGB": np.zeros((4, 8, 3), np.float32)}).write(str(path))
+    small, huge = (struct.pack("<4i", 0, 0, x, y) for x, y in ((7, 3), (16383, 12219)))
+    return path.read_bytes().replace(small, huge)
+
+
+@pytest.mark.parametrize("ending", [".hdr", ".exr"])
+def test_a_panorama_of_200_megapixels_is_refused_by_its_header(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"sky{ending}"
+    path.write_bytes(huge_radiance() if ending == ".hdr" else huge_exr(path))
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    with pytest.raises(InputError, match=rf"sky{ending}: is 16384 x 12220 pixels; {LIMITS}"):
+        read_panorama(path)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 50_000
 
 
 def test_a_huge_png_is_refused_fast_and_in_little_memory(tmp_path: Path) -> None:

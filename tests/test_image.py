@@ -36,7 +36,9 @@ from nacreous.spec import (
 )
 
 
-@pytest.mark.parametrize("scene", ["paper", "dark", "white-cloth"])
+@pytest.mark.parametrize(
+    "scene", ["paper", "north-window-black", "north-window-white", "booth", "aurora"]
+)
 def test_the_four_parts_add_up_to_the_picture_exactly(scene: str) -> None:
     image = nc.render("akoya-rg", scene, 48, 4)
     first, *rest = (image.layers[name] for name in SUM)

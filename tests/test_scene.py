@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from stage import BLACK, LEFT, NO_TABLE, SUM, pearl, refusal
+from stage import BLACK, LEFT, NO_TABLE, SUM, luminance, pearl, refusal
 
 import nacreous as nc
 from nacreous import cli
 from nacreous.arrangement import arrange
-from nacreous.spec import Camera, Lamp, Pearl, Row, Scene, Sky, Table, Walls, Window
+from nacreous.spec import Camera, Lamp, Pearl, Row, Scene, Sky, Table, Walls, Window, preset
 
 LARGE = pearl(name="large", diameter_mm=9.0)
 SMALL = pearl(name="small", diameter_mm=6.0, depth=0.9)
@@ -375,3 +375,51 @@ def test_half_of_the_glare_of_a_bright_point_falls_within_its_width() -> None:
 
     assert share(0.0) == pytest.approx(1.0, abs=1e-6)
     assert share(0.4) == pytest.approx(0.8, abs=0.02)
+
+
+# --- the scenes that come along -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", preset.names("scene"))
+def test_every_scene_renders_its_pearls_whole_and_has_its_page(name: str) -> None:
+    image = nc.render("akoya-rg", name, 24, 4)
+    cover = image.layers["coverage"][..., 0]
+    assert cover.max() == 1
+    assert not any(edge.any() for edge in (cover[0], cover[-1], cover[:, 0], cover[:, -1]))
+    assert 0.05 < image.linear[cover > 0.5].mean() < 1.2
+    page = Path(__file__).parent.parent / "docs" / "scenes" / f"{name}.md"
+    assert page.read_text(encoding="utf-8").startswith(f"# The scene `{name}`\n")
+
+
+def test_on_black_cloth_a_pearl_stands_out_and_on_white_it_lies_in_light() -> None:
+    white, black = (nc.render("akoya-rg", f"north-window-{c}", 48, 4) for c in ("white", "black"))
+    corner = [float(image.linear[-1, :10].mean()) for image in (white, black)]
+    assert corner[0] > 0.4
+    assert corner[1] < 0.02
+    lower = [image.layers["mirror"][30:].mean() for image in (white, black)]
+    assert lower[0] > 3 * lower[1]
+
+
+def test_in_the_aurora_viewer_the_halves_meet_at_the_waist_and_differ_in_hue() -> None:
+    image = nc.render("akoya-g-1.0", "aurora", 64, 16)
+    mirror = luminance(image.layers["mirror"])[:, 31:33].mean(axis=1)
+    assert mirror[14:30].max() < 0.1 * mirror[35:38].min()
+    upper, lower = image.linear[24:29, 28:36], image.linear[36:41, 28:36]
+    white = nc.colour.xyz_from_rgb([1, 1, 1])
+    lab = [nc.colour.lab_from_xyz(nc.colour.xyz_from_rgb(half), white) for half in (upper, lower)]
+    hues = [np.degrees(np.arctan2(*half.reshape(-1, 3).mean(axis=0)[[2, 1]])) for half in lab]
+    assert abs((hues[0] - hues[1] + 180) % 360 - 180) > 90
+
+
+def test_the_booth_is_neutral_and_lit_evenly() -> None:
+    image = nc.render(pearl(depth=0.0, grain=0.0), "booth", 48, 4)
+    ground = image.linear[image.layers["coverage"][..., 0] == 0]
+    assert np.ptp(ground, axis=1).max() < 1e-4
+    assert ground.max() < 1.5 * np.median(ground)
+
+
+def test_masters_lie_above_the_goods_in_the_order_of_their_steps() -> None:
+    made = arrange([SMALL], Scene.load("two-tier"))
+    names = [made.pearls[place.pearl].name for place in made.places]
+    assert names == [*(f"akoya-rg-{step}" for step in ("1.0", "0.7", "0.4", "0.0")), *["small"] * 4]
+    assert made.places[0].centre_mm[2] < made.places[4].centre_mm[2]

@@ -475,7 +475,7 @@ def test_a_scene_given_as_a_pearl_is_called_a_scene(tmp_path: Path) -> None:
     path = tmp_path / "s.toml"
     path.write_text('name = "s"\n[camera]\nexposure = 2.0\n')
     assert problems(lambda: Pearl.load(path)) == [f"{path}: is a scene file; wanted: a pearl file"]
-    assert "is a scene preset" in problems(lambda: Pearl.load("dark"))[0]
+    assert "is a scene preset" in problems(lambda: Pearl.load("booth"))[0]
     assert isinstance(load(path), Scene)
     path.write_text('name = "s"\n')
     assert "neither a pearl nor a scene" in problems(lambda: load(path))[0]

@@ -8,7 +8,7 @@ _EXAMPLES = """\
 examples:
   nacreous presets                       every preset, one line each
   nacreous presets scene                 the scenes only
-  nacreous presets scene dark            the file of one preset, as it stands
+  nacreous presets scene booth           the file of one preset, as it stands
   nacreous presets pearl paper > my.toml begin a pearl of your own with it
 """
 

@@ -15,7 +15,7 @@ examples:
   nacreous render paper                            the pearl of 1996, as pearl.png
   nacreous render paper --set depth=0.8            one knob turned
   nacreous render a.toml b.toml --scene tray.toml  two pearls in the rows of a scene
-  nacreous render my.toml --scene dark --size 1024 your pearl in another scene
+  nacreous render my.toml --scene booth --size 1024  your pearl in another scene
   nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
 """
 

@@ -20,7 +20,7 @@ def load(path_or_preset: str | Path, overrides: Iterable[Override] = ()) -> Pear
     Where a pearl and a scene preset share a name, as "paper" does, this is the pearl; use
     `Scene.load` for the scene. Arguments and errors are those of `Pearl.load`.
 
-    >>> type(load("akoya-rg")).__name__, type(load("white-cloth")).__name__
+    >>> type(load("akoya-rg")).__name__, type(load("booth")).__name__
     ('Pearl', 'Scene')
     """
     kind, path, where = find(path_or_preset, ("pearl", "scene"))

@@ -102,18 +102,6 @@ impl Ball {
         1.0 - straight_edge((pearl_rad - apart_rad) / disc_rad)
     }
 
-    /// The same for a disc of any size: what two discs in the sky have in common, as if it were flat.
-    pub(crate) fn disc_past(&self, point: DVec3, toward: DVec3, disc_rad: f64) -> f64 {
-        let from = point - self.centre;
-        let distance_mm = from.length();
-        let ball_rad = libm::asin((self.radius_mm / distance_mm).min(1.0));
-        let apart_rad = libm::acos((-from.dot(toward) / distance_mm).clamp(-1.0, 1.0));
-        if apart_rad >= ball_rad + disc_rad {
-            return 1.0;
-        }
-        1.0 - overlap(apart_rad, ball_rad, disc_rad)
-    }
-
     /// The share of an even sky that a point on the table still receives beside the pearl that lies on
     /// it. Exact: the form factor of a sphere wholly above a plane.
     pub fn sky_past(&self, point_on_table: DVec3) -> f64 {

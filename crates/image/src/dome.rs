@@ -2,7 +2,10 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::rgb::{self, Rgb};
+use crate::{
+    harmonics::Place,
+    rgb::{self, Rgb},
+};
 
 /// A panorama around the scene in latitude and longitude (width twice the height), linear RGB, with coarser copies of
 /// itself so that a wide lobe costs as much as a narrow one.
@@ -34,18 +37,26 @@ impl Dome {
 
     /// Radiance from `along`, the picture turned by `rotation_rad`, over about `spread_rad`.
     pub(crate) fn radiance(&self, along: DVec3, rotation_rad: f64, spread_rad: f64) -> Rgb {
-        let azimuth = libm::atan2(along.x, along.z) + rotation_rad;
-        let turns = azimuth / (2.0 * PI) + 0.5;
+        let place = Place::towards(DVec3::new(along.z, along.x, along.y));
+        let turns = (f64::from(place.longitude) + rotation_rad) / (2.0 * PI) + 0.5;
         let u = turns - turns.floor();
-        let v = libm::acos(along.y.clamp(-1.0, 1.0)) / PI;
+        let v = f64::from(place.colatitude) / PI;
         let pixel_rad = PI / self.levels[0].height as f64;
-        let level = libm::log2((spread_rad / pixel_rad).max(1.0));
+        let level = octaves((spread_rad / pixel_rad).max(1.0));
         let last = self.levels.len() - 1;
         let fine = (level as usize).min(last);
         let coarse = (fine + 1).min(last);
         let share = (level - fine as f64).min(1.0);
         rgb::mix(self.levels[fine].at(u, v), self.levels[coarse].at(u, v), share)
     }
+}
+
+/// The binary logarithm of a number from 1 up, by straight lines between powers of two: nothing between two
+/// levels is so sharp that they would show.
+fn octaves(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let mantissa = f64::from_bits(bits & ((1 << 52) - 1) | 1.0_f64.to_bits());
+    (bits >> 52) as f64 - 1024.0 + mantissa
 }
 
 impl Level {
@@ -98,6 +109,15 @@ mod tests {
     }
 
     #[test]
+    fn octaves_are_exact_at_powers_of_two_and_rise_between() {
+        for power in 0..20 {
+            let x = f64::from(1 << power);
+            assert_eq!(octaves(x), f64::from(power));
+            assert!((octaves(1.5 * x) - (1.5 * x).log2()).abs() < 0.09);
+        }
+    }
+
+    #[test]
     fn a_wide_lobe_sees_the_mean() {
         let mean = slope().radiance(DVec3::Z, 0.0, 4.0 * PI);
         assert!((mean[0] - 31.5).abs() < 1e-6 && (mean[1] - 15.5).abs() < 1e-6);
@@ -106,14 +126,14 @@ mod tests {
     #[test]
     fn azimuth_zero_is_the_middle_and_the_right_hand_is_to_the_right() {
         let narrow = |along| slope().radiance(along, 0.0, 0.0);
-        assert!((narrow(DVec3::Z)[0] - 31.5).abs() < 1e-9);
-        assert!((narrow(DVec3::X)[0] - 47.5).abs() < 1e-9);
-        assert!(narrow(DVec3::Y)[1] < 1e-9);
+        assert!((narrow(DVec3::Z)[0] - 31.5).abs() < 1e-4);
+        assert!((narrow(DVec3::X)[0] - 47.5).abs() < 1e-4);
+        assert!(narrow(DVec3::Y)[1] < 1e-4);
     }
 
     #[test]
     fn turning_the_picture_is_turning_the_view() {
         let turned = slope().radiance(DVec3::Z, PI / 2.0, 0.0);
-        assert!((turned[0] - 47.5).abs() < 1e-9);
+        assert!((turned[0] - 47.5).abs() < 1e-4);
     }
 }

@@ -66,7 +66,7 @@ pub use light::{Light, Source};
 pub use net::Around;
 pub use pearl::{Grain, Model, Pearl, Shade, Sight};
 pub use picture::{CHANNELS, MAX_SIZE_PX, PARTS, Progress, render};
-pub use relief::{Draw, Facet, Glint, Relief};
+pub use relief::{Draw, Facet, FacetsSeen, Glint, Relief};
 pub use rgb::Rgb;
 pub use rings::Rings;
 pub use sky::Sky;

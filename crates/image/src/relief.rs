@@ -41,7 +41,7 @@ pub struct Draw {
 /// A facet that the eye sees, drawn from all those it sees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facet {
-    /// Where the mirrored light comes from, in the frame of [`Relief::facet`].
+    /// Where the mirrored light comes from, in the frame of [`FacetsSeen`].
     pub light: DVec3,
     /// How much it counts; its mean over all drawn is the share that leaves after one facet.
     pub weight: f64,
@@ -112,10 +112,7 @@ impl Relief {
                 let lean = libm::acos(cos_lean) / spread_rad;
                 self.density_at_normal * libm::exp(-0.5 * lean * lean)
             }
-            Shape::Ggx { alpha } => {
-                let narrow = 1.0 - cos_lean * cos_lean * (1.0 - alpha * alpha);
-                alpha * alpha / (PI * narrow * narrow)
-            }
+            Shape::Ggx { alpha } => ggx_density(alpha, cos_lean),
         }
     }
 
@@ -169,13 +166,39 @@ impl Relief {
         }
     }
 
-    /// The facet of one of the [`Self::draws`], in the frame where z is the normal and the eye, at
-    /// `cos_view` above 0, stands over the x axis.
-    pub fn facet(&self, draw: Draw, cos_view: f64) -> Option<Facet> {
+    /// The facets as an eye at `cos_view` above 0 sees them.
+    pub fn seen_at(&self, cos_view: f64) -> FacetsSeen {
         let view = DVec3::new((1.0 - cos_view * cos_view).max(0.0).sqrt(), 0.0, cos_view);
+        let (stretched, masking) = match self.shape {
+            Shape::Grooves { .. } => (view, 1.0),
+            Shape::Ggx { alpha } => (
+                DVec3::new(alpha * view.x, 0.0, view.z).normalize(),
+                smith_over_cosine(alpha, cos_view),
+            ),
+        };
+        FacetsSeen { shape: self.shape, view, stretched, masking }
+    }
+}
+
+/// Facets from one angle, in the frame where z is the normal and the eye stands over the x axis.
+#[derive(Debug, Clone, Copy)]
+pub struct FacetsSeen {
+    shape: Shape,
+    view: DVec3,
+    /// GGX: the view where facets lean all ways alike.
+    stretched: DVec3,
+    /// GGX: what the eye reaches of the facets, over its cosine.
+    masking: f64,
+}
+
+impl FacetsSeen {
+    /// The facet of one of the [`Relief::draws`], if light comes to it from outside.
+    #[inline]
+    pub fn facet(&self, draw: Draw) -> Option<Facet> {
+        let (view, cos_view) = (self.view, self.view.z);
         let lean = match self.shape {
             Shape::Grooves { .. } => draw.place,
-            Shape::Ggx { alpha } => visible(alpha, draw.place, view),
+            Shape::Ggx { alpha } => visible(alpha, draw.place, self.stretched),
         };
         let cos_half = view.dot(lean);
         let light = 2.0 * cos_half * lean - view;
@@ -191,12 +214,19 @@ impl Relief {
             },
             Shape::Ggx { alpha } => Facet {
                 weight: smith_over_cosine(alpha, light.z) * light.z,
-                density: self.density(lean.z.min(1.0)) * smith_over_cosine(alpha, cos_view) / 4.0,
+                density: 0.25 * ggx_density(alpha, lean.z) * self.masking,
                 light,
                 cos_half,
             },
         })
     }
+}
+
+/// GGX facets by solid angle (Walter 2007, equation 33).
+#[inline]
+fn ggx_density(alpha: f64, cos_lean: f64) -> f64 {
+    let narrow = 1.0 - cos_lean * cos_lean * (1.0 - alpha * alpha);
+    alpha * alpha / (PI * narrow * narrow)
 }
 
 /// Smith's share of facets that a direction reaches (Walter 2007, equation 34), over its cosine.
@@ -205,17 +235,16 @@ fn smith_over_cosine(alpha: f64, cosine: f64) -> f64 {
     2.0 / (cosine + (square + alpha * alpha * (1.0 - square)).sqrt())
 }
 
-/// A facet among those that `view` sees, from a point of the unit disc (Heitz 2018).
-fn visible(alpha: f64, DVec3 { x, y, .. }: DVec3, view: DVec3) -> DVec3 {
-    let stretched = DVec3::new(alpha * view.x, 0.0, view.z).normalize();
-    // The view lies over the x axis, and so does the axis across it.
-    let across = DVec3::Y;
-    let up = stretched.cross(across);
+/// A facet among those seen, from a point of the unit disc (Heitz 2018); `stretched` lies over the x axis.
+#[inline]
+fn visible(alpha: f64, DVec3 { x, y, .. }: DVec3, stretched: DVec3) -> DVec3 {
     let half = 0.5 * (1.0 + stretched.z);
     let bent = (1.0 - half) * (1.0 - x * x).max(0.0).sqrt() + half * y;
     let rest = (1.0 - x * x - bent * bent).max(0.0).sqrt();
-    let lean = x * across + bent * up + rest * stretched;
-    DVec3::new(alpha * lean.x, alpha * lean.y, lean.z.max(1e-9)).normalize()
+    // The axis across is y, the third one z turned by the view.
+    let along = rest * stretched.x - bent * stretched.z;
+    let up = rest * stretched.z + bent * stretched.x;
+    DVec3::new(alpha * along, alpha * x, up.max(1e-9)).normalize()
 }
 
 /// The i-th of points that fill the unit square evenly, in runs too (Roberts 2018, R2).
@@ -259,7 +288,8 @@ mod tests {
                 let relief = make(spread);
                 let draws = relief.draws(4096);
                 for cosine in [1.0, 0.7, 0.3] {
-                    let facets = draws.iter().filter_map(|draw| relief.facet(*draw, cosine));
+                    let seen = relief.seen_at(cosine);
+                    let facets = draws.iter().filter_map(|draw| seen.facet(*draw));
                     let drawn = facets.map(|facet| facet.weight).sum::<f64>() / 4096.0;
                     let exact = albedo(&relief, towards(cosine));
                     assert!((drawn - exact).abs() < 0.01, "{relief:?} {cosine}: {drawn} {exact}");
@@ -276,7 +306,7 @@ mod tests {
         for make in RELIEFS {
             let relief = make(0.2);
             for draw in relief.draws(64) {
-                let Some(facet) = relief.facet(draw, 0.6) else { continue };
+                let Some(facet) = relief.seen_at(0.6).facet(draw) else { continue };
                 let stated = relief.mirrored(DVec3::Z, towards(0.6), facet.light).unwrap();
                 assert!((stated.share / (facet.weight * facet.density) - 1.0).abs() < 1e-6);
                 assert!((stated.cos_half - facet.cos_half).abs() < 1e-9);

@@ -31,8 +31,8 @@ impl Surface {
         let mut entering = Vec::new();
         for cosine in film::cosines() {
             let cos_view = cosine.max(0.25 / STEPS as f64);
-            let mut mirrored = [0.0; BANDS];
-            for facet in draws.iter().filter_map(|draw| relief.facet(*draw, cos_view)) {
+            let (mut mirrored, seen) = ([0.0; BANDS], relief.seen_at(cos_view));
+            for facet in draws.iter().filter_map(|draw| seen.facet(*draw)) {
                 for (sum, share) in mirrored.iter_mut().zip(film.reflectance(facet.cos_half)) {
                     *sum += facet.weight * share;
                 }

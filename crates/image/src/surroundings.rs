@@ -9,7 +9,7 @@ use crate::{
     rgb::{self, Rgb},
     sky::Sky,
     table::Table,
-    window::Window,
+    window::{Patch, Window},
 };
 
 /// Upright walls around the pearls, a square room open to the sky.
@@ -284,10 +284,11 @@ impl Surroundings {
             return 1.0;
         }
         let (mut past, mut whole) = (0.0, 0.0);
-        for (toward, disc_rad, weight) in window.patches(point, normal) {
-            let beside = hiding.iter().map(|ball| ball.disc_past(point, toward, disc_rad));
-            past += weight * beside.product::<f64>();
-            whole += weight;
+        for Patch { toward, disc_rad, light } in window.patches(point, normal) {
+            let ray = Ray { from: point, along: toward };
+            let stopped = |ball: &&Ball| ball.stops(&ray, 2.0 * disc_rad).map_or(0.0, |(_, s)| s);
+            past += light * hiding.iter().map(|ball| 1.0 - stopped(ball)).product::<f64>();
+            whole += light;
         }
         if whole > 0.0 { past / whole } else { 1.0 }
     }

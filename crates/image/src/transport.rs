@@ -149,9 +149,9 @@ impl Transport {
         // a slanted surface turns it faster.
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
-        let mut lobe = Lobe::default();
+        let (mut lobe, facets) = (Lobe::default(), self.surface.relief.seen_at(cos_view));
         for draw in draws {
-            let Some(facet) = self.surface.relief.facet(draw, cos_view) else { continue };
+            let Some(facet) = facets.facet(draw) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
             let share_rad2 = lobe_width / (facet.density * count as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();

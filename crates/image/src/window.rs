@@ -124,16 +124,36 @@ impl Window {
         (toward, libm::acos(least.clamp(-1.0, 1.0)))
     }
 
-    /// Patches of the window: direction from `point`, distance to the patch's middle, angular radius of
-    /// a disc as large, and weight for a surface with this normal. The weights add up to about the form
-    /// factor.
-    pub(crate) fn patches(
-        &self,
-        point: DVec3,
-        normal: DVec3,
-    ) -> impl Iterator<Item = (DVec3, f64, f64)> {
-        self.directions(point, PATCH_RAD).map(move |(along, solid)| {
-            (along, (solid / PI).sqrt(), along.dot(normal).max(0.0) * solid / PI)
+    /// Patches of the window: direction from `point`, angular radius of a disc as large, and light on a
+    /// surface with this normal, in a unit of its own. None from behind.
+    pub(crate) fn patches(&self, point: DVec3, normal: DVec3) -> impl Iterator<Item = Patch> {
+        let (across, along) = (self.range(point, self.right), self.range(point, self.up));
+        let columns = across.steps(PATCH_RAD, MOST_PATCHES as u32);
+        let rows = along.steps(PATCH_RAD, MOST_PATCHES as u32);
+        // Tangents of a row's or column's angle, and how fast they grow with it.
+        let tangents = |range: &Range, count| {
+            let mut found = [(0.0, 0.0); MOST_PATCHES];
+            for (i, found) in (0..count).zip(&mut found) {
+                let tangent = libm::tan(range.at(f64::from(i) + 0.5, count));
+                *found = (tangent, (1.0 + tangent * tangent) * range.step_rad(count));
+            }
+            found
+        };
+        let (x, y) = (tangents(&across, columns), tangents(&along, rows));
+        let facing = self.facing;
+        (0..rows as usize).flat_map(move |row| {
+            (0..columns as usize).filter_map(move |column| {
+                let ((x, wide), (y, high)) = (x[column], y[row]);
+                let length2 = 1.0 + x * x + y * y;
+                let length = length2.sqrt();
+                let toward = (across.unit * x + along.unit * y - facing) / length;
+                let (cosine, solid) = (toward.dot(normal), wide * high / (length * length2));
+                (cosine > 0.0).then(|| Patch {
+                    toward,
+                    disc_rad: (solid / PI).sqrt(),
+                    light: cosine * solid,
+                })
+            })
         })
     }
 
@@ -144,33 +164,66 @@ impl Window {
         point: DVec3,
         step_rad: f64,
     ) -> impl Iterator<Item = (DVec3, f64)> {
-        let in_front_mm = self.in_front_mm(point);
-        let middle = self.centre - point;
-        // Tangents of the angles in which the edges stand left and right, below and above.
-        let range = |half: DVec3| {
-            let half_mm = half.length();
-            let along_mm = middle.dot(half) / half_mm;
-            let angle = |mm: f64| libm::atan(mm / in_front_mm);
-            let (low, high) = (angle(along_mm - half_mm), angle(along_mm + half_mm));
-            let steps = ((high - low) / step_rad).ceil().clamp(2.0, 64.0) as u32;
-            (half / half_mm, low, high, if in_front_mm > 0.0 { steps } else { 0 })
-        };
-        // (tangent at the middle, at both ends) of equal steps of angle.
-        let steps_of = |(low, high, steps): (f64, f64, u32)| {
-            let step = (high - low) / f64::from(steps.max(1));
-            let at = move |i: f64| libm::tan(low + i * step);
-            (0..steps).map(f64::from).map(move |i| (at(i + 0.5), at(i), at(i + 1.0)))
-        };
-        let (right, left_rad, right_rad, columns) = range(self.right);
-        let (up, low_rad, high_rad, rows) = range(self.up);
+        let (across, along) = (self.range(point, self.right), self.range(point, self.up));
         let facing = self.facing;
-        steps_of((low_rad, high_rad, rows)).flat_map(move |(y, low, high)| {
-            steps_of((left_rad, right_rad, columns)).map(move |(x, left, far)| {
-                let solid =
-                    corner(far, high) - corner(left, high) - corner(far, low) + corner(left, low);
-                ((right * x + up * y - facing).normalize(), solid)
+        let rows = along.steps(step_rad, MOST_STEPS);
+        along.tangents(rows).flat_map(move |(y, low, high)| {
+            let columns = across.steps(step_rad, MOST_STEPS);
+            across.tangents(columns).map(move |(x, left, right)| {
+                let solid = corner(right, high) - corner(left, high) - corner(right, low)
+                    + corner(left, low);
+                ((across.unit * x + along.unit * y - facing).normalize(), solid)
             })
         })
+    }
+
+    /// In what angles the edges stand along `half`, left and right or below and above, from `point`.
+    fn range(&self, point: DVec3, half: DVec3) -> Range {
+        let in_front_mm = self.in_front_mm(point);
+        let half_mm = half.length();
+        let unit = half / half_mm;
+        let along_mm = (self.centre - point).dot(unit);
+        let angle = |mm: f64| libm::atan(mm / in_front_mm);
+        let (low_rad, high_rad) = (angle(along_mm - half_mm), angle(along_mm + half_mm));
+        Range { unit, low_rad, high_rad, behind: in_front_mm <= 0.0 }
+    }
+}
+
+/// Part of a window.
+pub(crate) struct Patch {
+    pub(crate) toward: DVec3,
+    pub(crate) disc_rad: f64,
+    pub(crate) light: f64,
+}
+
+/// The angles in which a window stands along one of its sides.
+#[derive(Debug, Clone, Copy)]
+struct Range {
+    /// Along that side.
+    unit: DVec3,
+    low_rad: f64,
+    high_rad: f64,
+    behind: bool,
+}
+
+impl Range {
+    fn steps(&self, step_rad: f64, most: u32) -> u32 {
+        let steps = ((self.high_rad - self.low_rad) / step_rad).ceil();
+        if self.behind { 0 } else { steps.clamp(2.0, f64::from(most)) as u32 }
+    }
+
+    fn step_rad(&self, count: u32) -> f64 {
+        (self.high_rad - self.low_rad) / f64::from(count.max(1))
+    }
+
+    fn at(&self, step: f64, count: u32) -> f64 {
+        self.low_rad + step * self.step_rad(count)
+    }
+
+    /// (tangent in the middle, at both ends) of equal steps of angle.
+    fn tangents(self, count: u32) -> impl Iterator<Item = (f64, f64, f64)> {
+        let at = move |step| libm::tan(self.at(step, count));
+        (0..count).map(f64::from).map(move |i| (at(i + 0.5), at(i), at(i + 1.0)))
     }
 }
 
@@ -191,7 +244,10 @@ const FINEST_RAD: f64 = 1e-9;
 /// Beyond this many standard deviations a Gaussian is nothing.
 const CUT: f64 = 6.0;
 /// Size of the patches by which a window's shadow is found **(ours)**.
-const PATCH_RAD: f64 = 0.25;
+const PATCH_RAD: f64 = 0.35;
+const MOST_PATCHES: usize = 9;
+/// Most steps along a side of a window.
+const MOST_STEPS: u32 = 64;
 
 #[cfg(test)]
 mod tests {
@@ -268,8 +324,8 @@ mod tests {
         let half = (DVec3::new(0.0, 0.0, 0.5 * b), DVec3::new(0.5 * a, 0.0, 0.0));
         let window = Window::new(DVec3::new(0.5 * a, c, 0.5 * b), half.1, half.0, [1.0; 3]);
         assert!((window.form_factor(DVec3::ZERO, DVec3::Y) - expected).abs() < 1e-12);
-        let weights: f64 = window.patches(DVec3::ZERO, DVec3::Y).map(|patch| patch.2).sum();
-        assert!((weights / expected - 1.0).abs() < 0.03, "{weights} {expected}");
+        let weights: f64 = window.patches(DVec3::ZERO, DVec3::Y).map(|patch| patch.light).sum();
+        assert!((weights / PI / expected - 1.0).abs() < 0.03, "{weights} {expected}");
     }
 
     #[test]

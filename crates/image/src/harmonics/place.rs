@@ -10,6 +10,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
+    #[inline]
     pub fn towards(direction: DVec3) -> Self {
         let [x, y, z] = direction.to_array().map(|part| part as f32);
         Self { colatitude: angle((x * x + y * y).sqrt(), z), longitude: angle(y, x) }
