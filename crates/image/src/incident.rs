@@ -21,9 +21,11 @@ impl Surroundings {
         }
         let (toward, disc_rad) = (lamp.toward(point), lamp.angular_radius_rad());
         let disc = libm::sincos(disc_rad);
-        let others = self.balls.iter().enumerate().filter(|(i, _)| Some(*i) != on);
-        let hiding = others.filter(|(_, ball)| !ball.is_clear_of(point, toward, disc));
-        hiding.map(|(_, ball)| ball.light_past(point, toward, disc_rad)).product()
+        let ray = Ray { from: point, along: toward };
+        // Twice the disc: its cone's angle, which a tangent makes a little wider.
+        let others = self.balls_near(&ray, 2.2 * disc_rad, on);
+        let hiding = others.filter(|ball| !ball.is_clear_of(point, toward, disc));
+        hiding.map(|ball| ball.light_past(point, toward, disc_rad)).product()
     }
 
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where

@@ -13,6 +13,7 @@ mod ball;
 mod bands;
 mod by_angle;
 mod camera;
+mod crowd;
 mod develop;
 mod dome;
 mod eye;

@@ -3,6 +3,7 @@ use glam::DVec3;
 use crate::{
     ball::Ball,
     camera::Ray,
+    crowd::Crowd,
     floor::{self, Floor},
     glow::Glow,
     lamp::Lamp,
@@ -31,6 +32,7 @@ pub struct Surroundings {
     pub windows: Vec<Window>,
     /// The pearls, which throw shadows and give light.
     pub balls: Vec<Ball>,
+    crowd: Crowd,
     /// Height of the table: that of the lowest ball's lowest point.
     pub(crate) table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
@@ -81,9 +83,9 @@ impl Surroundings {
         let sky_on_table = sky.on_table();
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
-        let windows = Vec::new();
+        let (windows, crowd) = (Vec::new(), Crowd::new(&balls));
         let floors = Vec::new();
-        Self { table, walls, sky, lamps, windows, balls, table_y_mm, sky_on_table, floors }
+        Self { table, walls, sky, lamps, windows, balls, crowd, table_y_mm, sky_on_table, floors }
     }
 
     /// The same with windows.
@@ -142,13 +144,24 @@ impl Surroundings {
         spread_rad: f64,
         from: Option<usize>,
     ) -> Seen {
-        let others = self.balls.iter().enumerate().filter(|(i, _)| Some(*i) != from);
-        let balls = others.filter_map(|(_, ball)| {
+        let balls = self.balls_near(ray, spread_rad, from).filter_map(|ball| {
             let (distance_mm, share) = ball.stops(ray, spread_rad)?;
             let radiance = ball.glow.at((ray.from - ball.centre).normalize());
             Some(Layer { distance_mm, share, radiance, fades: true })
         });
         self.layered(balls.chain(panes(windows, ray, spread_rad)).collect(), ray, spread_rad)
+    }
+
+    /// The balls that a cone of light may meet, the one left out that it comes from.
+    pub(crate) fn balls_near(
+        &self,
+        ray: &Ray,
+        spread_rad: f64,
+        from: Option<usize>,
+    ) -> impl Iterator<Item = &Ball> {
+        let others = from.map(|ball| self.crowd.near(ball, ray, spread_rad));
+        let all = if from.is_some() { 0..0 } else { 0..self.balls.len() };
+        others.into_iter().flatten().chain(all).map(|ball| &self.balls[ball])
     }
 
     /// What `ray` meets of windows, table, walls and sky.
