@@ -31,7 +31,7 @@ impl Surroundings {
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
     /// they hide it, their own glow.
     pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let known = self.floors.iter().find_map(|floor| floor.at(point));
+        let known = self.floors.iter().find_map(|floor| floor.at([point.x, point.z]));
         let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
         for lamp in &self.lamps {
             let toward = lamp.toward(point);

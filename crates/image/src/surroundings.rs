@@ -3,14 +3,15 @@ use glam::DVec3;
 use crate::{
     ball::Ball,
     camera::Ray,
+    chart::Chart,
     crowd::Crowd,
-    floor::{self, Floor},
+    floor,
     glow::Glow,
     lamp::Lamp,
     rgb::{self, Rgb},
     sky::Sky,
     table::Table,
-    walls::Walls,
+    walls::{WallLight, Walls},
     window::Window,
 };
 
@@ -38,7 +39,9 @@ pub struct Surroundings {
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     pub(crate) sky_on_table: Rgb,
     /// Soft light on the table, near and far, once it is settled.
-    pub(crate) floors: Vec<Floor>,
+    pub(crate) floors: Vec<Chart>,
+    /// Light on the walls, once it is settled.
+    pub(crate) wall_light: Option<WallLight>,
 }
 
 /// What a ray meets.
@@ -84,8 +87,19 @@ impl Surroundings {
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
         let (windows, crowd) = (Vec::new(), Crowd::new(&balls));
-        let floors = Vec::new();
-        Self { table, walls, sky, lamps, windows, balls, crowd, table_y_mm, sky_on_table, floors }
+        Self {
+            table,
+            walls,
+            sky,
+            lamps,
+            windows,
+            balls,
+            crowd,
+            table_y_mm,
+            sky_on_table,
+            floors: Vec::new(),
+            wall_light: None,
+        }
     }
 
     /// The same with windows.
@@ -100,12 +114,16 @@ impl Surroundings {
         self.floors.clear();
     }
 
-    /// Works out the table's soft light once and for all: for scenes in which it is costly.
+    /// Works out the soft light on table and walls once and for all: for scenes in which it is costly.
     pub fn settle(&mut self) {
         if self.table.is_some() {
             let soft = |point| self.soft_light_on_table(point);
-            let floor = |reach| Floor::new(&self.balls, self.table_y_mm, reach, soft);
-            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(floor).collect();
+            let chart = |reach| floor::chart(&self.balls, self.table_y_mm, reach, soft);
+            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(chart).collect();
+        }
+        if let (Some(walls), None) = (&self.walls, &self.wall_light) {
+            let light = |point, inward| self.light_on_wall(point, inward);
+            self.wall_light = Some(WallLight::new(walls, self.table_y_mm, light));
         }
     }
 
@@ -195,19 +213,23 @@ impl Surroundings {
             .table
             .as_ref()
             .and_then(|table| Some((table, distance_down(ray, self.table_y_mm)?)));
-        let walls = self.walls.and_then(|walls| {
+        let wall = self.walls.and_then(|walls| {
             let (distance_mm, inward) = walls.ahead(ray, self.table_y_mm)?;
-            let light = self.light_on_wall(ray.from + ray.along * distance_mm, inward);
-            Some((rgb::times(walls.colour, light), distance_mm))
+            Some((walls.colour, distance_mm, inward))
         });
-        match (table, walls) {
+        match (table, wall) {
             (Some((table, distance_mm)), wall)
-                if wall.is_none_or(|(_, wall_mm)| distance_mm < wall_mm) =>
+                if wall.is_none_or(|(_, wall_mm, _)| distance_mm < wall_mm) =>
             {
                 let radiance = self.table_radiance(table, ray, distance_mm, spread_rad);
                 Seen { radiance, distance_mm }
             }
-            (_, Some((radiance, distance_mm))) => Seen { radiance, distance_mm },
+            (_, Some((colour, distance_mm, inward))) => {
+                let point = ray.from + ray.along * distance_mm;
+                let charted = self.wall_light.as_ref().and_then(|light| light.at(point, inward));
+                let light = charted.unwrap_or_else(|| self.light_on_wall(point, inward));
+                Seen { radiance: rgb::times(colour, light), distance_mm }
+            }
             _ => Seen {
                 radiance: self.sky.radiance(ray.along, spread_rad),
                 distance_mm: f64::INFINITY,
