@@ -13,6 +13,7 @@ mod ball;
 mod bands;
 mod by_angle;
 mod camera;
+mod coarser;
 mod crowd;
 mod develop;
 mod dome;
