@@ -3,11 +3,11 @@
     ./just bench
     python benchmarks/image.py --peers    # and Mitsuba's pearl, and docs/benchmarks.md
 
-Prints whole-process wall time, processor time and peak memory over several runs, the import of the
-package (which loads no room until asked) and of its last room (which brings NumPy and pydantic),
-and where the time goes inside one process. The budget of the main job is 1.5 s on two cores, of
-the import 0.3 s, of memory 200 MB. `--peers` compares with Mitsuba 3, see `reflection.py`. Nothing
-here is a test: machines differ.
+Prints whole-process wall time, processor time and peak memory over several runs, of the main job,
+of every preset scene and of 24 pearls in one, the import of the package (which loads no room until
+asked) and of its last room (which brings NumPy and pydantic), and where the time goes inside one
+process. The budget of the main job is 1.5 s on two cores, of the import 0.3 s, of memory 200 MB.
+`--peers` compares with Mitsuba 3, see `reflection.py`. Nothing here is a test: machines differ.
 """
 
 from __future__ import annotations
@@ -80,6 +80,49 @@ def break_down(folder: str) -> None:
     timed("write EXR", lambda: image.save(Path(folder, "pearl.exr")))
 
 
+#: Twelve masters above, twelve goods below, as on a sorter's tray.
+TRAY = """
+name = "tray"
+[camera]
+elevation_deg = 55.0
+distance_mm = 400.0
+[[rows]]
+pearls = [{first}]
+[[rows]]
+pearls = [{second}]
+[[rows]]
+pearls = ["*", "*", "*", "*", "*", "*"]
+[[rows]]
+pearls = ["*", "*", "*", "*", "*", "*"]
+[[windows]]
+azimuth_deg = -40.0
+elevation_deg = 45.0
+spectrum = "6500K"
+luminance = 6.0
+[table]
+kind = "cloth"
+"""
+
+
+def report_scenes(render: list[str], folder: str) -> None:
+    """Every preset scene in 1024 x 1024, then 24 different pearls in one; budgets 2 s and 6 s."""
+    from nacreous.spec import preset
+
+    output = ["--size", "1024", "-o", str(Path(folder, "scene.png"))]
+    for scene in preset.names("scene"):
+        report(scene, [*render, "akoya-rg-1.0", "--scene", scene, *output])
+    steps = ("1.0", "0.7", "0.4", "0.0")
+    masters = [f'"akoya-{family}-{step}"' for family in ("r", "rg", "g") for step in steps]
+    first, second = (", ".join(masters[part : part + 6]) for part in (0, 6))
+    tray = Path(folder, "tray.toml")
+    tray.write_text(TRAY.format(first=first, second=second))
+    goods = []
+    for seed in range(12):
+        goods.append(str(Path(folder, f"good-{seed}.toml")))
+        Path(goods[-1]).write_text(f'[nacre]\npreset = "akoya-rg-0.7"\nseed = {seed}\n')
+    report("24 pearls", [*render, *goods, "--scene", str(tray), *output])
+
+
 def main() -> None:
     """Print everything."""
     print(f"{processor()}; {platform.platform()}; Python {platform.python_version()}; {RUNS} runs")
@@ -89,6 +132,7 @@ def main() -> None:
         report("main job, 512 x 512", [*nacreous, "render", "paper", "-o", output])
         larger = ["--size", "1024", "-o", output]
         report("the same, 1024 x 1024", [*nacreous, "render", "paper", *larger])
+        report_scenes([*nacreous, "render"], folder)
         report("import nacreous", [sys.executable, "-c", "import nacreous"])
         report("import nacreous.image", [sys.executable, "-c", "import nacreous.image"])
         report("Python alone", [sys.executable, "-c", "pass"])

@@ -1,9 +1,11 @@
-"""The trade's colour families R, RG and G by exact optics: tables and pictures of docs/families.md.
+"""The trade's colour families R, RG and G, by exact optics and in the Aurora viewer.
 
-`python examples/families.py docs/pictures` writes the pictures there; without a folder, here.
+Prints the tables of docs/families.md. `python examples/families.py docs/pictures` writes the
+pictures there; without a folder, here.
 """
 
 import sys
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +18,10 @@ WHITE = nc.colour.white_xyz("D65")
 COLUMNS, LAYERS, OUTER_UM, ORDERLY_NM = 64, 120, 50.0, 12.0
 ANGLES_DEG = (0, 30, 65)
 STEPS = ("1.0", "0.7", "0.4", "0.0")
+#: Rings of a pearl in a picture, of equal width; the second is its centre, at 4 to 7 degrees, the
+#: last but one its rim, at 61 to 70.
+RINGS, CENTRE, RIM = 16, 1, 14
+COLOURLESS = (("body.pigment", "none"), ("body.nucleus", "#ffffff"))
 
 #: Reported tablets in nm, ours that give the words, and the words as Munsell's letters: of the
 #: centre and of the rim, 0 and 65 degrees. Red is looked for among red-purples too.
@@ -37,20 +43,24 @@ def noisy(mean_nm, spread_nm, columns=COLUMNS, protein="chitin"):
     return [film(np.maximum(mean_nm + spread_nm * row, 50.0), protein) for row in noise]
 
 
-def grown(name):
-    """The outer 50 um of columns that grew by a nacre preset."""
+def grown(name, outer_um=OUTER_UM):
+    """The outer layers of columns that grew by a nacre preset."""
     stacks = [nc.grow(name, seed=seed) for seed in range(1, COLUMNS + 1)]
-    return [film(stack.thickness_nm[: stack.outer(OUTER_UM)[0]]) for stack in stacks]
+    return [film(stack.thickness_nm[: stack.outer(outer_um)[0]]) for stack in stacks]
 
 
-def colours(stacks, angles_deg, step_nm=1):
-    """XYZ [R and T, angle, 3] under D65, each colour at Y = 1: light of columns adds by energy."""
+def colours(stacks, angles_deg, step_nm=1, light="D65"):
+    """XYZ [R and T, angle, 3], each colour at Y = 1: light of columns adds by energy.
+
+    Under a light other than D65, colours are those that look alike to an eye adapted to D65.
+    """
     nm = nc.colour.WAVELENGTH_NM[::step_nm]
     angle_rad = np.radians(np.asarray(angles_deg, dtype=float))
-    light = [nc.optics.energies(stack, angle_rad, nm, precision="single") for stack in stacks]
-    mean = np.mean([(each.R, each.T) for each in light], axis=0)
-    weights = nc.colour.xyz_from_spectrum(np.eye(401), "D65")[::step_nm]
-    xyz = mean @ (weights * (WHITE / weights.sum(axis=0)))
+    each = [nc.optics.energies(stack, angle_rad, nm, precision="single") for stack in stacks]
+    mean = np.mean([(one.R, one.T) for one in each], axis=0)
+    white = nc.colour.white_xyz(light)
+    weights = nc.colour.xyz_from_spectrum(np.eye(401), light)[::step_nm]
+    xyz = nc.colour.adapt(mean @ (weights * (white / weights.sum(axis=0))), white, WHITE)
     return xyz / xyz[..., 1:2]
 
 
@@ -177,8 +187,71 @@ def draw_steps():
             panel.grid(visible=False)
 
 
+def tabulate_limits():
+    """What else moves the colours of T: the protein, how deep light sees, and the lamp."""
+    for name, (_, ours, *_) in FAMILIES.items():
+        master = f"akoya-{name}-1.0"
+        kinds = {
+            "chitin": colours(noisy(ours, ORDERLY_NM), ANGLES_DEG),
+            "silk fibroin": colours(noisy(ours, ORDERLY_NM, protein="silk-fibroin"), ANGLES_DEG),
+            "1.43": colours(noisy(ours, ORDERLY_NM, protein=1.43), ANGLES_DEG),
+            **{f"{um} um": colours(grown(master, um), ANGLES_DEG) for um in (30, 50, 70)},
+            **{lamp: colours(grown(master), ANGLES_DEG, light=lamp) for lamp in ("D50", "A")},
+        }
+        for words, xyz in kinds.items():
+            print(f"{name.upper()}, {words}: T {listed(xyz[1])}")
+
+
+@cache
+def aurora(name, *body):
+    """XYZ of a pearl in the Aurora viewer [upper and lower half, centre and rim, 3], each at Y = 1.
+
+    As seen, and as it would be if the film had no colour: light of the body's own.
+    """
+    pearl = nc.Pearl.load(name, [("grain", 0.0), *body])
+    image = nc.render(pearl, "aurora", size=160)
+    coverage = image.layers["coverage"][..., 0]
+    row, column = np.indices(coverage.shape)
+    down = row - np.average(row, weights=coverage)
+    right = column - np.average(column, weights=coverage)
+    ring = (np.hypot(down, right) / np.sqrt(coverage.sum() / np.pi) * RINGS).astype(int)
+    # Up to 30 degrees from the waist, where halves pass into one another, pixels are left out.
+    steep = (np.abs(down) > np.abs(right) * np.tan(np.radians(30))) & (coverage > 0.999)
+    places = [steep & half & (ring == at) for half in (down < 0, down > 0) for at in (CENTRE, RIM)]
+    found = []
+    for part in (image.linear, image.layers["diffuse"]):
+        xyz = nc.colour.xyz_from_rgb([part[place].mean(axis=0) for place in places])
+        found.append((xyz / xyz[:, 1:2]).reshape(2, 2, 3))
+    return found
+
+
+def tabulate_aurora():
+    """Hues of the families in the Aurora viewer, for the words; and the chroma of their steps."""
+    for name in FAMILIES:
+        for pearl in (f"akoya-{name}-1.0", f"akoya-{name}-published"):
+            for words, body in (("", ()), (" with a colourless body", COLOURLESS)):
+                upper, lower = aurora(pearl, *body)[0]
+                print(f"Aurora, {pearl}{words}: upper {listed(upper)}; lower {listed(lower)}")
+    print("Aurora, chroma of the upper half's centre, and of that of step 1.0:")
+    for name in FAMILIES:
+        pearls = [f"akoya-{name}-{step}" for step in STEPS]
+        seen, own = np.transpose([aurora(pearl) for pearl in pearls], (1, 0, 2, 3, 4))[..., 0, 0, :]
+        colourless = [aurora(pearl, *COLOURLESS)[0][0, 0] for pearl in pearls]
+        kinds = {
+            "as seen": seen,
+            "with the body's own light as white": seen * WHITE / own,
+            "of a colourless body": colourless,
+        }
+        for words, xyz in kinds.items():
+            chroma = hue_and_chroma(xyz)[:, 1]
+            steps = (f"{c:.1f} ({c / chroma[0]:.2f})" for c in chroma)
+            print(f"  {name.upper()}, {words}:", *steps)
+
+
 draw_disorder()
 scan()
 tabulate_families()
 draw_families()
 draw_steps()
+tabulate_limits()
+tabulate_aurora()

@@ -33,7 +33,7 @@ def outer_um_of(pearl: Pearl) -> float:
     """Depth of the film in um: the file's, or what the knob depth makes of it.
 
     >>> round(outer_um_of(Pearl(depth=0.6)))
-    49
+    37
     """
     if pearl.film.outer_um is not None:
         return pearl.film.outer_um

@@ -24,20 +24,39 @@ def rings(image: Any, count: int = 6) -> tuple[Array, Array]:
     Rings are of equal width, the centre first. Hue and chroma are CIE Lab's of the ring's mean
     light brought to Y = 1, under the picture's white D65; of a black ring both are 0.
     """
+    radius, azimuth_deg, whole = _polar(image)
+    ring = np.where(whole, (radius * count).astype(int), count)
+    halves = (np.abs(azimuth_deg) <= WEDGE_DEG, np.abs(azimuth_deg) >= 180.0 - WEDGE_DEG)
+    upper, lower = (
+        np.stack([_colour(image.linear[half & (ring == each)]) for each in range(count)])
+        for half in halves
+    )
+    return upper, lower
+
+
+def fan(image: Any, count: int = 6, parts: int = 5) -> Array:
+    """The upper half's rings cut like a fan: [ring, part, (hue, chroma, luminance)], as `rings`."""
+    radius, azimuth_deg, whole = _polar(image)
+    ring = np.where(whole, (radius * count).astype(int), count)
+    part = np.floor((azimuth_deg + WEDGE_DEG) / (2 * WEDGE_DEG) * parts)
+    return np.array(
+        [
+            [_colour(image.linear[(ring == i) & (part == j)]) for j in range(parts)]
+            for i in range(count)
+        ]
+    )
+
+
+def _polar(image: Any) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Of pixels, the distance from the pearl's middle in radii, the angle from straight up in
+    degrees, clockwise, and whether the pearl fills them."""
     coverage = np.asarray(image.layers["coverage"], dtype=float)
     coverage = coverage.reshape(coverage.shape[0], coverage.shape[1])
     row, column = np.indices(coverage.shape)
     down = row - np.average(row, weights=coverage)
     right = column - np.average(column, weights=coverage)
     radius = np.hypot(down, right) / np.sqrt(coverage.sum() / np.pi)
-    steep = np.abs(down) >= np.hypot(down, right) * np.cos(np.radians(WEDGE_DEG))
-    ring = np.where((coverage > 0.999) & steep, (radius * count).astype(int), count)
-    halves = (down < 0, down >= 0)
-    upper, lower = (
-        np.stack([_colour(image.linear[half & (ring == each)]) for each in range(count)])
-        for half in halves
-    )
-    return upper, lower
+    return radius, np.degrees(np.arctan2(right, -down)), coverage > 0.999
 
 
 def _colour(pixels: Array) -> Array:

@@ -36,7 +36,7 @@ def test_a_lossless_pearl_in_even_light_is_invisible(
     lossless = pearl(body=LOSSLESS, surface=surface, inside={"spread": spread})
     image = nc.render(lossless, EVEN, size=48, samples=4)
     assert np.abs(image.linear - 1).max() < 0.005
-    assert image.layers["mirror"].max() > 0.2, "the furnace has nothing in it"
+    assert image.layers["mirror"].max() > 0.1, "the furnace has nothing in it"
 
 
 def test_a_white_table_under_a_lossless_pearl_keeps_its_light_where_they_are_apart() -> None:

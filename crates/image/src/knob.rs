@@ -39,8 +39,8 @@ impl Parameters {
             diffuse_loss: geometric(0.2, 0.03, depth),
             // Pale in the middle of the scale, where most pearls are; half interference at its end.
             mixing: 0.5 * libm::pow(depth, 1.5),
-            // From five layers to 250; at 0.6 the outer 50 um, of which the trade's reports speak.
-            outer_um: 2.0 + 98.0 * libm::pow(depth, 1.45),
+            // From five layers to 150; the trade reports on the outer 50 um.
+            outer_um: 2.0 + 58.0 * depth,
             // From a body nearly as matt as chalk, to one that shines with a seventh of its contrast.
             spread: geometric(0.02, 1.0, depth),
             // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).

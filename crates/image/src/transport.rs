@@ -143,7 +143,12 @@ impl Transport {
         let Sight { ball, hit, view, pixel_mm, .. } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
-        let x = aside.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
+        // Straight from above, what is left of the view aside is rounding.
+        let x = if aside.length_squared() > 1e-12 {
+            aside.normalize()
+        } else {
+            normal.any_orthonormal_vector()
+        };
         let y = normal.cross(x);
         // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
         // a slanted surface turns it faster.

@@ -42,13 +42,14 @@ impl Job<'_> {
                 None => return Ok(None),
             }
         }
-        let simple = self.places.len() == 1 && self.surroundings.windows.is_empty();
-        if !simple {
+        let alone = self.places.len() == 1;
+        let mut softly_lit = !(alone && self.surroundings.windows.is_empty());
+        if softly_lit {
             self.surroundings.settle();
         }
         let pearls = self.pearls(&films);
         // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
-        let alone = pearls.len() == 1;
+        softly_lit |= pearls.iter().any(Pearl::gives_light);
         let glow = |(ball, pearl): (usize, &Pearl<'_>)| {
             let gives = pearl.gives_light() || !alone;
             if gives { pearl.glow(&self.surroundings, ball) } else { Glow::BLACK }
@@ -58,7 +59,7 @@ impl Job<'_> {
         for (ball, glow) in glows.into_iter().enumerate() {
             self.surroundings.set_glow(ball, glow);
         }
-        if !simple {
+        if softly_lit {
             self.surroundings.settle();
         }
         let (pearls, around) = (self.pearls(&films), &self.surroundings);
