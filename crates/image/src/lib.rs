@@ -14,6 +14,7 @@ mod bands;
 mod by_angle;
 mod camera;
 mod chart;
+mod coarser;
 mod crowd;
 mod develop;
 mod dome;
