@@ -42,11 +42,14 @@ def pixels(height_px: int = HEIGHT_PX) -> NDArray[np.float32]:
     return world.astype(np.float32)
 
 
-def write(path: Path) -> None:
-    """An OpenEXR file of it."""
+def write(path: Path, grey: bool = False) -> None:
+    """An OpenEXR file of it, or of its luminance alone."""
     import nacreous as nc
 
-    nc.Image(pixels(), {}).save(path)
+    light = pixels()
+    if grey:
+        light = np.repeat(light @ np.float32([[0.2126], [0.7152], [0.0722]]), 3, axis=-1)
+    nc.Image(light, {}).save(path)
 
 
 def _sky(elevation: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -256,6 +256,9 @@ fn even(i: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use rand_chacha::ChaCha8Rng;
+    use rand_core::{Rng, SeedableRng};
+
     use super::*;
 
     const RELIEFS: [fn(f64) -> Relief; 2] = [Relief::grooves, Relief::ggx];
@@ -330,6 +333,47 @@ mod tests {
                 let there = relief.mirrored(DVec3::Z, a, b).unwrap().share / b.z;
                 let back = relief.mirrored(DVec3::Z, b, a).unwrap().share / a.z;
                 assert!((there - back).abs() <= 1e-12 * there, "{a} {b}: {there} {back}");
+            }
+        }
+    }
+
+    /// Where facets throw light that comes from a patch of directions: the flux into another patch, and
+    /// how well it is known, by random starts and the facets that are drawn for them.
+    fn flux(relief: &Relief, from: (f64, f64), to: (f64, f64), seed: u64) -> (f64, f64) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        let draws = relief.draws(40_000);
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for draw in &draws {
+            // Patches: a range of the cosine, all around.
+            let cos_view = from.0 + (from.1 - from.0) * uniform();
+            let thrown = relief.seen_at(cos_view).facet(*draw);
+            let hit = thrown.filter(|facet| to.0 <= facet.light.z && facet.light.z < to.1);
+            let flux = hit.map_or(0.0, |facet| cos_view * facet.weight) * (from.1 - from.0);
+            sum += flux;
+            squares += flux * flux;
+        }
+        let count = draws.len() as f64;
+        let mean = sum / count;
+        (mean, ((squares / count - mean * mean) / count).sqrt())
+    }
+
+    #[test]
+    fn as_much_light_goes_one_way_as_the_other() {
+        // Helmholtz's reciprocity of what is drawn, statistically: within four standard errors.
+        for (i, make) in RELIEFS.iter().enumerate() {
+            for spread in [0.1, 0.3] {
+                let relief = make(spread);
+                for (one, other) in [((0.9, 1.0), (0.6, 0.8)), ((0.3, 0.5), (0.5, 0.9))] {
+                    let seed = i as u64;
+                    let (there, error) = flux(&relief, one, other, seed);
+                    let (back, error_back) = flux(&relief, other, one, seed + 9);
+                    let allowed = 4.0 * error.hypot(error_back);
+                    assert!(
+                        there > 0.0 && (there - back).abs() < allowed,
+                        "{there} {back} {error}"
+                    );
+                }
             }
         }
     }
