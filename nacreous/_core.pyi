@@ -229,6 +229,7 @@ def synthesise_texture(
     correlation: NDArray[np.float64],
     radius_mm: float,
     seed: int,
+    footprint_rad: float,
 ) -> Texture: ...
 def synthesise_harmonics(
     coefficients: NDArray[np.complex128], rows: int

@@ -71,6 +71,15 @@ class Arrangement(NamedTuple):
         )
         return 2.0 * reach_mm + 0.5 * self.largest_mm
 
+    def nearest(self) -> float:
+        """Distance from the eye to the nearest pearl, over that to the middle; at most 1."""
+        camera = self.scene.camera
+        if camera.projection != "perspective":
+            return 1.0
+        _, _, back = _axes(camera.azimuth_deg, camera.elevation_deg)
+        ahead_mm = min(camera.distance_mm - _dot(centre, back) - r for centre, r in self.balls())
+        return max(0.0, min(1.0, ahead_mm / camera.distance_mm))
+
 
 def arrange(given: Sequence[Pearl], scene: Scene) -> Arrangement:
     """Put the pearls given into the scene's rows.

@@ -155,13 +155,17 @@ def analyse(
     return Analysis(spectrum, np.fft.ifft2(waves, axes=(1, 2)).real, chosen)
 
 
-def synthesise(spectrum: GrainSpectrum, radius_mm: float, seed: int = 0) -> Texture:
+def synthesise(
+    spectrum: GrainSpectrum, radius_mm: float, seed: int = 0, footprint_rad: float = 0.0
+) -> Texture:
     """A seamless texture for a pearl of `radius_mm` (0.1 to 100). Same seed, same bytes.
 
     An isotropic Gaussian random field: degree l of its spherical harmonics has the power at
     l + 1/2 = 2 pi f R, up to degree 512, and `texture.lost_variance` says what lies outside.
     `texture.at(directions, footprint_rad)` gives float32 [n, channel] towards float64 [n, xyz] for
-    samples so far apart on the surface, as an angle at the pearl's centre.
+    samples so far apart on the surface, as an angle at the pearl's centre. footprint_rad: the least
+    distance that will be asked for; what only finer samples could show is left out, and memory with
+    it (all detail takes about 30 MB).
 
     Raises `InputError` for a spectrum that is none, a radius out of range, or a seed not in
     0..2^64 - 1.
@@ -176,12 +180,19 @@ def synthesise(spectrum: GrainSpectrum, radius_mm: float, seed: int = 0) -> Text
         shapes = spectrum.cycles_per_mm.shape, spectrum.density.shape
         raise InputError(f"grain spectrum: shapes are {shapes}; allowed: (k,) and (3, k)")
     return synthesise_texture(
-        spectrum.cycles_per_mm, spectrum.density, spectrum.correlation, radius_mm, seed
+        spectrum.cycles_per_mm,
+        spectrum.density,
+        spectrum.correlation,
+        radius_mm,
+        seed,
+        footprint_rad,
     )
 
 
-def of_pearl(pearl: Pearl) -> Texture:
+def of_pearl(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
     """The texture that a pearl file asks for: of its photograph, or of the procedural stand-in.
+
+    footprint_rad: as for `synthesise`.
 
     >>> from nacreous.spec import Pearl
     >>> of_pearl(Pearl(diameter_mm=2.0)).band_limit
@@ -196,7 +207,7 @@ def of_pearl(pearl: Pearl) -> Texture:
         spectrum = analyse(
             photograph, wanted.mm_per_pixel, wanted.side_px, low=low, high=high
         ).spectrum
-    return synthesise(spectrum, pearl.diameter_mm / 2, pearl.texture_seed)
+    return synthesise(spectrum, pearl.diameter_mm / 2, pearl.texture_seed, footprint_rad)
 
 
 def _band(

@@ -128,7 +128,7 @@ impl Relief {
         2.0 * PI * step * (0..STEPS).map(ring).sum::<f64>()
     }
 
-    /// `count` draws for [`Self::facet`], even over all facets in whole and nearly so in runs.
+    /// `count` draws for [`FacetsSeen::facet`], even over all facets in whole and nearly so in runs.
     pub fn draws(&self, count: usize) -> Vec<Draw> {
         let lean = self.leans();
         (0..count)

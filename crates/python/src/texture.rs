@@ -1,7 +1,7 @@
 //! The door to grain spectra and textures.
 
 use glam::DVec3;
-use nacreous_image::grain::spectrum::GrainSpectrum;
+use nacreous_image::grain::{self, spectrum::GrainSpectrum};
 use nacreous_image::harmonics::{Coefficients, synthesise};
 use num_complex::Complex64;
 use numpy::{
@@ -91,6 +91,7 @@ pub fn synthesise_texture(
     correlation: PyReadonlyArray2<'_, f64>,
     radius_mm: f64,
     seed: u64,
+    footprint_rad: f64,
 ) -> PyResult<Texture> {
     let (density, correlation) = (density.as_array(), correlation.as_array());
     let shapes = (density.nrows(), correlation.dim());
@@ -107,9 +108,8 @@ pub fn synthesise_texture(
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| correlation[[i, j]])),
     )
     .map_err(refused)?;
-    py.detach(|| nacreous_image::grain::texture::Texture::synthesise(&spectrum, radius_mm, seed))
-        .map(Texture)
-        .map_err(refused)
+    let drawn = || grain::texture::Texture::synthesise(&spectrum, radius_mm, seed, footprint_rad);
+    py.detach(drawn).map(Texture).map_err(refused)
 }
 
 /// Fields [row, column, channel] of coefficients [channel, l, m], on twice as many columns as rows.

@@ -25,7 +25,7 @@ pub const HIGHEST_DEGREE: usize = 512;
 /// ```
 /// use glam::DVec3;
 /// use nacreous_image::grain::{spectrum::GrainSpectrum, texture::Texture};
-/// let texture = Texture::synthesise(&GrainSpectrum::procedural(), 1.0, 7)?;
+/// let texture = Texture::synthesise(&GrainSpectrum::procedural(), 1.0, 7, 0.0)?;
 /// let [hue, value, chroma] = texture.at(DVec3::new(0.3, -0.2, 0.9), 0.0);
 /// assert!(hue.abs() < 0.5 && value.abs() < 0.8 && chroma.abs() < 1.0);
 /// # Ok::<(), nacreous_image::grain::spectrum::GrainError>(())
@@ -39,7 +39,8 @@ pub struct Texture {
 }
 
 impl Texture {
-    /// Draws a texture for a pearl of `radius_mm`. Same seed, same bytes, on every machine.
+    /// Draws a texture for a pearl of `radius_mm`, without the levels that samples `footprint_rad` apart, and
+    /// wider ones, never look at. Same seed, same bytes, on every machine.
     ///
     /// # Errors
     /// [`GrainError::Radius`] unless the radius is 0.1 to 100 mm.
@@ -47,6 +48,7 @@ impl Texture {
         spectrum: &GrainSpectrum,
         radius_mm: f64,
         seed: u64,
+        footprint_rad: f64,
     ) -> Result<Self, GrainError> {
         if !(0.1..=100.0).contains(&radius_mm) {
             return Err(GrainError::Radius(radius_mm));
@@ -68,6 +70,8 @@ impl Texture {
         let levels = (0..=HIGHEST_DEGREE.ilog2())
             .map(|k| band_limit >> k)
             .take_while(|&top| top >= lowest)
+            // A level is looked at for what lies between it and the next, which is half as fine.
+            .skip_while(|&top| top / 2 >= lowest && (top / 2) as f64 * footprint_rad > PI)
             .map(|top| Level::synthesise(&coefficients, top))
             .collect();
         Ok(Self { levels, band_limit, lost_variance })
@@ -173,7 +177,7 @@ mod tests {
         let density = [0.01, 0.02, 0.03].map(|d| vec![0.0, d, d / 2.0, 0.0]);
         let correlation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.5], [0.0, 0.5, 1.0]];
         let spectrum = GrainSpectrum::new(frequency, density, correlation).unwrap();
-        Texture::synthesise(&spectrum, 1.0, seed).unwrap()
+        Texture::synthesise(&spectrum, 1.0, seed, 0.0).unwrap()
     }
 
     fn towards(colatitude: f64, longitude: f64) -> DVec3 {
@@ -204,6 +208,24 @@ mod tests {
             let seen = texture.at(towards((row as f64 + 0.5) * step, column as f64 * step), 0.0);
             for (a, b) in seen.into_iter().zip(texel) {
                 assert!((a - b).abs() < 1e-4, "row {row}, column {column}: {a} for {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_left_out_is_not_missed() {
+        let frequency = vec![0.5, 1.0, 8.0, 12.0];
+        let density = [0.01, 0.02, 0.03].map(|d| vec![0.0, d, d, 0.0]);
+        let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let spectrum = GrainSpectrum::new(frequency, density, unit).unwrap();
+        let whole = Texture::synthesise(&spectrum, 1.0, 3, 0.0).unwrap();
+        for footprint_rad in [0.1, 0.2, 0.4] {
+            let part = Texture::synthesise(&spectrum, 1.0, 3, footprint_rad).unwrap();
+            assert!(part.levels.len() < whole.levels.len());
+            for wider in [1.0, 1.7, 4.0] {
+                let direction = towards(1.1, 0.4 * wider);
+                let seen = |texture: &Texture| texture.at(direction, footprint_rad * wider);
+                assert_eq!(seen(&part), seen(&whole), "{footprint_rad} {wider}");
             }
         }
     }
