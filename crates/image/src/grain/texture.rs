@@ -225,7 +225,7 @@ mod tests {
             for wider in [1.0, 1.7, 4.0] {
                 let direction = towards(1.1, 0.4 * wider);
                 let seen = |texture: &Texture| texture.at(direction, footprint_rad * wider);
-                let error = seen(&part).iter().zip(seen(&whole)).map(|(a, b)| (a - b).abs());
+                let error = seen(&part).into_iter().zip(seen(&whole)).map(|(a, b)| (a - b).abs());
                 assert!(error.fold(0.0, f32::max) < 1e-7, "{footprint_rad} {wider}");
             }
         }
