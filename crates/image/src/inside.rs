@@ -70,38 +70,25 @@ impl Inside {
         ball: usize,
         beams: &[Beam],
     ) -> Self {
-        let around = around(palette, surroundings, ball);
-        let lamps: Vec<Coefficients> =
-            beams.iter().map(|beam| point(to_grid(beam.direction), TOP)).collect();
-        let entering = surface.moments(TOP);
-        let leaving = surface.leaving(&body.reflectance);
+        let outside = Outside::new(palette, surroundings, ball, beams);
+        let (entering, leaving) = (surface.moments(TOP), surface.leaving(&body.reflectance));
+        let share = |l: usize, band: usize| {
+            let fading = libm::exp(-((l * (l + 1)) as f64) * body.spread);
+            fading * entering[l][band] * leaving[band]
+        };
         let mut places = vec![[0.0_f32; PLACE]; 2 * ROWS * ROWS];
+        let mut grid = vec![[0.0_f64; CHANNELS]; 2 * ROWS * ROWS];
         for first in (0..BANDS).step_by(CHANNELS) {
             let bands: [usize; CHANNELS] = std::array::from_fn(|i| (first + i).min(BANDS - 1));
-            let mut waves = Coefficients::zero(TOP);
-            for l in 0..=TOP {
-                let fading = libm::exp(-((l * (l + 1)) as f64) * body.spread);
-                for m in 0..=l {
-                    let mut sum = [[0.0; 2]; CHANNELS];
-                    for (channel, &band) in bands.iter().enumerate() {
-                        let light = wave(palette, &around, beams, &lamps, (l, m), band);
-                        let factor = fading * entering[l][band] * leaving[band];
-                        sum[channel] = light.map(|part| part * factor);
-                    }
-                    *waves.at_mut(l, m) = sum;
-                }
-            }
-            let mut grid = vec![[0.0_f64; CHANNELS]; 2 * ROWS * ROWS];
+            let waves = outside.waves(bands, share);
             synthesise(&waves, TOP, (ROWS, 2 * ROWS), |texel| texel, &mut grid);
             for (place, values) in places.iter_mut().zip(&grid) {
-                for (channel, &band) in bands.iter().enumerate() {
+                for (value, band) in values.iter().zip(bands) {
                     // A cut-off sum of waves swings below zero beside a lamp's terminator.
-                    place[band] = values[channel].max(0.0) as f32;
+                    place[band] = value.max(0.0) as f32;
                 }
             }
         }
-        let fine = upsampled(surface, COSINES);
-        let coloured = |share: &Bands| by_channel(palette, |band| share[band]);
         let whole = surface.entering_from_all_sides();
         let mean = rgb::luminance(palette.rgb(&palette.bands_of_white(&whole)));
         let plain = by_channel(palette, |_| mean);
@@ -110,7 +97,8 @@ impl Inside {
                 place[BANDS + channel] = dot(weights, place);
             }
         }
-        Self { places, leaving: fine.iter().map(coloured).collect() }
+        let coloured = |share: &Bands| by_channel(palette, |band| share[band]);
+        Self { places, leaving: upsampled(surface, COSINES).iter().map(coloured).collect() }
     }
 
     /// Linear RGB of the light that leaves where the normal is `normal`, at an angle to it, and what it
@@ -172,6 +160,57 @@ fn from_grid(direction: DVec3) -> DVec3 {
     DVec3::new(direction.y, direction.z, direction.x)
 }
 
+/// The light around a pearl in waves on the sphere of directions, before it enters.
+struct Outside<'a> {
+    palette: &'a Palette,
+    /// As amounts of the palette's curves.
+    around: Coefficients,
+    beams: &'a [Beam],
+    /// Unit light from each lamp's direction.
+    lamps: Vec<Coefficients>,
+}
+
+impl<'a> Outside<'a> {
+    fn new(
+        palette: &'a Palette,
+        surroundings: &Surroundings,
+        ball: usize,
+        beams: &'a [Beam],
+    ) -> Self {
+        let lamps = beams.iter().map(|beam| point(to_grid(beam.direction), TOP)).collect();
+        Self { palette, around: around(palette, surroundings, ball), beams, lamps }
+    }
+
+    /// The waves of some bands, each times its share by degree and band.
+    fn waves(&self, bands: [usize; CHANNELS], share: impl Fn(usize, usize) -> f64) -> Coefficients {
+        let mut waves = Coefficients::zero(TOP);
+        for l in 0..=TOP {
+            let shares = bands.map(|band| share(l, band));
+            for m in 0..=l {
+                *waves.at_mut(l, m) = std::array::from_fn(|channel| {
+                    self.wave((l, m), bands[channel]).map(|part| part * shares[channel])
+                });
+            }
+        }
+        waves
+    }
+
+    /// One wave of one band.
+    fn wave(&self, (l, m): (usize, usize), band: usize) -> [f64; 2] {
+        let amounts = self.around.at(l, m);
+        let curves = self.palette.curves_of_white(band);
+        let mut sum = [0, 1].map(|part| (0..3).map(|i| curves[i] * amounts[i][part]).sum::<f64>());
+        for (beam, lamp) in self.beams.iter().zip(&self.lamps) {
+            // Unit light on a surface that faces it is pi of radiance times solid angle.
+            let factor = PI * beam.power[band] * disc(beam.angular_radius_rad, l);
+            for (sum, part) in sum.iter_mut().zip(lamp.at(l, m)[0]) {
+                *sum += factor * part;
+            }
+        }
+        sum
+    }
+}
+
 /// The light around in waves, as amounts of the palette's curves.
 fn around(palette: &Palette, surroundings: &Surroundings, ball: usize) -> Coefficients {
     use rayon::prelude::*;
@@ -189,28 +228,6 @@ fn around(palette: &Palette, surroundings: &Surroundings, ball: usize) -> Coeffi
         waves.add(&point(to_grid(along), TOP), amounts);
     }
     waves
-}
-
-/// One wave of one band's light before it enters.
-fn wave(
-    palette: &Palette,
-    around: &Coefficients,
-    beams: &[Beam],
-    lamps: &[Coefficients],
-    (l, m): (usize, usize),
-    band: usize,
-) -> [f64; 2] {
-    let amounts = around.at(l, m);
-    let curves = palette.curves_of_white(band);
-    let mut sum = [0, 1].map(|part| (0..3).map(|i| curves[i] * amounts[i][part]).sum::<f64>());
-    for (beam, lamp) in beams.iter().zip(lamps) {
-        // Unit light on a surface that faces it is pi of radiance times solid angle.
-        let factor = PI * beam.power[band] * disc(beam.angular_radius_rad, l);
-        for (sum, part) in sum.iter_mut().zip(lamp.at(l, m)[0]) {
-            *sum += factor * part;
-        }
-    }
-    sum
 }
 
 /// What a disc of an angular radius leaves of a wave of degree l, against a point.

@@ -100,11 +100,37 @@ fn job<'a>(
     let observer: Observer = scene.observer.parse().map_err(refused)?;
     let sky = scene.sky.sky();
     let light = Light::new(&all, sky.mean_luminance(), white, observer).map_err(refused)?;
-    // Points that stand for a lamp are chosen for the pearl that mirrors it most sharply.
-    let sharpest = subjects
-        .iter()
-        .map(|subject| subject.relief)
-        .min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
+    let balls = balls(&subjects, scene);
+    let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
+    let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
+    let lamps = lamps(scene, &sources, &light, &subjects)?;
+    let window =
+        |spec: &WindowSpec| Ok(spec.window(light.brightness(&spec.pane()?).map_err(refused)?));
+    let windows = scene.windows.iter().map(window).collect::<PyResult<Vec<_>>>()?;
+    let walls = scene.walls.as_ref().map(WallsSpec::walls);
+    let table = scene.table.as_ref().map(TableSpec::table);
+    Ok(Job {
+        palette: light.palette(),
+        lamp_bands: lamp_bands(&light, &sources)?,
+        surroundings: Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows),
+        subjects,
+        places,
+        light,
+        camera,
+        size_px,
+        samples_side,
+    })
+}
+
+/// The lamps, each with points enough for the pearl that mirrors it most sharply.
+fn lamps(
+    scene: &SceneSpec<'_>,
+    sources: &[Source],
+    light: &Light,
+    subjects: &[Subject<'_>],
+) -> PyResult<Vec<Lamp>> {
+    let reliefs = subjects.iter().map(|subject| subject.relief);
+    let sharpest = reliefs.min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
         let lamp = Lamp::new(spec.place(), spec.angular_radius_rad, brightness);
@@ -113,28 +139,7 @@ fn job<'a>(
             None => lamp,
         })
     };
-    let lamps = scene.lamps.iter().zip(&sources).map(lamp).collect::<PyResult<Vec<_>>>()?;
-    let window =
-        |spec: &WindowSpec| Ok(spec.window(light.brightness(&spec.pane()?).map_err(refused)?));
-    let windows = scene.windows.iter().map(window).collect::<PyResult<Vec<_>>>()?;
-    let walls = scene.walls.as_ref().map(WallsSpec::walls);
-    let table = scene.table.as_ref().map(TableSpec::table);
-    let balls = balls(&subjects, scene);
-    let reach = |ball: &Ball| ball.centre.length() + ball.radius_mm;
-    let camera = scene.camera.camera().in_front_of(balls.iter().map(reach).fold(0.0, f64::max));
-    let surroundings = Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows);
-    let (palette, lamp_bands) = (light.palette(), lamp_bands(&light, &sources)?);
-    Ok(Job {
-        subjects,
-        places,
-        light,
-        palette,
-        lamp_bands,
-        surroundings,
-        camera,
-        size_px,
-        samples_side,
-    })
+    scene.lamps.iter().zip(sources).map(lamp).collect()
 }
 
 fn lamp_bands(light: &Light, sources: &[Source]) -> PyResult<Vec<Bands>> {
