@@ -20,6 +20,10 @@ from nacreous.spec.key import Key, alternatives, every_key, sections_in
 from nacreous.study.design import Design, freeze, open_frozen
 from nacreous.study.design.manifest import hash_of
 from nacreous.study.design.stimulus import CROPS
+from nacreous.study.design.words import Words
+from nacreous.study.plan import repetitions, trials
+
+ROOT = Path(__file__).parent.parent
 
 WORDS = {"en": "Which looks more like a pearl?", "ja": "どちらがより真珠らしく見えますか。"}
 
@@ -240,6 +244,28 @@ def test_a_pearl_file_is_no_study() -> None:
 
 def test_figure_2_has_as_many_crops_as_a_stimulus_promises() -> None:
     assert crop.COUNT == CROPS
+
+
+def test_the_page_names_every_key_with_its_default_and_range() -> None:
+    page = (ROOT / "docs" / "study.md").read_text(encoding="utf-8")
+    for key in KEYS:
+        extra, name = key.field.json_schema_extra, key.path.rpartition(".")[2]
+        if not isinstance(extra, dict) or key.owner is Words:
+            continue
+        if key.field.is_required():
+            written = "required"
+        else:
+            default = key.field.default
+            written = "–" if default is None else f"`{json.dumps(default)}`"
+        assert f"| `{name}` | {written} | {extra['allowed']} | " in page
+
+
+def test_the_study_of_the_page_is_valid() -> None:
+    page = (ROOT / "docs" / "study.md").read_text(encoding="utf-8")
+    sample = page.partition("```toml\n")[2].partition("```")[0]
+    design = Design.from_toml(sample)
+    assert design.labels == ("R", "RG", "G", "RG, dull", "thin")
+    assert repetitions(trials(design, 0)) == 0
 
 
 # --- freezing -----------------------------------------------------------------------------------
