@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -81,6 +82,23 @@ def test_few_stimuli_repeat_no_more_than_they_must(count: int, least: int) -> No
     # none, and between couples there are two steps.
     design = study(count, sitting={"training": 0})
     assert {repetitions(trials(design, number)) for number in PEOPLE} == {least}
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_small_studies_have_the_fewest_repetitions_there_can_be(seed: int) -> None:
+    """Against all orders there are of seven trials."""
+    random = np.random.default_rng(seed)
+    number = int(random.integers(4, 6))
+    design = study(
+        5,
+        pairs={"kind": "incomplete", "number": number, "repeats": 6 - number},
+        catches=CATCHES[:1],
+        sitting={"training": 0},
+        seed=seed,
+    )
+    shown = trials(design, seed)
+    assert len(shown) == 7
+    assert repetitions(shown) == min(map(repetitions, permutations(shown)))
 
 
 @CASES

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.planning.sequence import in_sequence
 from nacreous.study.plan.choice import Choice
+from nacreous.study.plan.search import order_with
 from nacreous.study.plan.trial import Kind
 
 __all__ = ["Shown", "in_order"]
@@ -55,8 +56,37 @@ def in_order(
         if cost < least:
             best, least = order, cost
         if cost[:2] == (0, 0) and strayed <= len(catches):
-            break
-    return best
+            return best
+    return best if least[0] == 0 else _mended(best, before, random)
+
+
+def _mended(order: list[Shown], before: Shown | None, random: np.random.Generator) -> list[Shown]:
+    """An order with fewer stimuli twice in a row, where a search finds one; small studies need it.
+
+    Of five stimuli a pair shares nothing with but three of the nine others.
+    """
+    if len(frozenset().union(*(shown.both for shown in order))) <= 3:
+        return order  # any two pairs share a stimulus
+    last = before.both if before is not None else frozenset()
+    below = _clashes(order, before)
+    found = order_with([shown.both for shown in order], last, below, random, _MOST_TRIES)
+    named = [_named(pairs, order) for pairs in found]
+    return min(named, key=lambda one: (_nearness(one), _unevenness(one)), default=order)
+
+
+def _named(pairs: list[frozenset[int]], order: list[Shown]) -> list[Shown]:
+    """The pairs in their new order as what they were: a pair, then a catch of it, then a repeat."""
+    shown: dict[frozenset[int], list[Shown]] = {}
+    for one in sorted(order, key=lambda one: ("pair", "catch", "repeat").index(one.kind)):
+        shown.setdefault(one.both, []).append(one)
+    return [shown[pair].pop(0) for pair in pairs]
+
+
+def _unevenness(order: list[Shown]) -> float:
+    """How far catches are from where they would be evenly spread, all together, in trials."""
+    places = [place for place, shown in enumerate(order) if shown.kind == "catch"]
+    step = len(order) / max(1, len(places))
+    return sum(abs(at - (index + 0.5) * step) for index, at in enumerate(places))
 
 
 def _arranged(
