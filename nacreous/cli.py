@@ -19,11 +19,11 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from nacreous.commands import crops, grow, paper, presets, render, scale, schema, sheets
+from nacreous.commands import crops, grow, paper, presets, render, scale, schema, sheets, study
 from nacreous.problem import InputError
 
 #: In the order of the help page.
-COMMANDS = (render, grow, sheets, paper, crops, scale, presets, schema)
+COMMANDS = (render, grow, sheets, paper, crops, scale, study, presets, schema)
 
 _EXAMPLES = """\
 examples:
@@ -31,6 +31,7 @@ examples:
   nacreous sheets out            families, pigments and scenes on contact sheets
   nacreous paper out             the paper's figures again, measured, on one page
   nacreous scale paper           the paper's judgements as a scale, with a report
+  nacreous study new paper       the paper's experiment, ready for participants
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them
   nacreous schema pearl          every key of a pearl file, for editors

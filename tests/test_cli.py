@@ -100,10 +100,12 @@ def test_presets_shows_the_file_of_one(capsys: Any) -> None:
     assert capsys.readouterr().out == preset.text("pearl", "akoya-g")
 
 
-@pytest.mark.parametrize("kind", ["pearl", "scene"])
-def test_schema_prints_json(capsys: Any, kind: str) -> None:
+@pytest.mark.parametrize(
+    ("kind", "title"), [("pearl", "Pearl"), ("scene", "Scene"), ("study", "Design")]
+)
+def test_schema_prints_json(capsys: Any, kind: str, title: str) -> None:
     assert cli.main(["schema", kind]) == 0
-    assert json.loads(capsys.readouterr().out)["title"] == kind.capitalize()
+    assert json.loads(capsys.readouterr().out)["title"] == title
 
 
 def test_version_names_program_and_version(capsys: Any) -> None:

@@ -40,6 +40,7 @@ from nacreous.spec import (
 from nacreous.spec.body import Pigment
 from nacreous.spec.key import Key, alternatives, every_key, sections_in
 from nacreous.spec.model import only_with
+from nacreous.study.design import Design
 
 ROOT = Path(__file__).parent.parent
 
@@ -507,7 +508,7 @@ def test_a_mistyped_preset_is_offered_the_nearest() -> None:
 
 @pytest.mark.parametrize("kind", list(preset.FOLDERS))
 def test_every_preset_is_valid_and_says_what_it_is(kind: str) -> None:
-    model: Any = {"pearl": Pearl, "scene": Scene, "nacre": Growth}[kind]
+    model: Any = {"pearl": Pearl, "scene": Scene, "nacre": Growth, "study": Design}[kind]
     for name in preset.names(kind):
         made = model(preset=name) if kind == "nacre" else model.load(name)
         assert name == (made.preset if kind == "nacre" else made.name)

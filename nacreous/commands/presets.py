@@ -17,13 +17,15 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """Describe the command."""
     parser = subparsers.add_parser(
         "presets",
-        help="list the pearls, scenes and nacre that come along",
+        help="list the pearls, scenes, nacre and studies that come along",
         description="List the presets, or show the file of one. A preset's name serves wherever "
         "a file does.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("kind", nargs="?", choices=("pearl", "scene", "nacre"), help="only these")
+    parser.add_argument(
+        "kind", nargs="?", choices=("pearl", "scene", "nacre", "study"), help="only these"
+    )
     parser.add_argument("name", nargs="?", help="show this preset's file")
     parser.set_defaults(run=run)
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from nacreous.spec import Pearl, Scene
-    from nacreous.spec.override import Override
 
 _EXAMPLES = """\
 examples:
@@ -74,8 +73,9 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file, image
     from nacreous.commands.progress import bar
     from nacreous.spec import Pearl, Scene
+    from nacreous.spec.load import shared_out
 
-    of_pearl, of_scene = _overrides(args.set)
+    of_pearl, of_scene = shared_out(args.set)
     pearls = [Pearl.load(pearl, of_pearl) for pearl in args.pearl]
     scene = Scene.load(args.scene, of_scene)
     file.check_output(args.output, image.SUFFIXES)
@@ -85,22 +85,6 @@ def run(args: argparse.Namespace) -> int:
     outside = picture.save(args.output, args.bits, args.space, args.gamut)
     print(_report(args, pearls, scene, time.monotonic() - begin, outside))
     return 0
-
-
-def _overrides(settings: list[str]) -> tuple[list[Override], list[Override]]:
-    """Each KEY=VALUE goes to the file that knows the key's first word best, the pearl in doubt."""
-    from nacreous.spec import Pearl, Scene, override
-    from nacreous.spec.complaint import nearest
-
-    of_pearl: list[Override] = []
-    of_scene: list[Override] = []
-    words = [*Pearl.model_fields, *Scene.model_fields]
-    for setting in settings:
-        key, value = override.parse(setting)
-        meant = nearest(key.partition(".")[0], words)
-        scenic = meant in Scene.model_fields and meant not in Pearl.model_fields
-        (of_scene if scenic else of_pearl).append((key, value))
-    return of_pearl, of_scene
 
 
 def _report(

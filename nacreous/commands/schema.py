@@ -15,12 +15,12 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """Describe the command."""
     parser = subparsers.add_parser(
         "schema",
-        help="print the JSON Schema of pearl or scene files",
-        description="Print the JSON Schema (draft 2020-12) of pearl or scene files.",
+        help="print the JSON Schema of pearl, scene or study files",
+        description="Print the JSON Schema (draft 2020-12) of pearl, scene or study files.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("kind", choices=("pearl", "scene"), help="which file")
+    parser.add_argument("kind", choices=("pearl", "scene", "study"), help="which file")
     parser.set_defaults(run=run)
 
 
@@ -29,7 +29,9 @@ def run(args: argparse.Namespace) -> int:
     import json
 
     from nacreous.spec import Pearl, Scene, json_schema
+    from nacreous.spec.specfile import SpecFile
+    from nacreous.study.design import Design
 
-    models: dict[str, type[Pearl] | type[Scene]] = {"pearl": Pearl, "scene": Scene}
+    models: dict[str, type[SpecFile]] = {"pearl": Pearl, "scene": Scene, "study": Design}
     print(json.dumps(json_schema(models[args.kind]), indent=2, ensure_ascii=False))
     return 0

@@ -19,7 +19,7 @@ from nacreous.paper.outline import estimate
 from nacreous.problem import InputError
 from nacreous.spec import Pearl, Scene
 
-__all__ = ["Cuts", "cut_file", "given_circle", "save"]
+__all__ = ["Cuts", "cut_file", "given_circle", "outline_of", "save"]
 
 MAKER = "nacreous crops"
 RECORD = "crops.json"
@@ -82,6 +82,11 @@ def cut_file(
         }
         (temporary / RECORD).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
     return Cuts(crops, circle, found)
+
+
+def outline_of(picture: str | Path, linear: NDArray[np.float32]) -> Circle:
+    """The pearl's outline in a picture file, by its recipe or estimated; `linear` is its light."""
+    return _outline(str(picture), linear, _texts(picture), None)[0]
 
 
 def save(

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from nacreous.problem import InputError
-from nacreous.spec import document
+from nacreous.spec import document, override
+from nacreous.spec.complaint import nearest
 from nacreous.spec.override import Override
 from nacreous.spec.pearl import Pearl
 from nacreous.spec.scene import Scene
@@ -39,3 +40,22 @@ def _kind_of(values: dict[str, Any], where: str) -> type[Pearl] | type[Scene]:
             "diameter_mm or depth for a pearl, camera, lamps or table for a scene"
         )
     return Pearl if as_pearl > as_scene else Scene
+
+
+def shared_out(settings: Iterable[str]) -> tuple[list[Override], list[Override]]:
+    """Overrides `key=value` of a pearl and of a scene.
+
+    Each goes to the file that knows the key's first word best, to the pearl in doubt.
+
+    >>> shared_out(["depth=0.8", "table.kind=cloth"])
+    ([('depth', '0.8')], [('table.kind', 'cloth')])
+    """
+    of_pearl: list[Override] = []
+    of_scene: list[Override] = []
+    words = [*Pearl.model_fields, *Scene.model_fields]
+    for setting in settings:
+        key, value = override.parse(setting)
+        meant = nearest(key.partition(".")[0], words)
+        scenic = meant in Scene.model_fields and meant not in Pearl.model_fields
+        (of_scene if scenic else of_pearl).append((key, value))
+    return of_pearl, of_scene

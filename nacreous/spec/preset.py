@@ -12,12 +12,12 @@ from nacreous.problem import InputError
 _FOLDER = Path(__file__).parent.parent / "presets"
 
 #: What there are presets of, and the folder each kind lies in.
-FOLDERS = {"pearl": "pearls", "scene": "scenes", "nacre": "nacre"}
+FOLDERS = {"pearl": "pearls", "scene": "scenes", "nacre": "nacre", "study": "studies"}
 
 
 @cache
 def names(kind: str) -> list[str]:
-    """The names of all presets of a kind ("pearl", "scene" or "nacre"), in order.
+    """The names of all presets of a kind ("pearl", "scene", "nacre" or "study"), in order.
 
     >>> "akoya-rg" in names("nacre")
     True

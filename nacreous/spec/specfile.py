@@ -21,7 +21,7 @@ Checked = TypeVar("Checked", bound=Section)
 class SpecFile(Section):
     """What a pearl file and a scene file have in common."""
 
-    #: What there are presets of: "pearl" or "scene".
+    #: What there are presets of: "pearl", "scene" or "study".
     preset_kind: ClassVar[str]
 
     @classmethod

@@ -1,0 +1,69 @@
+"""`nacreous study`: samples before people's eyes; a study is made, and later run, from its file."""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+_EXAMPLES = """\
+examples:
+  nacreous study new paper                       the experiment of 1996, in the folder paper-study
+  nacreous presets study paper > my-study.toml   begin a study of your own with it
+  nacreous study new my-study.toml -o my-study   render its stimuli and freeze it
+"""
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Describe the command and what it can do."""
+    parser = subparsers.add_parser(
+        "study",
+        help="ask people which of two looks more like a pearl",
+        description="Make a study of paired comparisons from a file that says what is shown, what "
+        "is asked and of whom.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    actions = parser.add_subparsers(title="actions", metavar="ACTION", dest="action", required=True)
+    _add_new(actions)
+
+
+def _add_new(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = actions.add_parser(
+        "new",
+        help="render all stimuli of a study file and freeze it",
+        description="Render or read all stimuli of a study file and write them with a manifest "
+        "into a folder, all or nothing. A frozen study does not change again: hashes show it.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("study", help="a study file, or a preset's name")
+    parser.add_argument(
+        "-o", "--output", help="a folder, empty or not there yet (the file's name and -study)"
+    )
+    parser.set_defaults(run=new)
+
+
+def new(args: argparse.Namespace) -> int:
+    """Freeze a study, and say what a participant will see."""
+    from pathlib import Path
+
+    from nacreous.commands.progress import bar
+    from nacreous.study.design import Design, freeze
+    from nacreous.study.plan import repetitions, trials
+
+    output = args.output or f"{Path(args.study).stem}-study"
+    shown = trials(Design.load(args.study), 0)  # what cannot be planned is not frozen
+    begin = time.monotonic()
+    with bar("making stimuli") as show:
+        frozen = freeze(args.study, output, show)
+    print(
+        f"{output}: study {frozen.design.name}, {len(frozen.stimuli)} stimuli, "
+        f"{len(shown)} trials a participant, {time.monotonic() - begin:.1f} s; "
+        f"hash {frozen.study_hash[:12]}"
+    )
+    if again := repetitions(shown):
+        print(
+            f"{output}: a stimulus is shown twice in a row {again} times; with so few stimuli or "
+            "pairs there is no better order"
+        )
+    return 0

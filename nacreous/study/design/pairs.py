@@ -1,0 +1,67 @@
+"""The [pairs] of a study: which are shown, and which twice."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from nacreous.spec.complaint import Contradiction, shown
+from nacreous.spec.key import key, quantity
+from nacreous.spec.section import Section
+
+
+class Pairs(Section):
+    """Which pairs each participant sees.
+
+    >>> Pairs(kind="all", repeat_share=0.2).repeated(21)
+    4
+    """
+
+    kind: Literal["all", "incomplete", "adaptive"] = key(
+        "all",
+        "All pairs, some that join all stimuli, drawn anew for every two participants, or those "
+        "that tell most, chosen while the study runs.",
+        allowed='"all", "incomplete" or "adaptive"',
+        source="paper 2.2, all pairs",
+    )
+    number: int | None = quantity(
+        None,
+        "How many pairs each participant sees.",
+        least=1,
+        most=10_000,
+        left_out="all of them",
+        source="**(ours)**",
+    )
+    repeats: int | None = quantity(
+        None,
+        "How many pairs are shown once more, the sides exchanged.",
+        least=0,
+        most=10_000,
+        left_out="repeat_share says it; without that none",
+        source="**(ours)**",
+    )
+    repeat_share: float | None = quantity(
+        None,
+        "The same as a share of the pairs, rounded.",
+        least=0,
+        most=1,
+        left_out="repeats says it",
+        source="**(ours)**",
+    )
+
+    def repeated(self, pairs: int) -> int:
+        """How many of so many pairs are shown once more."""
+        if self.repeats is not None:
+            return min(self.repeats, pairs)
+        return round((self.repeat_share or 0.0) * pairs)
+
+    def contradictions(self) -> Iterator[Contradiction]:
+        """A number that is missing or would be ignored, and two ways to say how many repeats."""
+        if self.kind == "all" and self.number is not None:
+            verdict = f'is {shown(self.number)} while {{other}} is "all"; allowed: nothing'
+            yield Contradiction("number", verdict, "kind")
+        if self.kind != "all" and self.number is None:
+            verdict = f'is missing while {{other}} is "{self.kind}"; allowed: 1 to 10000'
+            yield Contradiction("number", verdict, "kind")
+        if self.repeats is not None and self.repeat_share is not None:
+            yield Contradiction("repeat_share", "cannot stand beside {other}: give one", "repeats")
