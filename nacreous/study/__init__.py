@@ -1,0 +1,1 @@
+"""Studies: samples before people's eyes, and their answers kept."""
