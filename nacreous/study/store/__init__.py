@@ -1,5 +1,7 @@
 """Where a study's sessions and answers are kept: nothing lost, nothing counted twice."""
 
+from nacreous.study.store.backup import Copied, backup, restore
+from nacreous.study.store.export import answers_of, counts, export
 from nacreous.study.store.fault import StoreError
 from nacreous.study.store.progress import PersonProgress, Progress
 from nacreous.study.store.record import Answer, Event, Receipt, Session
@@ -7,6 +9,7 @@ from nacreous.study.store.store import Store
 
 __all__ = [
     "Answer",
+    "Copied",
     "Event",
     "PersonProgress",
     "Progress",
@@ -14,4 +17,9 @@ __all__ = [
     "Session",
     "Store",
     "StoreError",
+    "answers_of",
+    "backup",
+    "counts",
+    "export",
+    "restore",
 ]

@@ -186,6 +186,8 @@ class Store:
         None), `simulated`, `erased_as` (a random name or None).
         """
         with self.reading() as connection:
+            if study not in studies.states(connection):
+                raise studies.unknown(study)
             return answering.rows(connection, study, session)
 
     def progress(self, study: str) -> Progress:

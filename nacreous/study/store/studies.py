@@ -18,10 +18,13 @@ STATES = ("open", "paused", "closed")
 
 
 def hash_of(manifest: Mapping[str, Any]) -> str:
-    """The hash of a frozen design, looked at but not computed again."""
-    given = manifest.get("design_hash")
+    """The hash of a frozen study, looked at but not computed again.
+
+    That is `study_hash`, of stimuli and all; `design_hash` where a manifest has no other.
+    """
+    given = manifest.get("study_hash", manifest.get("design_hash"))
     if not isinstance(given, str) or not re.fullmatch("[0-9a-f]{64}", given):
-        raise InputError("manifest: design_hash is missing or no SHA-256; wanted: a frozen design")
+        raise InputError("manifest: study_hash is missing or no SHA-256; wanted: a frozen study")
     return given
 
 
