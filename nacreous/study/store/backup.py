@@ -179,10 +179,7 @@ def _opened(place: str | PathLike[str] | None) -> Iterator[sa.Engine]:
     """The engine of a store that must be there, its schema up to date."""
     engine = engine_of(place)
     try:
-        where = place_of(engine)
-        if engine.dialect.name == "sqlite" and not Path(where).is_file():
-            raise InputError(f"{where}: does not exist; wanted: a store")
-        upgrade(engine)
+        upgrade(engine, make=False)
         yield engine
     finally:
         engine.dispose()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import sqlalchemy as sa
@@ -18,18 +19,24 @@ from nacreous.study.store.fault import place_of, translated
 _LOCK = 0x4E414352
 
 
-def upgrade(engine: sa.Engine) -> None:
+def upgrade(engine: sa.Engine, *, make: bool = True) -> None:
     """Make the tables where there are none, or add what newer versions need; at once if current.
 
-    Raises `InputError` where the database is newer than this program or not a store at all,
-    `StoreError` where it cannot be reached or written; then nothing is changed.
+    Raises `InputError` where the database is newer than this program, not a store at all, or,
+    unless it may `make` one, empty or absent; `StoreError` where it cannot be reached or written.
+    Then nothing is changed.
     """
     place = place_of(engine)
+    if not make and engine.dialect.name == "sqlite" and not Path(place).is_file():
+        raise InputError(f"{place}: does not exist; wanted: a store")
     config, script = _script()
     with translated(place), writing(engine).begin() as connection:
         if connection.dialect.name == "postgresql":
             connection.execute(sa.text("SELECT pg_advisory_xact_lock(:key)"), {"key": _LOCK})
-        if check_revision(connection, place) == script.get_current_head():
+        revision = check_revision(connection, place)
+        if revision is None and not make:
+            raise InputError(f"{place}: is empty; wanted: a store")
+        if revision == script.get_current_head():
             return
         with EnvironmentContext(
             config, script, fn=lambda revision, _context: _steps(script, revision)

@@ -15,6 +15,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from nacreous.problem import InputError
 from nacreous.study.store import answers as answering
 from nacreous.study.store import check, journal, people, studies
 from nacreous.study.store import progress as counting
@@ -57,16 +58,21 @@ class Store:
 
     @classmethod
     def open(
-        cls, place: str | PathLike[str] | None = None, *, clock: Callable[[], datetime] = _now
+        cls,
+        place: str | PathLike[str] | None = None,
+        *,
+        make: bool = True,
+        clock: Callable[[], datetime] = _now,
     ) -> Store:
         """Open or make a store: a file, a folder (answers.sqlite in it), or postgresql://....
 
-        None: what NACREOUS_STORE says. `clock` tells the server's time; it may jump, for the order
-        of answers hangs on their sequence alone.
+        None: what NACREOUS_STORE says. Unless it may `make` one, an empty place is refused. `clock`
+        tells the server's time; it may jump, for the order of answers hangs on their sequence
+        alone.
         """
         engine = engine_of(place)
         try:
-            upgrade(engine)
+            upgrade(engine, make=make)
         except BaseException:
             engine.dispose()
             raise
@@ -106,6 +112,18 @@ class Store:
         """Every study's hash, and whether it is open, paused or closed."""
         with self.reading() as connection:
             return studies.states(connection)
+
+    def study(self, beginning: str | None = None) -> str:
+        """The hash of the study whose hash begins so; None where there is but one."""
+        known = self.studies()
+        found = [study for study in known if study.startswith(beginning or "")]
+        if len(found) != 1:
+            which = "no study" if beginning is None else f"{len(found)} studies of {beginning!a}"
+            if beginning is None and known:
+                which = f"{len(known)} studies"
+            here = ", ".join(study[:12] for study in known) or "none"
+            raise InputError(f"{self.place}: has {which}; wanted: one of its studies ({here})")
+        return found[0]
 
     def pause(self, study: str, who: str) -> None:
         """Let nobody enter for now. Answers of those who have entered are still kept."""
