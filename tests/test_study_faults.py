@@ -61,7 +61,7 @@ def check_whole(place: str) -> None:
 def test_kill_9_loses_and_doubles_nothing(place: str, tmp_path: Path) -> None:
     prepare(place)
     acknowledged = tmp_path / "acknowledged"
-    for share in (0.2, 0.6):  # and again while it resumes
+    for share in (0.2, 0.3):  # and again while it resumes
         worker = work(place, acknowledged)
         wait_for(acknowledged, len(told(acknowledged)) + int(share * PEOPLE * TRIALS))
         worker.kill()

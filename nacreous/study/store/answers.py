@@ -13,6 +13,14 @@ from nacreous.study.store import check, journal, people
 from nacreous.study.store.record import Answer, Receipt
 from nacreous.study.store.schema import answers, sessions
 
+# Made once, for making a statement takes longer than running it.
+_INSERT = {
+    name: make(answers)
+    .on_conflict_do_nothing(index_elements=["session", "trial"])
+    .returning(answers.c.seq)
+    for name, make in (("sqlite", sqlite.insert), ("postgresql", postgresql.insert))
+}
+
 
 def put(connection: sa.Connection, at: str, session: str, answer: Answer) -> Receipt:
     """Store an answer, or find that it is stored; refuse another under the same key.
@@ -22,14 +30,9 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer) -> Rec
     person = people.living(connection, session)
     if person.consented_at is None:
         raise InputError(f"session {session} has not consented; wanted: consent before answers")
-    insert = sqlite.insert if connection.dialect.name == "sqlite" else postgresql.insert
-    row = dict(answer.row, study=person.study, session=session)
-    stored = connection.execute(
-        insert(answers)
-        .values(received_at=at, digest=answer.digest, **row)
-        .on_conflict_do_nothing(index_elements=["session", "trial"])
-        .returning(answers.c.seq)
-    ).scalar_one_or_none()
+    row = dict(answer.row, study=person.study, session=session, received_at=at)
+    insert = _INSERT[connection.dialect.name]
+    stored = connection.execute(insert, {**row, "digest": answer.digest}).scalar_one_or_none()
     if stored is not None:
         return _receipt(session, answer, at, again=False)
     kept = connection.execute(

@@ -15,6 +15,10 @@ from nacreous.study.store import check, journal, studies
 from nacreous.study.store.record import Session
 from nacreous.study.store.schema import answers, screens, sessions
 
+_LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
+    sessions.c.id == sa.bindparam("session")
+)
+
 
 def hash_of(token: object) -> str:
     """What is kept of a token."""
@@ -72,11 +76,7 @@ def change(
 
 def living(connection: sa.Connection, session: str) -> Any:
     """What decides whether something may be added to a session."""
-    row = connection.execute(
-        sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
-            sessions.c.id == session
-        )
-    ).one_or_none()
+    row = connection.execute(_LIVING, {"session": session}).one_or_none()
     if row is None:
         raise InputError(f"session {ascii(session)[1:40]} is not in this store")
     if row.erased_at is not None:
