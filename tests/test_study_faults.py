@@ -183,6 +183,22 @@ def test_a_database_locked_by_another_is_a_clear_line(
         assert not store.answer(session, Answer(0, "q", "a", "b", "left")).again
 
 
+def test_many_who_wait_for_a_locked_database_wait_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("nacreous.study.store.engine._BUSY_MS", 200)
+    [session] = prepare(str(tmp_path), people=1)
+    with Store.open(tmp_path) as store:
+        file = tmp_path / "answers.sqlite"
+        with contextlib.closing(sqlite3.connect(file, isolation_level=None)) as other:
+            other.execute("BEGIN IMMEDIATE")
+            begin = time.monotonic()
+            given = [store.hand_in(session, Answer(n, "q", "a", "b", "left")) for n in range(100)]
+            assert all(isinstance(future.exception(), StoreError) for future in given)
+            assert time.monotonic() - begin < 5
+            other.execute("ROLLBACK")
+
+
 def test_a_lost_connection_costs_no_answer(postgresql: Server) -> None:
     place = postgresql.create("lost")
     [session] = prepare(place, people=1)

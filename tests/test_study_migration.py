@@ -1,5 +1,6 @@
 """The schema and the steps that lead to it."""
 
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -52,8 +53,20 @@ def test_another_programs_database_is_refused(place: str) -> None:
     with engine.begin() as connection:
         connection.execute(sa.text("CREATE TABLE recipes (soup TEXT)"))
     engine.dispose()
+    file = Path(place)
+    before = file.read_bytes() if file.exists() else b""
     with pytest.raises(InputError, match="holds other tables"):
         Store.open(place)
+    assert (file.read_bytes() if file.exists() else b"") == before
+
+
+def test_many_may_make_the_same_store_at_once(place: str) -> None:
+    def open_and_close(_: int) -> str:
+        with Store.open(place) as store:
+            return store.add_study({"design_hash": "5e" * 32})
+
+    with ThreadPoolExecutor(8) as pool:
+        assert len(set(pool.map(open_and_close, range(16)))) == 1
 
 
 def test_places_that_cannot_be_a_store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -59,12 +59,26 @@ def _prepare_sqlite(connection: Any, _record: Any) -> None:
     connection.isolation_level = None  # the driver begins no transactions of its own
     for pragma in (
         f"busy_timeout = {_BUSY_MS}",
-        "journal_mode = WAL",
         "synchronous = FULL",  # a commit is on the disk when it returns
         "foreign_keys = ON",
         "secure_delete = ON",  # what is erased is overwritten
     ):
         connection.execute(f"PRAGMA {pragma}")
+
+
+def keep_log(engine: sa.Engine) -> None:
+    """Let SQLite write ahead into a log: readers never wait, and a commit is one flush."""
+    if engine.dialect.name == "sqlite":
+        outside_transaction(engine, "PRAGMA journal_mode = WAL")
+
+
+def outside_transaction(engine: sa.Engine, statement: str) -> None:
+    """Run a statement that SQLite refuses inside a transaction."""
+    with engine.connect() as connection:
+        driver = connection.connection.driver_connection
+        if driver is None:
+            raise AssertionError("a connection that is open has its driver's")
+        driver.execute(statement)
 
 
 def _begin_sqlite(connection: sa.Connection) -> None:

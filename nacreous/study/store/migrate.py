@@ -12,7 +12,7 @@ from alembic.runtime.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
 from nacreous.problem import InputError
-from nacreous.study.store.engine import writing
+from nacreous.study.store.engine import keep_log, writing
 from nacreous.study.store.fault import place_of, translated
 
 #: Held while tables change, so that two programs that start at once do not both make them.
@@ -29,8 +29,14 @@ def upgrade(engine: sa.Engine, *, make: bool = True) -> None:
     place = place_of(engine)
     if not make and engine.dialect.name == "sqlite" and not Path(place).is_file():
         raise InputError(f"{place}: does not exist; wanted: a store")
+    with translated(place):
+        _upgrade(engine, place, make)
+        keep_log(engine)  # only now, for it changes the file, which may be another program's
+
+
+def _upgrade(engine: sa.Engine, place: str, make: bool) -> None:
     config, script = _script()
-    with translated(place), writing(engine).begin() as connection:
+    with writing(engine).begin() as connection:
         if connection.dialect.name == "postgresql":
             connection.execute(sa.text("SELECT pg_advisory_xact_lock(:key)"), {"key": _LOCK})
         revision = check_revision(connection, place)

@@ -19,7 +19,7 @@ from nacreous.problem import InputError
 from nacreous.study.store import answers as answering
 from nacreous.study.store import check, journal, people, studies
 from nacreous.study.store import progress as counting
-from nacreous.study.store.engine import engine_of
+from nacreous.study.store.engine import engine_of, outside_transaction
 from nacreous.study.store.fault import place_of, translated
 from nacreous.study.store.migrate import upgrade
 from nacreous.study.store.progress import Progress
@@ -234,10 +234,8 @@ class Store:
         self._do(partial(people.erase, at=self._at(), session=session, who=who))
         if self.engine.dialect.name == "sqlite":
             # The log still holds the old pages until they are written over.
-            with translated(self.place), self.engine.connect() as connection:
-                driver = connection.connection.driver_connection
-                if driver is not None:
-                    driver.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+            with translated(self.place):
+                outside_transaction(self.engine, "PRAGMA wal_checkpoint(TRUNCATE)")
 
     def audit(
         self,

@@ -6,8 +6,9 @@ go together into the next one; each caller hears of its own job after that commi
 A job that refuses (`InputError`) keeps what it wrote before it refused, such as a line in the audit
 log; so jobs check first and write last. Where the database refuses, the whole transaction is rolled
 back and each of its jobs is tried again alone, so that one cannot spoil its neighbours; they must
-bear to be run twice. A failed commit is tried no more, for it may have succeeded: the callers hear
-`StoreError` and give the same again, under the same key.
+bear to be run twice. What cannot be begun is not tried again, for each try may wait for seconds;
+nor is a failed commit, for it may have succeeded: the callers hear `StoreError` and give the same
+again, under the same key.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from __future__ import annotations
 import contextlib
 import threading
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any, TypeVar
@@ -39,8 +40,8 @@ class _Job:
     future: Future[Any]
 
 
-class _CommitFailedError(Exception):
-    """The commit itself failed; the jobs may or may not be stored."""
+class _AllFailedError(Exception):
+    """The transaction could not be begun, or the commit failed: no job is to blame."""
 
 
 class Writer:
@@ -86,47 +87,61 @@ class Writer:
             taken = [self._waiting.popleft() for _ in range(count)]
         return [job for job in taken if job.future.set_running_or_notify_cancel()]
 
-    def _write(self, jobs: Sequence[_Job]) -> None:
+    def _write(self, jobs: Sequence[_Job]) -> StoreError | None:
+        """Run jobs and tell their callers; return what failed them all, if anything did."""
         try:
             results = self._transaction(jobs)
-        except _CommitFailedError as failure:
-            _fail(jobs, StoreError(str(failure), self._place))
+        except _AllFailedError as failure:
+            told = StoreError(str(failure), self._place)
+            _fail(jobs, told)
+            return told
         except Exception as problem:
-            if len(jobs) > 1:
-                for job in jobs:
-                    self._write([job])
-            else:
+            if len(jobs) == 1:
                 _fail(jobs, self._told(problem))
+            else:
+                self._write_singly(jobs)
         else:
             for job, result in zip(jobs, results, strict=True):
                 if isinstance(result, InputError):
                     job.future.set_exception(result)
                 else:
                     job.future.set_result(result)
+        return None
+
+    def _write_singly(self, jobs: Sequence[_Job]) -> None:
+        for done, job in enumerate(jobs, 1):
+            if failure := self._write([job]):
+                _fail(jobs[done:], failure)
+                return
 
     def _transaction(self, jobs: Sequence[_Job]) -> list[Any]:
-        with self._engine.connect() as connection:
-            transaction = connection.begin()
+        with contextlib.ExitStack() as stack:
+            with _blaming_none():
+                connection = stack.enter_context(self._engine.connect())
+                transaction = connection.begin()
             try:
                 results = [_result(job, connection) for job in jobs]
+                with _blaming_none():
+                    transaction.commit()
             except BaseException:
                 # SQLite has rolled back by itself when the disk is full.
                 with contextlib.suppress(SQLAlchemyError):
                     transaction.rollback()
                 raise
-            try:
-                transaction.commit()
-            except Exception as problem:
-                with contextlib.suppress(SQLAlchemyError):
-                    transaction.rollback()
-                told = said(problem) if isinstance(problem, SQLAlchemyError) else str(problem)
-                raise _CommitFailedError(told) from problem
         return results
 
     def _told(self, problem: Exception) -> Exception:
         if isinstance(problem, SQLAlchemyError):
             return StoreError(said(problem), self._place)
         return problem
+
+
+@contextlib.contextmanager
+def _blaming_none() -> Iterator[None]:
+    try:
+        yield
+    except SQLAlchemyError as problem:
+        raise _AllFailedError(said(problem)) from problem
 
 
 def _result(job: _Job, connection: sa.Connection) -> Any:
