@@ -37,7 +37,8 @@ class Server:
         assert done.returncode == 0, done.stderr
 
     def start(self) -> None:
-        options = f"-c listen_addresses='' -c unix_socket_directories='{self.folder}'"
+        # Processes are killed here and no power is cut: what was written the system still has.
+        options = f"-c fsync=off -c listen_addresses='' -c unix_socket_directories='{self.folder}'"
         self.run(
             str(self.binaries / "pg_ctl"),
             *("-D", str(self.folder / "data"), "-l", str(self.folder / "log"), "-w"),
