@@ -1,13 +1,15 @@
 """What a store keeps, on SQLite and on PostgreSQL."""
 
+import asyncio
 import threading
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 
 import pytest
+import sqlalchemy as sa
 
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, Session, Store
+from nacreous.study.store import Answer, Receipt, Session, Store
 
 MANIFEST = {"nacreous_study": 1, "design_hash": "5e" * 32, "design": {"name": "Perlen 真珠"}}
 STUDY = MANIFEST["design_hash"]
@@ -71,6 +73,25 @@ def test_one_that_is_refused_spoils_none_beside_it(store: Store) -> None:
     failed = [n for n, future in enumerate(futures) if future.exception() is not None]
     assert failed == [7]
     assert sorted(row["trial"] for row in store.answers(STUDY)) == list(range(20))
+
+
+def test_answers_that_wait_go_to_the_disk_together(store: Store) -> None:
+    session = entered(store)
+    commits = []
+    sa.event.listen(store.engine, "commit", commits.append)
+    futures = [store.hand_in(session.id, answer(n)) for n in range(400)]
+    assert not any(future.result().again for future in futures)
+    assert 1 <= len(commits) < 100
+
+
+def test_an_event_loop_waits_without_a_thread(store: Store) -> None:
+    session = entered(store)
+
+    async def give() -> list[Receipt]:
+        given = (asyncio.wrap_future(store.hand_in(session.id, answer(n))) for n in range(50))
+        return await asyncio.gather(*given)
+
+    assert [receipt.trial for receipt in asyncio.run(give())] == list(range(50))
 
 
 def test_numbers_are_given_once_each_from_many_threads(store: Store) -> None:
