@@ -257,6 +257,15 @@ def test_what_is_unknown_is_refused(store: Store) -> None:
     assert store.add_study(MANIFEST) == STUDY
 
 
+def test_a_study_is_known_by_the_hash_of_all_that_is_frozen(store: Store) -> None:
+    sealed = {**MANIFEST, "study_hash": "7a" * 32, "stimuli": [{"label": "真珠", "recipe": None}]}
+    assert store.add_study(sealed) == "7a" * 32
+    assert store.manifest("7a" * 32) == sealed
+    assert store.study("7a") == "7a" * 32
+    with pytest.raises(InputError, match=r"has 2 studies; wanted: one of its studies \(5e5e"):
+        store.study()
+
+
 def test_two_stores_open_the_same_place(place: str) -> None:
     with Store.open(place) as one, Store.open(place) as two:
         one.add_study(MANIFEST)
