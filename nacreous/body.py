@@ -28,7 +28,7 @@ def absorption(name: str) -> Array:
     name: one of `PIGMENTS`; "none" is 0 everywhere. Raises `InputError` for another.
 
     >>> absorption("gold")[[20, 220]].round(2).tolist()  # at 400 and 600 nm
-    [1.73, 0.04]
+    [1.55, 0.1]
     """
     if not isinstance(name, str):
         raise InputError(f"pigment is {said(name)}; allowed: {', '.join(PIGMENTS)}")

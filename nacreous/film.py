@@ -29,7 +29,7 @@ def columns_of(pearl: Pearl, outer_um: float) -> list[LayerStack]:
 
     >>> columns = columns_of(Pearl(), 10.0)
     >>> len(columns), len(columns[0])
-    (64, 25)
+    (64, 24)
     """
     nacre, film = pearl.nacre, pearl.film
     default_nm = 0.0 if isinstance(nacre, Growth) else _LISTED_SPREAD_NM

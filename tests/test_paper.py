@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nacreous import cli, colour
+from nacreous import cli, colour, folder
 from nacreous.image import Image
 from nacreous.paper import (
     crop,
@@ -31,7 +31,6 @@ from nacreous.paper import (
     figure_12,
     figure_13,
     figure_14,
-    folder,
     hue,
     make,
     pictures,

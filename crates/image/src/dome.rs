@@ -47,7 +47,8 @@ impl Dome {
         let fine = (level as usize).min(last);
         let coarse = (fine + 1).min(last);
         let share = (level - fine as f64).min(1.0);
-        rgb::mix(self.levels[fine].at(u, v), self.levels[coarse].at(u, v), share)
+        let (fine, coarse) = (&self.levels[fine], &self.levels[coarse]);
+        if share > 0.0 { rgb::mix(fine.at(u, v), coarse.at(u, v), share) } else { fine.at(u, v) }
     }
 }
 
@@ -88,12 +89,15 @@ impl Level {
         let left = if right == 0 { self.width - 1 } else { right - 1 };
         let right = if right >= self.width { 0 } else { right };
         let left = left.min(self.width - 1);
-        let pixel = |row: usize, column: usize| {
-            self.pixels[row.min(self.height - 1) * self.width + column].map(f64::from)
-        };
-        let upper = rgb::mix(pixel(top, left), pixel(top, right), share_x);
-        let lower = rgb::mix(pixel(top + 1, left), pixel(top + 1, right), share_x);
-        rgb::mix(upper, lower, share_y)
+        let (upper, lower) = (top * self.width, (top + 1).min(self.height - 1) * self.width);
+        let (x, y) = (share_x as f32, share_y as f32);
+        let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y];
+        let places = [upper + left, upper + right, lower + left, lower + right];
+        let four = places.map(|place| self.pixels[place]);
+        std::array::from_fn(|i| {
+            let sum: f32 = four.iter().zip(weights).map(|(pixel, weight)| pixel[i] * weight).sum();
+            f64::from(sum)
+        })
     }
 }
 

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use crate::{
     ball::{Ball, Hit},
     camera::Camera,
+    relief::{Draw, Relief},
     rgb::{self, Rgb},
 };
 
@@ -40,36 +41,34 @@ const BORDER: usize = 2;
 /// Steps of the net for each standard deviation of the facets' lean.
 const STEPS_PER_SPREAD: f64 = 1.4;
 
-/// The net's share of the facets that it spares, and how many a knot has at least.
-const SHARE: f64 = 0.5;
+/// The net's share of the facets that it spares, and how many a knot has.
+const SHARE: f64 = 0.4;
 const FEWEST: f64 = 96.0;
+const MOST: usize = 1024;
 
 impl Net {
-    /// The most facets for a knot.
-    pub(crate) const MOST: usize = 1024;
-
     /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good net's knots.
-    /// `gather` works out a knot for a point, the direction to the eye, and a number of facets.
+    /// `gather` works out a knot for a point, the direction to the eye, and draws of facets.
     pub(crate) fn new(
         ball: &Ball,
         camera: &Camera,
-        spread_rad: f64,
+        relief: &Relief,
         facets: f64,
-        gather: impl Fn(Hit, DVec3, usize) -> Around + Sync,
+        gather: impl Fn(Hit, DVec3, &[Draw]) -> Around + Sync,
     ) -> Option<Self> {
         let (axis, far_mm) = camera.toward_eye(ball.centre);
         if far_mm <= ball.radius_mm {
             return None;
         }
         let reach_rad = libm::acos(ball.radius_mm / far_mm);
-        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / spread_rad) as usize;
+        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / relief.spread_rad()) as usize;
         let side = 2 * (half + BORDER) + 1;
         // The knots lie in the disc; those beside it cost nothing.
         let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
         if each < FEWEST {
             return None;
         }
-        let each = (each as usize).min(Self::MOST);
+        let draws = relief.lattice((each as usize).min(MOST));
         let (u, v) = axis.any_orthonormal_pair();
         let mut net = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
@@ -78,7 +77,7 @@ impl Net {
             let point = ball.centre + normal * ball.radius_mm;
             let view = camera.toward_eye(point).0;
             let cos_view = normal.dot(view).max(0.02);
-            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, each))
+            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &draws))
         };
         let knots = (0..side * side).into_par_iter().map(|i| knot(i).unwrap_or_default()).collect();
         net.knots = knots;
@@ -142,8 +141,8 @@ mod tests {
 
     fn net(projection: Projection, spread_rad: f64) -> Option<Net> {
         let camera = Camera::new(projection, 0.3, -0.5, 12.0);
-        let gather = |hit, _, _| Around { light: wave(hit), rest: [hit.cos_view; 3] };
-        Net::new(&Ball::alone(4.0), &camera, spread_rad, 1e7, gather)
+        let gather = |hit, _, _: &[Draw]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
+        Net::new(&Ball::alone(4.0), &camera, &Relief::grooves(spread_rad), 1e7, gather)
     }
 
     #[test]

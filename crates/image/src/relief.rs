@@ -130,23 +130,33 @@ impl Relief {
 
     /// `count` draws for [`FacetsSeen::facet`], even over all facets in whole and nearly so in runs.
     pub fn draws(&self, count: usize) -> Vec<Draw> {
+        self.drawn((0..count).map(even))
+    }
+
+    /// The same, evener in whole (Fibonacci's lattice) and not in runs.
+    pub fn lattice(&self, count: usize) -> Vec<Draw> {
+        const GOLDEN: f64 = 0.618_033_988_749_894_8;
+        let point = |i: usize| [(i as f64 + 0.5) / count as f64, (i as f64 * GOLDEN).fract()];
+        self.drawn((0..count).map(point))
+    }
+
+    /// Draws at points of the unit square.
+    fn drawn(&self, points: impl Iterator<Item = [f64; 2]>) -> Vec<Draw> {
         let lean = self.leans();
-        (0..count)
-            .map(|i| {
-                let [u, v] = even(i);
-                let (sin, cos) = libm::sincos(2.0 * PI * v);
-                match self.shape {
-                    Shape::Grooves { .. } => {
-                        let (across, along) = libm::sincos(lean(u));
-                        let place = DVec3::new(across * cos, across * sin, along);
-                        Draw { place, density: self.density(along) }
-                    }
-                    Shape::Ggx { .. } => {
-                        Draw { place: DVec3::new(cos, sin, 0.0) * u.sqrt(), density: 0.0 }
-                    }
+        let draw = |[u, v]: [f64; 2]| {
+            let (sin, cos) = libm::sincos(2.0 * PI * v);
+            match self.shape {
+                Shape::Grooves { .. } => {
+                    let (across, along) = libm::sincos(lean(u));
+                    let place = DVec3::new(across * cos, across * sin, along);
+                    Draw { place, density: self.density(along) }
                 }
-            })
-            .collect()
+                Shape::Ggx { .. } => {
+                    Draw { place: DVec3::new(cos, sin, 0.0) * u.sqrt(), density: 0.0 }
+                }
+            }
+        };
+        points.map(draw).collect()
     }
 
     /// The lean below which a share of the facets' projected area lies, by the share.

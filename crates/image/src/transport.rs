@@ -124,10 +124,9 @@ impl Transport {
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
         let facets = pixels * self.draws.len() as f64;
-        let draws = relief.draws(Net::MOST);
-        Net::new(place, camera, relief.spread_rad(), facets, |hit, view, each| {
+        Net::new(place, camera, relief, facets, |hit, view, draws| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            self.gathered(surroundings, &sight, draws[..each].iter().copied(), (each, KNOT_LOBE))
+            self.gathered(surroundings, &sight, draws.iter().copied(), (draws.len(), KNOT_LOBE))
         })
     }
 
