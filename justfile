@@ -124,7 +124,7 @@ format: setup
 # Make requirements.lock again from pyproject.toml (with --upgrade: the newest of everything)
 [group("build")]
 lock *options:
-    uv pip compile pyproject.toml --group dev --universal --python-version 3.11 \
+    uv pip compile pyproject.toml --group dev --all-extras --universal --python-version 3.11 \
         --fork-strategy fewest --generate-hashes --no-header {{ options }} -o requirements.lock
 
 # Remove everything that was built

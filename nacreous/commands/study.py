@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import time
 
+from nacreous.commands import study_store
+
 _EXAMPLES = """\
 examples:
   nacreous study new paper                       the experiment of 1996, in the folder paper-study
@@ -25,6 +27,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", dest="action", required=True)
     _add_new(actions)
+    study_store.add_actions(actions)
 
 
 def _add_new(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

@@ -1,0 +1,155 @@
+"""`nacreous study backup | restore | export | exclude | erase`: what is kept of a study."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from nacreous.study.store import Copied, Session, Store
+
+_EXAMPLES = """\
+examples:
+  nacreous study backup my-study -o monday.sqlite          while people go on answering
+  nacreous study restore monday.sqlite another-folder
+  nacreous study export my-study -o answers.csv            or .parquet
+  nacreous study export my-study -o for-others             a folder by Psych-DS, with a code book
+  nacreous study exclude my-study 17 --reason "left the room"
+  nacreous study erase my-study 17                         at that person's wish, for ever
+"""
+
+Actions = argparse._SubParsersAction
+
+
+def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
+    """Describe what `nacreous study` can do with a store."""
+    parser = _add(actions, "backup", "copy a store to one file, while it is in use")
+    _add_place(parser)
+    parser.add_argument("-o", "--output", required=True, help="a .sqlite file, from either kind")
+    parser.set_defaults(run=backup)
+    parser = _add(actions, "restore", "make a store from a backup")
+    parser.add_argument("backup", help="what `nacreous study backup` wrote")
+    _add_place(parser)
+    parser.set_defaults(run=restore)
+    parser = _add(actions, "export", "write all answers as .csv, .parquet or a Psych-DS folder")
+    _add_place(parser)
+    parser.add_argument(
+        "-o", "--output", default="answers.csv", help="a name without ending is a folder"
+    )
+    _add_study(parser)
+    parser.set_defaults(run=export)
+    parser = _add(actions, "exclude", "mark a person's answers as not to be counted")
+    _add_person(parser)
+    parser.add_argument("--reason", required=True, help="kept with the answers")
+    parser.set_defaults(run=exclude)
+    parser = _add(actions, "erase", "take away all that leads from answers to a person")
+    _add_person(parser)
+    parser.set_defaults(run=erase)
+
+
+def backup(args: argparse.Namespace) -> int:
+    """Copy, and say how much."""
+    from nacreous.study.store import backup
+
+    print(f"{args.output}: written, {_told(backup(args.place, args.output))}")
+    return 0
+
+
+def restore(args: argparse.Namespace) -> int:
+    """Check, copy, and say how much."""
+    from nacreous.study.store import restore
+
+    print(f"restored: {_told(restore(args.backup, args.place))}")
+    return 0
+
+
+def export(args: argparse.Namespace) -> int:
+    """Write, and say how many rows, and how many of them are marked."""
+    from nacreous.study.store import Store, export
+
+    with Store.open(args.place, make=False) as store:
+        study = store.study(args.study)
+        rows = export(store, study, args.output)
+        found = store.progress(study)
+    print(
+        f"{args.output}: written, {rows} answers of {found.entered} people; among them, marked: "
+        f"{found.excluded} people excluded, {found.erased} erased, {found.simulated} answers "
+        "simulated"
+    )
+    return 0
+
+
+def exclude(args: argparse.Namespace) -> int:
+    """Mark a person's answers."""
+    from nacreous.study.store import Store
+
+    with Store.open(args.place, make=False) as store:
+        session = _person(store, args)
+        store.exclude(session.id, args.reason, _who())
+    print(f"person {session.number}: excluded; the answers stay, marked")
+    return 0
+
+
+def erase(args: argparse.Namespace) -> int:
+    """Take a person out of the store."""
+    from nacreous.study.store import Store
+
+    with Store.open(args.place, make=False) as store:
+        session = _person(store, args)
+        store.erase(session.id, _who())
+    print(f"person {session.number}: erased; backups and exports made before still hold the data")
+    return 0
+
+
+def _add(
+    actions: Actions[argparse.ArgumentParser], name: str, does: str
+) -> argparse.ArgumentParser:
+    return actions.add_parser(
+        name,
+        help=does,
+        description=f"{does[0].upper()}{does[1:]}.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+
+
+def _add_place(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "place",
+        nargs="?",
+        help="the study's folder, a file, or postgresql://... (what NACREOUS_STORE says)",
+    )
+
+
+def _add_study(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--study", help="the beginning of its hash, where a store has several")
+
+
+def _add_person(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("place", help="the study's folder, a file, or postgresql://...")
+    parser.add_argument("number", type=int, help="the participant's number, from 0")
+    _add_study(parser)
+
+
+def _person(store: Store, args: argparse.Namespace) -> Session:
+    from nacreous.problem import InputError
+
+    people = store.sessions(store.study(args.study))
+    for session in people:
+        if session.number == args.number:
+            return session
+    raise InputError(f"number is {args.number}; allowed: 0 to {len(people) - 1}")
+
+
+def _told(copied: Copied) -> str:
+    return f"{copied.studies} studies, {copied.sessions} people, {copied.answers} answers"
+
+
+def _who() -> str:
+    """Whose hand it was, for the audit log."""
+    from getpass import getuser
+
+    try:
+        return getuser()
+    except (KeyError, OSError):  # a user without a name, as in containers
+        return "command line"

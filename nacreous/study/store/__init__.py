@@ -1,0 +1,25 @@
+"""Where a study's sessions and answers are kept: nothing lost, nothing counted twice."""
+
+from nacreous.study.store.backup import Copied, backup, restore
+from nacreous.study.store.export import answers_of, counts, export
+from nacreous.study.store.fault import StoreError
+from nacreous.study.store.progress import PersonProgress, Progress
+from nacreous.study.store.record import Answer, Event, Receipt, Session
+from nacreous.study.store.store import Store
+
+__all__ = [
+    "Answer",
+    "Copied",
+    "Event",
+    "PersonProgress",
+    "Progress",
+    "Receipt",
+    "Session",
+    "Store",
+    "StoreError",
+    "answers_of",
+    "backup",
+    "counts",
+    "export",
+    "restore",
+]

@@ -1,0 +1,87 @@
+"""Answers: put once each, read in the order in which they came."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.dialects import postgresql, sqlite
+
+from nacreous.problem import InputError
+from nacreous.study.store import check, journal, people
+from nacreous.study.store.record import Answer, Receipt
+from nacreous.study.store.schema import answers, sessions
+
+# Made once, for making a statement takes longer than running it.
+_INSERT = {
+    name: make(answers)
+    .on_conflict_do_nothing(index_elements=["session", "trial"])
+    .returning(answers.c.seq)
+    for name, make in (("sqlite", sqlite.insert), ("postgresql", postgresql.insert))
+}
+
+
+def put(connection: sa.Connection, at: str, session: str, answer: Answer) -> Receipt:
+    """Store an answer, or find that it is stored; refuse another under the same key.
+
+    What was refused is kept in the audit log, whole.
+    """
+    person = people.living(connection, session)
+    if person.consented_at is None:
+        raise InputError(f"session {session} has not consented; wanted: consent before answers")
+    row = dict(answer.row, study=person.study, session=session, received_at=at)
+    insert = _INSERT[connection.dialect.name]
+    stored = connection.execute(insert, {**row, "digest": answer.digest}).scalar_one_or_none()
+    if stored is not None:
+        return _receipt(session, answer, at, again=False)
+    kept = connection.execute(
+        sa.select(answers.c.digest, answers.c.received_at).where(
+            answers.c.session == session, answers.c.trial == answer.trial
+        )
+    ).one()
+    if kept.digest == answer.digest:
+        return _receipt(session, answer, kept.received_at, again=True)
+    journal.note(
+        connection, at, "participant", "answer refused", person.study, session, answer=answer.row
+    )
+    raise InputError(
+        f"trial {answer.trial} of session {session} is answered already, and otherwise; "
+        "allowed: the same answer again"
+    )
+
+
+def _receipt(session: str, answer: Answer, at: str, *, again: bool) -> Receipt:
+    received = check.read(at)
+    if received is None:
+        raise AssertionError("the column is never null")
+    return Receipt(session, answer.trial, received, again)
+
+
+def rows(connection: sa.Connection, study: str, session: str | None = None) -> list[dict[str, Any]]:
+    """Every answer of a study, in the order of arrival, with what is known of who gave it."""
+    excluded = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason)
+    query = (
+        sa.select(
+            answers,
+            sessions.c.number,
+            sessions.c.language,
+            sessions.c.groups,
+            excluded.label("excluded"),
+        )
+        .outerjoin(sessions, sessions.c.id == answers.c.session)
+        .where(answers.c.study == study)
+        .order_by(answers.c.seq)
+    )
+    if session is not None:
+        query = query.where(answers.c.session == session)
+    return [dict(row) for row in connection.execute(query).mappings()]
+
+
+def person_of(row: Mapping[str, Any]) -> str:
+    """A label for who gave an answer: the number in the study, or an erased person's random name.
+
+    >>> person_of({"number": 4, "erased_as": None})
+    '4'
+    """
+    return str(row["erased_as"] if row["number"] is None else row["number"])

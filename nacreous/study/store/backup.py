@@ -1,0 +1,208 @@
+"""Copies of a whole store, and stores from copies.
+
+A backup is one SQLite file, whichever database the store is in: a laptop's backup can be restored
+into PostgreSQL, and the other way round.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from urllib.parse import quote
+
+import sqlalchemy as sa
+
+from nacreous import file
+from nacreous.problem import InputError
+from nacreous.study.store.engine import engine_of, writing
+from nacreous.study.store.fault import StoreError, place_of, translated
+from nacreous.study.store.migrate import check_revision, upgrade
+from nacreous.study.store.schema import answers, metadata, sessions, studies
+
+#: Rows read and written at a time.
+_ROWS = 2000
+
+
+@dataclass(frozen=True)
+class Copied:
+    """How much a copy holds."""
+
+    studies: int
+    sessions: int
+    answers: int
+
+
+def backup(place: str | PathLike[str] | None, output: str | PathLike[str]) -> Copied:
+    """Copy a store to a file, whole or not at all, while others go on using it.
+
+    The copy shows the store at one instant. Raises `InputError` where there is no store or `output`
+    cannot be written, `StoreError` where the machine refuses.
+    """
+    file.check_output(output, [".sqlite"])
+    with _opened(place) as engine:
+        if Path(output).exists() and Path(output).samefile(place_of(engine)):
+            raise InputError(f"{output}: is the store itself; wanted: another file")
+        with _refused(str(output)), file.atomic(output) as temporary:
+            if engine.dialect.name == "sqlite":
+                _copy_file(Path(place_of(engine)), temporary)
+            else:
+                _copy_rows_to_file(engine, temporary)
+            return _checked(temporary)
+
+
+def restore(backup: str | PathLike[str], place: str | PathLike[str] | None) -> Copied:
+    """Make a store from a backup, whole or not at all; an older schema is brought up to date.
+
+    The backup is checked first. There must be no store at `place` yet. Raises `InputError`
+    otherwise, `StoreError` where the machine refuses.
+    """
+    if not Path(backup).is_file():
+        raise InputError(f"{backup}: does not exist")
+    counts = _checked(Path(backup))
+    engine = engine_of(place)
+    try:
+        if engine.dialect.name == "sqlite":
+            _restore_file(Path(backup), Path(place_of(engine)))
+        else:
+            _restore_rows(Path(backup), engine)
+    finally:
+        engine.dispose()
+    return counts
+
+
+def _restore_file(backup: Path, target: Path) -> None:
+    # A log that lies there would be played into the restored file.
+    for taken in (target, Path(f"{target}-wal"), Path(f"{target}-journal")):
+        if taken.exists():
+            raise InputError(f"{taken}: is there already; wanted: a place without a store")
+    with _refused(str(target)), file.atomic(target) as temporary:
+        _copy_file(backup, temporary)
+        upgraded = engine_of(temporary)
+        try:
+            upgrade(upgraded)
+        finally:
+            upgraded.dispose()
+        _single(temporary)
+
+
+def _restore_rows(backup: Path, target: sa.Engine) -> None:
+    place = place_of(target)
+    upgrade(target)
+    with tempfile.TemporaryDirectory() as folder, _refused(place):
+        copy = Path(folder, "copy.sqlite")
+        _copy_file(backup, copy)
+        source = engine_of(copy)
+        try:
+            upgrade(source)
+            with (
+                translated(place),
+                source.connect() as rows,
+                writing(target).begin() as connection,
+            ):
+                if connection.execute(sa.select(sa.func.count()).select_from(studies)).scalar():
+                    raise InputError(f"{place}: holds studies already; wanted: an empty database")
+                _copy_rows(rows, connection)
+        finally:
+            source.dispose()
+
+
+def _copy_rows_to_file(source: sa.Engine, target: Path) -> None:
+    engine = engine_of(target)
+    try:
+        upgrade(engine)
+        place = place_of(source)
+        snapshot = source.execution_options(isolation_level="REPEATABLE READ")
+        with (
+            translated(place),
+            snapshot.connect() as rows,
+            writing(engine).begin() as connection,
+        ):
+            _copy_rows(rows, connection)
+    finally:
+        engine.dispose()
+    _single(target)
+
+
+def _copy_rows(source: sa.Connection, target: sa.Connection) -> None:
+    for table in metadata.sorted_tables:
+        ordered = sa.select(table).order_by(*table.primary_key.columns)
+        streamed = source.execution_options(yield_per=_ROWS).execute(ordered)
+        for part in streamed.mappings().partitions(_ROWS):
+            target.execute(sa.insert(table), [dict(row) for row in part])
+        if target.dialect.name == "postgresql" and "seq" in table.c:
+            highest = sa.select(sa.func.max(table.c.seq)).scalar_subquery()
+            name = sa.func.pg_get_serial_sequence(table.name, "seq")
+            target.execute(sa.select(sa.func.setval(name, highest)))
+
+
+def _copy_file(source: Path, target: Path) -> None:
+    with _read_only(source) as old, contextlib.closing(sqlite3.connect(target)) as new:
+        old.backup(new)
+    _single(target)
+
+
+def _single(path: Path) -> None:
+    """Let a database be one file, without a log beside it."""
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        connection.execute("PRAGMA journal_mode = DELETE")
+
+
+def _checked(path: Path) -> Copied:
+    """Whole, of a known schema, and how much is in it."""
+    with _refused(str(path)):
+        with _read_only(path) as connection:
+            verdict = connection.execute("PRAGMA integrity_check(1)").fetchone()[0]
+            stray = connection.execute("PRAGMA foreign_key_check").fetchone()
+        if verdict != "ok" or stray is not None:
+            raise InputError(f"{path}: is damaged; wanted: a whole backup")
+        engine = sa.create_engine(f"sqlite:///file:{_quoted(path)}?mode=ro&uri=true")
+        try:
+            with translated(str(path)), engine.connect() as reading:
+                if check_revision(reading, str(path)) is None:
+                    raise InputError(f"{path}: is empty; wanted: a backup of a store")
+                return Copied(*(_count(reading, table) for table in (studies, sessions, answers)))
+        finally:
+            engine.dispose()
+
+
+def _count(connection: sa.Connection, table: sa.Table) -> int:
+    return int(connection.execute(sa.select(sa.func.count()).select_from(table)).scalar_one())
+
+
+@contextlib.contextmanager
+def _opened(place: str | PathLike[str] | None) -> Iterator[sa.Engine]:
+    """The engine of a store that must be there, its schema up to date."""
+    engine = engine_of(place)
+    try:
+        upgrade(engine, make=False)
+        yield engine
+    finally:
+        engine.dispose()
+
+
+@contextlib.contextmanager
+def _read_only(path: Path) -> Iterator[sqlite3.Connection]:
+    uri = f"file:{_quoted(path)}?mode=ro"
+    with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
+        yield connection
+
+
+def _quoted(path: Path) -> str:
+    return quote(str(path.resolve()))
+
+
+@contextlib.contextmanager
+def _refused(place: str) -> Iterator[None]:
+    """SQLite's own errors in one line."""
+    try:
+        yield
+    except sqlite3.DatabaseError as problem:
+        text = str(problem)
+        if "not a database" in text or "malformed" in text:
+            raise InputError(f"{place}: is no whole store; wanted: a backup") from problem
+        raise StoreError(f"cannot be copied ({text})", place) from problem

@@ -1,0 +1,101 @@
+"""What may be stored, checked at the door: text, JSON, times, numbers."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Collection, Mapping
+from datetime import UTC, datetime
+from typing import Any
+
+from nacreous.problem import InputError
+
+#: The longest label, question or reason, in characters.
+LONGEST_TEXT = 1000
+#: The largest flags, groups or screen check, as JSON in bytes; of a study's manifest: 64 MiB.
+LARGEST_JSON = 65_536
+LARGEST_MANIFEST = 64 * 2**20
+
+
+def text(name: str, value: Any, longest: int = LONGEST_TEXT) -> str:
+    """Text of 1 to `longest` characters that every database can hold."""
+    if not isinstance(value, str):
+        raise InputError(f"{name} is {_shown(value)}; allowed: text")
+    if not 1 <= len(value) <= longest:
+        raise InputError(f"{name} is {len(value)} characters long; allowed: 1 to {longest}")
+    if "\0" in value or any("\ud800" <= letter <= "\udfff" for letter in value):
+        raise InputError(f"{name} is {_shown(value)}; allowed: text without NUL and half letters")
+    return value
+
+
+def one_of(name: str, value: Any, allowed: Collection[str]) -> str:
+    """One of some words."""
+    if not isinstance(value, str) or value not in allowed:
+        raise InputError(f"{name} is {_shown(value)}; allowed: {', '.join(allowed)}")
+    return value
+
+
+def whole(name: str, value: Any, most: int = 2**31 - 1) -> int:
+    """A whole number from 0 to `most`."""
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+        raise InputError(f"{name} is {_shown(value)}; allowed: a whole number, 0 to {most}")
+    return value
+
+
+def duration_ms(name: str, value: Any) -> float | None:
+    """Milliseconds, 0 to a day, or None where unknown."""
+    if value is None:
+        return None
+    good = isinstance(value, int | float) and not isinstance(value, bool)
+    if not good or not math.isfinite(value) or not 0 <= value <= 86_400_000:
+        raise InputError(f"{name} is {_shown(value)}; allowed: 0 to 86400000")
+    return float(value)
+
+
+def canonical(name: str, value: Any, largest: int = LARGEST_JSON) -> str:
+    """A mapping as JSON in its one form: keys sorted, no spaces, no NaN.
+
+    >>> canonical("flags", {"fast": True, "age": 3})
+    '{"age":3,"fast":true}'
+    """
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name} is {_shown(value)}; allowed: a mapping of names to values")
+    try:
+        made = json.dumps(dict(value), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    except (TypeError, ValueError, RecursionError) as problem:
+        raise InputError(f"{name} is no JSON ({problem})") from problem
+    if len(made) > largest:
+        raise InputError(f"{name} is {len(made)} bytes of JSON; allowed: up to {largest}")
+    return made
+
+
+def written(name: str, value: Any) -> str:
+    """An instant as text, UTC.
+
+    >>> written("shown_at", datetime(2026, 3, 1, 9, 30, tzinfo=UTC))
+    '2026-03-01T09:30:00.000000Z'
+    """
+    if not isinstance(value, datetime) or value.utcoffset() is None:
+        raise InputError(f"{name} is {_shown(value)}; allowed: a time with its zone")
+    try:
+        return value.astimezone(UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
+    except OverflowError as problem:  # the first or last hours of the calendar
+        raise InputError(f"{name} is {value}; allowed: the years 1 to 9999 in UTC") from problem
+
+
+def read(value: str | None) -> datetime | None:
+    """The instant that `written` wrote; of an erased person, the day's beginning."""
+    if value is None:
+        return None
+    instant = datetime.fromisoformat(value)
+    return instant if instant.tzinfo else instant.replace(tzinfo=UTC)
+
+
+def day(value: str | None) -> str | None:
+    """A written instant, to the day."""
+    return None if value is None else value[:10]
+
+
+def _shown(value: Any) -> str:
+    made = ascii(value)
+    return made if len(made) <= 60 else made[:57] + "..."

@@ -1,0 +1,91 @@
+"""The columns of an export, each described; and what describes them to machines (Psych-DS)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nacreous.study.store.progress import Progress
+from nacreous.study.store.record import CHOICES, KINDS
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its name, what it holds, its unit and its values where they are few."""
+
+    name: str
+    description: str
+    unit: str | None = None
+    values: tuple[str, ...] = ()
+
+    def property_value(self) -> dict[str, Any]:
+        """As schema.org's PropertyValue."""
+        made: dict[str, Any] = {
+            "@type": "PropertyValue",
+            "name": self.name,
+            "description": self.description,
+        }
+        if self.unit is not None:
+            made["unitText"] = self.unit
+        if self.values:
+            made["valueReference"] = list(self.values)
+        return made
+
+
+_TIME = "UTC, ISO 8601; of an erased person the day only"
+
+COLUMNS = (
+    Column("sequence", "Order in which the answers were stored, whatever any clock said."),
+    Column(
+        "person",
+        "Number of the participant in order of entry, from 0; of an erased person a random name, "
+        "the same for all of that person's answers.",
+    ),
+    Column("trial", "Number of the trial in the person's plan, from 0; empty for erased people."),
+    Column("kind", "Training and catch trials are no data for a scale.", None, KINDS),
+    Column("question", "Id of the question asked."),
+    Column("left", "Label of the stimulus shown on the left."),
+    Column("right", "Label of the stimulus shown on the right."),
+    Column("chosen", "Which was chosen.", None, CHOICES),
+    Column("response_ms", "From showing to choosing; empty where unknown or erased.", "ms"),
+    Column("shown_at", f"When the pair was shown, by the participant's clock; {_TIME}."),
+    Column("answered_at", f"When one was chosen, by the participant's clock; {_TIME}."),
+    Column("received_at", f"When the answer arrived, by the server's clock; {_TIME}."),
+    Column("language", "Language of the pages that the person saw."),
+    Column("excluded", "Why this person's answers are not to be counted; empty: they are."),
+    Column("simulated", "Whether a program gave this answer.", None, ("true", "false")),
+    Column("erased", "Whether the person was erased.", None, ("true", "false")),
+    Column("flags", "What was noticed while the answer was given, as JSON."),
+)
+
+_NAMES = frozenset(column.name for column in COLUMNS)
+
+
+def group_column(name: str) -> Column:
+    """The column of a group; one that is called as a column of ours gets a prefix.
+
+    >>> group_column("sex").name, group_column("left").name
+    ('sex', 'group_left')
+    """
+    return Column(f"group_{name}" if name in _NAMES else name, f"The person's group: {name}.")
+
+
+def description(
+    name: str, study: str, columns: Sequence[Column], progress: Progress
+) -> Mapping[str, Any]:
+    """`dataset_description.json` of Psych-DS, JSON-LD in schema.org's words."""
+    return {
+        "@context": "https://schema.org",
+        "@type": "Dataset",
+        "name": name,
+        "description": (
+            f"Answers to paired comparisons, a row an answer: {progress.answers} answers of "
+            f"{progress.entered} people. {progress.excluded} people were excluded; their rows are "
+            f"here and say why. {progress.erased} people were erased; {progress.erased_answers} "
+            f"answers of theirs are here without anything that leads to them. "
+            f"{progress.simulated} answers are simulated."
+        ),
+        "identifier": f"sha256:{study}",
+        "variableMeasured": [column.property_value() for column in columns],
+    }

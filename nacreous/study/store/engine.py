@@ -1,0 +1,114 @@
+"""Where a store is, and connections to it that keep what they promise."""
+
+from __future__ import annotations
+
+import os
+from importlib.util import find_spec
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.exc import ArgumentError
+
+from nacreous.problem import InputError
+
+#: The variable that holds a URL or a path.
+VARIABLE = "NACREOUS_STORE"
+#: The file in a study's folder.
+FILE = "answers.sqlite"
+#: How long to wait for another program's transaction, in ms.
+_BUSY_MS = 10_000
+
+
+def engine_of(place: str | PathLike[str] | None) -> sa.Engine:
+    """The engine for a PostgreSQL URL, a file, or a folder that holds `answers.sqlite`.
+
+    None: what NACREOUS_STORE says. Raises `InputError` for a place that cannot be one; nothing is
+    opened yet.
+
+    >>> engine_of("mysql://lab/pearls")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: store is mysql:...; allowed: a path, or postgresql://...
+    """
+    given = os.environ.get(VARIABLE) if place is None else os.fspath(place)
+    if not given:
+        raise InputError(f"store is empty; wanted: a path or a URL, as an argument or {VARIABLE}")
+    if "://" not in given:
+        return _sqlite(Path(given))
+    if given.partition("://")[0] not in ("postgresql", "postgres"):
+        scheme = given.partition(":")[0]
+        raise InputError(f"store is {scheme}:...; allowed: a path, or postgresql://...")
+    return _postgresql(given)
+
+
+def _sqlite(path: Path) -> sa.Engine:
+    path = Path(os.path.realpath(path))
+    file = path / FILE if path.is_dir() else path
+    if not file.parent.is_dir():
+        raise InputError(f"{file}: the folder {file.parent} does not exist")
+    engine = sa.create_engine(
+        sa.URL.create("sqlite", database=str(file)), pool_size=8, max_overflow=56
+    )
+    sa.event.listen(engine, "connect", _prepare_sqlite)
+    sa.event.listen(engine, "begin", _begin_sqlite)
+    return engine
+
+
+def _prepare_sqlite(connection: Any, _record: Any) -> None:
+    connection.isolation_level = None  # the driver begins no transactions of its own
+    for pragma in (
+        f"busy_timeout = {_BUSY_MS}",
+        "synchronous = FULL",  # a commit is on the disk when it returns
+        "foreign_keys = ON",
+        "secure_delete = ON",  # what is erased is overwritten
+    ):
+        connection.execute(f"PRAGMA {pragma}")
+
+
+def keep_log(engine: sa.Engine) -> None:
+    """Let SQLite write ahead into a log: readers never wait, and a commit is one flush."""
+    if engine.dialect.name == "sqlite":
+        outside_transaction(engine, "PRAGMA journal_mode = WAL")
+
+
+def outside_transaction(engine: sa.Engine, statement: str) -> None:
+    """Run a statement that SQLite refuses inside a transaction."""
+    with engine.connect() as connection:
+        driver = connection.connection.driver_connection
+        if driver is None:
+            raise AssertionError("a connection that is open has its driver's")
+        driver.execute(statement)
+
+
+def _begin_sqlite(connection: sa.Connection) -> None:
+    # A writer that begins as a reader may find, too late, that another has written in between.
+    writes = connection.get_execution_options().get("writes", False)
+    connection.exec_driver_sql("BEGIN IMMEDIATE" if writes else "BEGIN")
+
+
+def _postgresql(given: str) -> sa.Engine:
+    if find_spec("psycopg") is None:
+        raise InputError("PostgreSQL needs psycopg:   pip install 'nacreous[postgresql]'")
+    try:
+        url = sa.make_url(given).set(drivername="postgresql+psycopg")
+    except (ArgumentError, ValueError) as problem:
+        raise InputError(
+            "store is no URL; wanted: such as postgresql://user@host/name"
+        ) from problem
+    return sa.create_engine(
+        url,
+        pool_size=8,
+        max_overflow=24,
+        pool_pre_ping=True,  # a server that was restarted costs no answer
+        connect_args={
+            "connect_timeout": 10,
+            "options": "-c synchronous_commit=on -c timezone=UTC -c lock_timeout=10000",
+            "application_name": "nacreous",
+        },
+    )
+
+
+def writing(engine: sa.Engine) -> sa.Engine:
+    """The same engine for transactions that write."""
+    return engine.execution_options(writes=True)

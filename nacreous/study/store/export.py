@@ -1,0 +1,156 @@
+"""Answers out of the store: CSV, Parquet, Psych-DS, and to `nacreous.scaling`.
+
+Excluded, simulated and erased rows are marked in files, never left out.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Collection, Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nacreous import file, folder
+from nacreous.problem import InputError
+from nacreous.study.store.answers import person_of
+from nacreous.study.store.codebook import COLUMNS, Column, description, group_column
+from nacreous.study.store.store import Store
+
+if TYPE_CHECKING:
+    from nacreous.scaling import Answers, Comparisons
+
+#: The kinds of trials that are data for a scale.
+COUNTED = ("pair", "repeat")
+
+_RECORD = "dataset_description.json"
+_MAKER = "nacreous study export"
+
+
+def export(store: Store, study: str, output: str | PathLike[str]) -> int:
+    """Write all answers of a study to .csv, .parquet or a Psych-DS folder; return how many.
+
+    A name without an ending is a folder, which must not be there yet: `dataset_description.json`
+    describes every column, and `data/` holds the answers. A file or folder is whole or absent.
+    Raises `InputError` where it cannot be written.
+    """
+    suffix = Path(output).suffix.lower()
+    if suffix:
+        file.check_output(output, [".csv", ".parquet"])
+    columns, table = _table(store, study)
+    if suffix:
+        with file.atomic(output) as temporary:
+            _write(table, temporary, suffix)
+    else:
+        _write_psych_ds(store, study, columns, table, Path(output))
+    return int(table.num_rows)
+
+
+def answers_of(
+    store: Store,
+    study: str,
+    question: str,
+    *,
+    simulated: bool = False,
+    kinds: Collection[str] = COUNTED,
+) -> Answers:
+    """The answers to one question that count, ready for a scale: of pairs, and nobody excluded.
+
+    People are named by number, erased ones by their random names; trials give the order, and each
+    group is a group. `simulated` takes those that a program gave, instead of people's. Raises
+    `InputError` where none are left.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> from nacreous.study.store import Answer
+    >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
+    ...     study = store.add_study({"design_hash": "ab" * 32})
+    ...     session, _ = store.enter(study, "en", {"sex": "f"})
+    ...     store.consent(session.id)
+    ...     _ = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
+    ...     answers_of(store, study, "deeper")
+    Answers(1 answers, 2 stimuli, 1 person)
+    """
+    from nacreous.scaling import Answers
+
+    rows = [
+        row
+        for row in store.answers(study)
+        if row["question"] == question
+        and row["kind"] in kinds
+        and row["excluded"] is None
+        and row["simulated"] == simulated
+    ]
+    if not rows:
+        raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
+    table = {name: [row[name] for row in rows] for name in ("left", "right", "chosen")}
+    table["person"] = [person_of(row) for row in rows]
+    # An erased person's trials have no numbers any more; their order means nothing.
+    table["trial"] = [row["seq"] if row["trial"] is None else row["trial"] for row in rows]
+    table["response_ms"] = [row["response_ms"] for row in rows]
+    groups = {column.name: levels for column, levels in _groups(rows).items()}
+    return Answers.of_table({**table, **groups}, repeats=True)
+
+
+def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:
+    """The same, counted by pair."""
+    return answers_of(store, study, question, simulated=simulated).comparisons()
+
+
+def _groups(rows: Sequence[Mapping[str, Any]]) -> dict[Column, list[str | None]]:
+    """Each group's level by row."""
+    groups = [json.loads(row["groups"] or "{}") for row in rows]
+    names = sorted({name for given in groups for name in given})
+    return {group_column(name): [given.get(name) for given in groups] for name in names}
+
+
+def _table(store: Store, study: str) -> tuple[list[Column], Any]:
+    """The columns described, and a pyarrow table of them."""
+    import pyarrow as pa
+
+    rows = store.answers(study)
+    texts = (
+        *("kind", "question", "left", "right", "chosen", "shown_at", "answered_at"),
+        *("received_at", "language", "excluded", "flags"),
+    )
+    values: dict[str, Any] = {
+        name: pa.array([row[name] for row in rows], pa.string()) for name in texts
+    }
+    values["sequence"] = pa.array([row["seq"] for row in rows], pa.int64())
+    values["person"] = pa.array([person_of(row) for row in rows], pa.string())
+    values["trial"] = pa.array([row["trial"] for row in rows], pa.int32())
+    values["response_ms"] = pa.array([row["response_ms"] for row in rows], pa.float64())
+    values["simulated"] = pa.array([row["simulated"] for row in rows], pa.bool_())
+    values["erased"] = pa.array([row["erased_as"] is not None for row in rows], pa.bool_())
+    groups = _groups(rows)
+    for column, levels in groups.items():
+        values[column.name] = pa.array(levels, pa.string())
+    columns = [*COLUMNS, *groups]
+    return columns, pa.table({column.name: values[column.name] for column in columns})
+
+
+def _write(table: Any, path: Path, suffix: str) -> None:
+    if suffix == ".csv":
+        from pyarrow import csv
+
+        csv.write_csv(table, path)
+    else:
+        from pyarrow import parquet
+
+        parquet.write_table(table, path)
+
+
+def _write_psych_ds(
+    store: Store, study: str, columns: Sequence[Column], table: Any, output: Path
+) -> None:
+    if output.exists():
+        raise InputError(f"{output}: is there already; wanted: a folder that is not")
+    design = store.manifest(study).get("design")
+    name = str(design.get("name", "")) if isinstance(design, Mapping) else ""
+    word = re.sub("[^a-z0-9]", "", name.lower()) or study[:12]
+    told = description(name or f"study {study[:12]}", study, columns, store.progress(study))
+    with folder.whole(output, [_RECORD, "data"], _RECORD, _MAKER) as temporary:
+        (temporary / "data").mkdir()
+        _write(table, temporary / "data" / f"study-{word}_data.csv", ".csv")
+        text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
+        (temporary / _RECORD).write_text(text, encoding="utf-8", newline="\n")

@@ -1,0 +1,81 @@
+"""Bring a store's tables to the newest schema, by Alembic, in one transaction."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+from alembic.config import Config
+from alembic.runtime.environment import EnvironmentContext
+from alembic.runtime.migration import MigrationContext
+from alembic.script import ScriptDirectory
+
+from nacreous.problem import InputError
+from nacreous.study.store.engine import keep_log, writing
+from nacreous.study.store.fault import place_of, translated
+
+#: Held while tables change, so that two programs that start at once do not both make them.
+_LOCK = 0x4E414352
+
+
+def upgrade(engine: sa.Engine, *, make: bool = True) -> None:
+    """Make the tables where there are none, or add what newer versions need; at once if current.
+
+    Raises `InputError` where the database is newer than this program, not a store at all, or,
+    unless it may `make` one, empty or absent; `StoreError` where it cannot be reached or written.
+    Then nothing is changed.
+    """
+    place = place_of(engine)
+    if not make and engine.dialect.name == "sqlite" and not Path(place).is_file():
+        raise InputError(f"{place}: does not exist; wanted: a store")
+    with translated(place):
+        _upgrade(engine, place, make)
+        keep_log(engine)  # only now, for it changes the file, which may be another program's
+
+
+def _upgrade(engine: sa.Engine, place: str, make: bool) -> None:
+    config, script = _script()
+    with writing(engine).begin() as connection:
+        if connection.dialect.name == "postgresql":
+            connection.execute(sa.text("SELECT pg_advisory_xact_lock(:key)"), {"key": _LOCK})
+        revision = check_revision(connection, place)
+        if revision is None and not make:
+            raise InputError(f"{place}: is empty; wanted: a store")
+        if revision == script.get_current_head():
+            return
+        with EnvironmentContext(
+            config, script, fn=lambda revision, _context: _steps(script, revision)
+        ) as environment:
+            environment.configure(connection=connection)
+            environment.run_migrations()
+
+
+def check_revision(connection: sa.Connection, place: str) -> str | None:
+    """The schema's version; None for an empty database. Refuses what this program cannot use."""
+    _, script = _script()
+    tables = sa.inspect(connection).get_table_names()
+    if not tables:
+        return None
+    if "alembic_version" not in tables or "answers" not in tables:
+        raise InputError(f"{place}: holds other tables; wanted: a store, or an empty database")
+    revision = MigrationContext.configure(connection).get_current_revision()
+    known = {step.revision for step in script.walk_revisions()}
+    if revision not in known:
+        raise InputError(
+            f"{place}: has schema {revision!a}, which this version of Nacreous does not know; "
+            f"allowed: up to {script.get_current_head()}"
+        )
+    return revision
+
+
+def _steps(script: ScriptDirectory, revision: Any) -> Any:
+    return script._upgrade_revs("head", revision)
+
+
+def _script() -> tuple[Config, ScriptDirectory]:
+    config = Config()
+    config.set_main_option("script_location", "nacreous.study.store:migrations")
+    config.set_main_option("version_locations", "nacreous.study.store:migrations")
+    config.set_main_option("path_separator", "newline")
+    return config, ScriptDirectory.from_config(config)

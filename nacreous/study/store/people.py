@@ -1,0 +1,178 @@
+"""Participants: entering, consent, screen, leaving out with a reason, erasing."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import secrets
+from collections.abc import Mapping
+from typing import Any
+
+import sqlalchemy as sa
+
+from nacreous.problem import InputError
+from nacreous.study.store import check, journal, studies
+from nacreous.study.store.record import Session
+from nacreous.study.store.schema import answers, screens, sessions
+
+_LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
+    sessions.c.id == sa.bindparam("session")
+)
+
+
+def hash_of(token: object) -> str:
+    """What is kept of a token."""
+    if not isinstance(token, str) or not 1 <= len(token) <= 200 or not token.isascii():
+        raise unknown_token()
+    return hashlib.sha256(token.encode()).hexdigest()
+
+
+def unknown_token() -> InputError:
+    """For a token that nobody holds; the token itself is told to no log."""
+    return InputError("token is unknown; wanted: one that was given out and not revoked")
+
+
+def enter(connection: sa.Connection, at: str, study: str, row: Mapping[str, Any]) -> None:
+    """Add a session whose id and token were drawn before."""
+    number = studies.take_number(connection, study)
+    connection.execute(sa.insert(sessions).values(study=study, number=number, started_at=at, **row))
+    journal.note(connection, at, "participant", "entered", study, row["id"])
+
+
+def find(connection: sa.Connection, where: sa.ColumnElement[bool]) -> list[Session]:
+    """Sessions in the order of their numbers, each with its last screen check."""
+    last = sa.select(sa.func.max(screens.c.seq)).where(screens.c.session == sessions.c.id)
+    query = (
+        sa.select(sessions, screens.c.content)
+        .outerjoin(screens, screens.c.seq == last.correlate(sessions).scalar_subquery())
+        .where(where)
+        .order_by(sessions.c.study, sessions.c.number)
+    )
+    return [_session(row) for row in connection.execute(query).mappings()]
+
+
+def one(connection: sa.Connection, session: str) -> Session:
+    """A session by its id."""
+    found = find(connection, sessions.c.id == session)
+    if not found:
+        raise InputError(f"session {ascii(session)[1:40]} is not in this store")
+    return found[0]
+
+
+def change(
+    connection: sa.Connection,
+    at: str,
+    session: str,
+    who: str,
+    what: str,
+    values: Mapping[str, Any],
+    **detail: Any,
+) -> None:
+    """Change a session that is not erased, and say so in the log."""
+    study = living(connection, session).study
+    connection.execute(sa.update(sessions).where(sessions.c.id == session).values(**values))
+    journal.note(connection, at, who, what, study, session, **detail)
+
+
+def living(connection: sa.Connection, session: str) -> Any:
+    """What decides whether something may be added to a session."""
+    row = connection.execute(_LIVING, {"session": session}).one_or_none()
+    if row is None:
+        raise InputError(f"session {ascii(session)[1:40]} is not in this store")
+    if row.erased_at is not None:
+        raise InputError(f"session {session} was erased; nothing can be added to it")
+    return row
+
+
+def set_once(connection: sa.Connection, at: str, session: str, column: str, what: str) -> None:
+    """Set a time that is set once; later calls change nothing."""
+    living(connection, session)
+    done = connection.execute(
+        sa.update(sessions)
+        .where(sessions.c.id == session, sessions.c[column].is_(None))
+        .values({column: at})
+        .returning(sessions.c.study)
+    ).scalar_one_or_none()
+    if done is not None:
+        journal.note(connection, at, "participant", what, done, session)
+
+
+def add_screen(connection: sa.Connection, at: str, session: str, content: str) -> None:
+    """Keep a screen check; earlier ones stay."""
+    living(connection, session)
+    connection.execute(sa.insert(screens).values(session=session, at=at, content=content))
+
+
+def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
+    """Take away what leads from answers to a person.
+
+    The session stays as a number that is not given out again, with days in place of times. The
+    answers go in a shuffled order behind all others, under one random name that is written nowhere
+    else, without trial numbers, response times, flags and clock times: what was chosen, and that
+    one person chose it, is all that is left.
+    """
+    found = one(connection, session)
+    if found.erased_at is not None:
+        return
+    _unlink(connection, found)
+    connection.execute(sa.delete(screens).where(screens.c.session == session))
+    row = connection.execute(sa.select(sessions).where(sessions.c.id == session)).one()
+    connection.execute(
+        sa.update(sessions)
+        .where(sessions.c.id == session)
+        .values(
+            token_hash=None,
+            language=None,
+            groups=None,
+            consented_at=check.day(row.consented_at),
+            started_at=check.day(row.started_at),
+            finished_at=check.day(row.finished_at),
+            excluded_reason=None,
+            erased_at=check.day(at),
+        )
+    )
+    journal.forget(connection, session)
+    journal.note(connection, at[:10], who, "erased", found.study, session)
+
+
+def _unlink(connection: sa.Connection, person: Session) -> None:
+    mine = answers.c.session == person.id
+    rows = [dict(row) for row in connection.execute(sa.select(answers).where(mine)).mappings()]
+    secrets.SystemRandom().shuffle(rows)
+    connection.execute(sa.delete(answers).where(mine))
+    name = secrets.token_hex(8)
+    for row in rows:
+        del row["seq"]
+        row.update(
+            session=None,
+            trial=None,
+            response_ms=None,
+            shown_at=check.day(row["shown_at"]),
+            answered_at=check.day(row["answered_at"]),
+            received_at=check.day(row["received_at"]),
+            flags="{}",
+            digest=None,
+            erased_as=f"erased-{name}",
+            excluded_reason=None if person.excluded_reason is None else "excluded before erasing",
+        )
+    if rows:
+        connection.execute(sa.insert(answers), rows)
+
+
+def _session(row: sa.RowMapping) -> Session:
+    started = check.read(row["started_at"])
+    if started is None:
+        raise AssertionError("the column is never null")
+    return Session(
+        id=row["id"],
+        study=row["study"],
+        number=row["number"],
+        language=row["language"],
+        groups=json.loads(row["groups"] or "{}"),
+        screen=None if row["content"] is None else json.loads(row["content"]),
+        consented_at=check.read(row["consented_at"]),
+        started_at=started,
+        finished_at=check.read(row["finished_at"]),
+        excluded_reason=row["excluded_reason"],
+        erased_at=check.read(row["erased_at"]),
+    )

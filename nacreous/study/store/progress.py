@@ -1,0 +1,99 @@
+"""How far a study is: who, how many, how long."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from statistics import median
+
+import sqlalchemy as sa
+
+from nacreous.study.store import people
+from nacreous.study.store.record import Session
+from nacreous.study.store.schema import answers, sessions
+
+
+@dataclass(frozen=True)
+class PersonProgress:
+    """One session and how many of its answers are stored; `last_at`: when the newest arrived."""
+
+    session: Session
+    answers: int
+    last_at: datetime | None
+
+
+@dataclass(frozen=True)
+class Progress:
+    """Counts of a study. Erased people are in `entered`, and their answers in `answers`.
+
+    `median_s` is from entering to finishing, of those who have finished; None without any.
+    """
+
+    state: str
+    entered: int
+    consented: int
+    finished: int
+    excluded: int
+    erased: int
+    answers: int
+    simulated: int
+    erased_answers: int
+    median_s: float | None
+    people: tuple[PersonProgress, ...]
+
+
+def progress(connection: sa.Connection, study: str, state: str) -> Progress:
+    """The counts now."""
+    everyone = people.find(connection, sessions.c.study == study)
+    counts = _counts(connection, study)
+    lasting = [
+        (person.finished_at - person.started_at).total_seconds()
+        for person in everyone
+        if person.finished_at is not None and person.erased_at is None
+    ]
+    total, simulated, erased = _totals(connection, study)
+    return Progress(
+        state=state,
+        entered=len(everyone),
+        consented=sum(person.consented_at is not None for person in everyone),
+        finished=sum(person.finished_at is not None for person in everyone),
+        excluded=sum(person.excluded_reason is not None for person in everyone),
+        erased=sum(person.erased_at is not None for person in everyone),
+        answers=total,
+        simulated=simulated,
+        erased_answers=erased,
+        median_s=median(lasting) if lasting else None,
+        people=tuple(
+            PersonProgress(person, *counts.get(person.id, (0, None))) for person in everyone
+        ),
+    )
+
+
+def _counts(connection: sa.Connection, study: str) -> dict[str, tuple[int, datetime | None]]:
+    # The newest by sequence, for a clock that was set back must not hide it.
+    grouped = (
+        sa.select(
+            answers.c.session,
+            sa.func.count().label("count"),
+            sa.func.max(answers.c.seq).label("last"),
+        )
+        .where(answers.c.study == study, answers.c.session.is_not(None))
+        .group_by(answers.c.session)
+        .subquery()
+    )
+    query = sa.select(grouped.c.session, grouped.c.count, answers.c.received_at).join(
+        answers, answers.c.seq == grouped.c.last
+    )
+    return {
+        session: (count, datetime.fromisoformat(received))
+        for session, count, received in connection.execute(query)
+    }
+
+
+def _totals(connection: sa.Connection, study: str) -> tuple[int, int, int]:
+    simulated = sa.func.count().filter(answers.c.simulated)
+    erased = sa.func.count(answers.c.erased_as)
+    row = connection.execute(
+        sa.select(sa.func.count(), simulated, erased).where(answers.c.study == study)
+    ).one()
+    return int(row[0]), int(row[1]), int(row[2])

@@ -1,0 +1,103 @@
+"""The tables of a store, as the newest migration leaves them.
+
+Times are text, UTC, ISO 8601 to the microsecond: equal on both databases, exact, and in order when
+sorted as text. JSON is text too, in the canonical form of `check.canonical`.
+"""
+
+from __future__ import annotations
+
+import sqlalchemy as sa
+
+metadata = sa.MetaData(
+    naming_convention={
+        "pk": "pk_%(table_name)s",
+        "fk": "fk_%(table_name)s_%(column_0_name)s",
+        "uq": "uq_%(table_name)s_%(column_0_N_name)s",
+        "ix": "ix_%(table_name)s_%(column_0_N_name)s",
+    }
+)
+
+#: Counts up and never gives a number twice, on SQLite too (`sqlite_autoincrement`).
+_SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
+
+
+def _serial() -> sa.Column[int]:
+    return sa.Column("seq", _SERIAL, primary_key=True, autoincrement=True)
+
+
+studies = sa.Table(
+    "studies",
+    metadata,
+    sa.Column("hash", sa.String(64), primary_key=True),
+    sa.Column("manifest", sa.Text, nullable=False),
+    sa.Column("state", sa.String(8), nullable=False),
+    sa.Column("next_number", sa.Integer, nullable=False),
+    sa.Column("added_at", sa.String(27), nullable=False),
+)
+
+sessions = sa.Table(
+    "sessions",
+    metadata,
+    sa.Column("id", sa.String(36), primary_key=True),
+    sa.Column("study", sa.String(64), sa.ForeignKey("studies.hash"), nullable=False),
+    sa.Column("number", sa.Integer, nullable=False),
+    sa.Column("token_hash", sa.String(64), unique=True),
+    sa.Column("language", sa.String(35)),
+    sa.Column("groups", sa.Text),
+    sa.Column("consented_at", sa.String(27)),
+    sa.Column("started_at", sa.String(27), nullable=False),
+    sa.Column("finished_at", sa.String(27)),
+    sa.Column("excluded_reason", sa.Text),
+    sa.Column("erased_at", sa.String(27)),
+    sa.UniqueConstraint("study", "number"),
+)
+
+screens = sa.Table(
+    "screens",
+    metadata,
+    _serial(),
+    sa.Column("session", sa.String(36), sa.ForeignKey("sessions.id"), nullable=False, index=True),
+    sa.Column("at", sa.String(27), nullable=False),
+    sa.Column("content", sa.Text, nullable=False),
+    sqlite_autoincrement=True,
+)
+
+# An erased person's answers have no session and no trial, but one random name in common, for they
+# are still answers of one person; `excluded_reason` is then kept here.
+answers = sa.Table(
+    "answers",
+    metadata,
+    _serial(),
+    sa.Column("study", sa.String(64), sa.ForeignKey("studies.hash"), nullable=False, index=True),
+    sa.Column("session", sa.String(36), sa.ForeignKey("sessions.id")),
+    sa.Column("trial", sa.Integer),
+    sa.Column("kind", sa.String(8), nullable=False),
+    sa.Column("question", sa.Text, nullable=False),
+    sa.Column("left", sa.Text, nullable=False),
+    sa.Column("right", sa.Text, nullable=False),
+    sa.Column("chosen", sa.String(5), nullable=False),
+    sa.Column("response_ms", sa.Double),
+    sa.Column("shown_at", sa.String(27)),
+    sa.Column("answered_at", sa.String(27)),
+    sa.Column("received_at", sa.String(27), nullable=False),
+    sa.Column("flags", sa.Text, nullable=False),
+    sa.Column("simulated", sa.Boolean, nullable=False),
+    sa.Column("digest", sa.String(64)),
+    sa.Column("erased_as", sa.String(24)),
+    sa.Column("excluded_reason", sa.Text),
+    sa.UniqueConstraint("session", "trial"),
+    sqlite_autoincrement=True,
+)
+
+audit = sa.Table(
+    "audit",
+    metadata,
+    _serial(),
+    sa.Column("at", sa.String(27), nullable=False),
+    sa.Column("who", sa.Text, nullable=False),
+    sa.Column("what", sa.Text, nullable=False),
+    sa.Column("study", sa.String(64), index=True),
+    sa.Column("session", sa.String(36), index=True),
+    sa.Column("detail", sa.Text, nullable=False),
+    sqlite_autoincrement=True,
+)

@@ -1,0 +1,284 @@
+"""The store: one object for all that is kept of a study."""
+
+from __future__ import annotations
+
+import contextlib
+import secrets
+import uuid
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Future
+from datetime import UTC, datetime
+from functools import partial
+from os import PathLike
+from types import TracebackType
+from typing import Any
+
+import sqlalchemy as sa
+
+from nacreous.problem import InputError
+from nacreous.study.store import answers as answering
+from nacreous.study.store import check, journal, people, studies
+from nacreous.study.store import progress as counting
+from nacreous.study.store.engine import engine_of, outside_transaction
+from nacreous.study.store.fault import place_of, translated
+from nacreous.study.store.migrate import upgrade
+from nacreous.study.store.progress import Progress
+from nacreous.study.store.record import Answer, Event, Receipt, Session
+from nacreous.study.store.schema import sessions
+from nacreous.study.store.writer import Writer
+
+
+def _now() -> datetime:
+    return datetime.now(UTC)
+
+
+class Store:
+    """Sessions and answers on the disk. Safe to share among threads; several may open one store.
+
+    Every method that changes something returns after its commit is on the disk. Methods raise
+    `InputError` for what cannot be stored, and `StoreError` where the machine refuses: then
+    nothing, or all of it, is stored, and giving the same answer again is safe.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
+    ...     study = store.add_study({"nacreous_study": 1, "design_hash": "ab" * 32})
+    ...     session, token = store.enter(study, "en", {"seen": "real"})
+    ...     store.consent(session.id)
+    ...     receipt = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
+    ...     again = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
+    ...     receipt.again, again.again, store.progress(study).answers
+    (False, True, 1)
+    """
+
+    def __init__(self, engine: sa.Engine, clock: Callable[[], datetime]) -> None:
+        self.engine = engine
+        self.place = place_of(engine)
+        self._clock = clock
+        self._writer = Writer(engine)
+
+    @classmethod
+    def open(
+        cls,
+        place: str | PathLike[str] | None = None,
+        *,
+        make: bool = True,
+        clock: Callable[[], datetime] = _now,
+    ) -> Store:
+        """Open or make a store: a file, a folder (answers.sqlite in it), or postgresql://....
+
+        None: what NACREOUS_STORE says. Unless it may `make` one, an empty place is refused. `clock`
+        tells the server's time; it may jump, for the order of answers hangs on their sequence
+        alone.
+        """
+        engine = engine_of(place)
+        try:
+            upgrade(engine, make=make)
+        except BaseException:
+            engine.dispose()
+            raise
+        return cls(engine, clock)
+
+    def close(self) -> None:
+        """Finish what was handed in, and let go of the database."""
+        self._writer.close()
+        self.engine.dispose()
+
+    def __enter__(self) -> Store:
+        """Close at the end of the block."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        problem: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Close."""
+        self.close()
+
+    def add_study(self, manifest: Mapping[str, Any]) -> str:
+        """Keep a frozen design and return its hash; at once if it is kept already."""
+        study = studies.hash_of(manifest)
+        text = check.canonical("manifest", manifest, check.LARGEST_MANIFEST)
+        self._do(partial(studies.add, at=self._at(), study=study, manifest=text))
+        return study
+
+    def manifest(self, study: str) -> dict[str, Any]:
+        """A study's manifest."""
+        with self.reading() as connection:
+            return studies.manifest_of(connection, study)
+
+    def studies(self) -> dict[str, str]:
+        """Every study's hash, and whether it is open, paused or closed."""
+        with self.reading() as connection:
+            return studies.states(connection)
+
+    def study(self, beginning: str | None = None) -> str:
+        """The hash of the study whose hash begins so; None where there is but one."""
+        known = self.studies()
+        found = [study for study in known if study.startswith(beginning or "")]
+        if len(found) != 1:
+            which = "no study" if beginning is None else f"{len(found)} studies of {beginning!a}"
+            if beginning is None and known:
+                which = f"{len(known)} studies"
+            here = ", ".join(study[:12] for study in known) or "none"
+            raise InputError(f"{self.place}: has {which}; wanted: one of its studies ({here})")
+        return found[0]
+
+    def pause(self, study: str, who: str) -> None:
+        """Let nobody enter for now. Answers of those who have entered are still kept."""
+        self._set_state(study, "paused", who)
+
+    def reopen(self, study: str, who: str) -> None:
+        """Let people enter again."""
+        self._set_state(study, "open", who)
+
+    def close_study(self, study: str, who: str) -> None:
+        """Let nobody enter any more. An answer that comes late is still kept, for it was given."""
+        self._set_state(study, "closed", who)
+
+    def enter(self, study: str, language: str, groups: Mapping[str, str]) -> tuple[Session, str]:
+        """Take in a participant: the session, with its number, and the token, told only here."""
+        for name, level in groups.items():
+            check.text("group's name", name, 100)
+            check.text(f"group {name}", level)
+        token = secrets.token_urlsafe(32)
+        row = {
+            "id": str(uuid.uuid4()),
+            "token_hash": people.hash_of(token),
+            "language": check.text("language", language, 35),
+            "groups": check.canonical("groups", groups),
+        }
+        self._do(partial(people.enter, at=self._at(), study=study, row=row))
+        return self.session(row["id"]), token
+
+    def session_of(self, token: str) -> Session:
+        """Whose token this is."""
+        hashed = people.hash_of(token)
+        with self.reading() as connection:
+            found = people.find(connection, sessions.c.token_hash == hashed)
+        if not found:
+            raise people.unknown_token()
+        return found[0]
+
+    def session(self, session: str) -> Session:
+        """A session by its id."""
+        with self.reading() as connection:
+            return people.one(connection, session)
+
+    def sessions(self, study: str) -> list[Session]:
+        """A study's sessions by number, erased and excluded ones too."""
+        with self.reading() as connection:
+            return people.find(connection, sessions.c.study == study)
+
+    def consent(self, session: str) -> None:
+        """Note that a participant consented; no answer is taken before."""
+        self._set_once(session, "consented_at", "consented")
+
+    def finish(self, session: str) -> None:
+        """Note that a participant saw the last page."""
+        self._set_once(session, "finished_at", "finished")
+
+    def screen(self, session: str, content: Mapping[str, Any]) -> None:
+        """Keep a screen check."""
+        text = check.canonical("screen", content)
+        self._do(partial(people.add_screen, at=self._at(), session=session, content=text))
+
+    def answer(self, session: str, answer: Answer) -> Receipt:
+        """Store an answer; the receipt says that it is on the disk.
+
+        The same answer again gets the same receipt, with `again`, and is not stored twice. Another
+        answer to the same trial raises `InputError` and is kept in the audit log.
+        """
+        return self.hand_in(session, answer).result()
+
+    def hand_in(self, session: str, answer: Answer) -> Future[Receipt]:
+        """As `answer`, without waiting; for an event loop, by `asyncio.wrap_future`."""
+        work = partial(answering.put, at=self._at(), session=session, answer=answer)
+        return self._writer.submit(work)
+
+    def answers(self, study: str, session: str | None = None) -> list[dict[str, Any]]:
+        """Every answer of a study (or of one session) as a row, in the order of arrival.
+
+        Excluded, simulated and erased ones are among them and say so: `excluded` (the reason or
+        None), `simulated`, `erased_as` (a random name or None).
+        """
+        with self.reading() as connection:
+            if study not in studies.states(connection):
+                raise studies.unknown(study)
+            return answering.rows(connection, study, session)
+
+    def progress(self, study: str) -> Progress:
+        """Who, how far, how long."""
+        with self.reading() as connection:
+            state = studies.states(connection).get(study)
+            if state is None:
+                raise studies.unknown(study)
+            return counting.progress(connection, study, state)
+
+    def exclude(self, session: str, reason: str, who: str) -> None:
+        """Mark a person's answers as not to be counted. They stay, and so does the reason."""
+        values = {"excluded_reason": check.text("reason", reason)}
+        self._change(session, who, "excluded", values, reason=reason)
+
+    def readmit(self, session: str, who: str) -> None:
+        """Take an exclusion back; the audit log keeps both."""
+        self._change(session, who, "readmitted", {"excluded_reason": None})
+
+    def revoke(self, session: str, who: str) -> None:
+        """Make a participant's token worthless."""
+        self._change(session, who, "token revoked", {"token_hash": None})
+
+    def erase(self, session: str, who: str) -> None:
+        """Take away what leads from answers to a person; what was chosen stays, and is counted."""
+        self._do(partial(people.erase, at=self._at(), session=session, who=who))
+        if self.engine.dialect.name == "sqlite":
+            # The log still holds the old pages until they are written over.
+            with translated(self.place):
+                outside_transaction(self.engine, "PRAGMA wal_checkpoint(TRUNCATE)")
+
+    def audit(
+        self,
+        who: str,
+        what: str,
+        study: str | None = None,
+        session: str | None = None,
+        **detail: Any,
+    ) -> None:
+        """Add a line to the audit log."""
+        at = self._at()
+        self._do(
+            lambda connection: journal.note(connection, at, who, what, study, session, **detail)
+        )
+
+    def events(self, study: str | None = None) -> list[Event]:
+        """The audit log of a study, or all of it."""
+        with self.reading() as connection:
+            return journal.events(connection, study)
+
+    @contextlib.contextmanager
+    def reading(self) -> Iterator[sa.Connection]:
+        """A connection that sees one state of the store throughout."""
+        with translated(self.place), self.engine.connect() as connection:
+            yield connection
+
+    def _at(self) -> str:
+        return check.written("clock", self._clock())
+
+    def _do(self, work: Callable[[sa.Connection], None]) -> None:
+        self._writer.submit(work).result()
+
+    def _set_state(self, study: str, state: str, who: str) -> None:
+        self._do(partial(studies.set_state, at=self._at(), study=study, state=state, who=who))
+
+    def _set_once(self, session: str, column: str, what: str) -> None:
+        at = self._at()
+        self._do(partial(people.set_once, at=at, session=session, column=column, what=what))
+
+    def _change(
+        self, session: str, who: str, what: str, values: Mapping[str, Any], **detail: Any
+    ) -> None:
+        at = self._at()
+        self._do(
+            lambda connection: people.change(connection, at, session, who, what, values, **detail)
+        )

@@ -1,0 +1,106 @@
+"""Studies in a store: the frozen design, and whether people may enter."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.dialects import postgresql, sqlite
+
+from nacreous.problem import InputError
+from nacreous.study.store import check, journal
+from nacreous.study.store.schema import studies
+
+STATES = ("open", "paused", "closed")
+
+
+def hash_of(manifest: Mapping[str, Any]) -> str:
+    """The hash of a frozen study, looked at but not computed again.
+
+    That is `study_hash`, of stimuli and all; `design_hash` where a manifest has no other.
+    """
+    given = manifest.get("study_hash", manifest.get("design_hash"))
+    if not isinstance(given, str) or not re.fullmatch("[0-9a-f]{64}", given):
+        raise InputError("manifest: study_hash is missing or no SHA-256; wanted: a frozen study")
+    return given
+
+
+def add(connection: sa.Connection, at: str, study: str, manifest: str) -> None:
+    """Keep a design; nothing happens where it is there already."""
+    insert = sqlite.insert if connection.dialect.name == "sqlite" else postgresql.insert
+    row = {
+        "hash": study,
+        "manifest": manifest,
+        "state": "open",
+        "next_number": 0,
+        "added_at": at,
+    }
+    added = connection.execute(
+        insert(studies).values(row).on_conflict_do_nothing().returning(studies.c.hash)
+    ).scalar_one_or_none()
+    if added is not None:
+        journal.note(connection, at, "store", "study added", study, None)
+        return
+    kept = connection.execute(
+        sa.select(studies.c.manifest).where(studies.c.hash == study)
+    ).scalar_one()
+    if kept != manifest:
+        raise InputError(
+            f"study {study[:12]} is kept with another manifest; "
+            "wanted: the same stimuli and versions for the same design"
+        )
+
+
+def manifest_of(connection: sa.Connection, study: str) -> dict[str, Any]:
+    """The manifest as it was given."""
+    text = connection.execute(
+        sa.select(studies.c.manifest).where(studies.c.hash == study)
+    ).scalar_one_or_none()
+    if text is None:
+        raise unknown(study)
+    made: dict[str, Any] = json.loads(text)
+    return made
+
+
+def states(connection: sa.Connection) -> dict[str, str]:
+    """Every study's hash and state, in the order in which they were added."""
+    query = sa.select(studies.c.hash, studies.c.state).order_by(studies.c.added_at, studies.c.hash)
+    return {row.hash: row.state for row in connection.execute(query)}
+
+
+def set_state(connection: sa.Connection, at: str, study: str, state: str, who: str) -> None:
+    """Open, pause or close."""
+    check.one_of("state", state, STATES)
+    done = connection.execute(
+        sa.update(studies)
+        .where(studies.c.hash == study)
+        .values(state=state)
+        .returning(studies.c.hash)
+    ).scalar_one_or_none()
+    if done is None:
+        raise unknown(study)
+    journal.note(connection, at, who, f"study {state}", study, None)
+
+
+def take_number(connection: sa.Connection, study: str) -> int:
+    """The next participant's number, which nobody else gets."""
+    taken = connection.execute(
+        sa.update(studies)
+        .where(studies.c.hash == study, studies.c.state == "open")
+        .values(next_number=studies.c.next_number + 1)
+        .returning(studies.c.next_number)
+    ).scalar_one_or_none()
+    if taken is not None:
+        return int(taken) - 1
+    state = states(connection).get(study)
+    if state is None:
+        raise unknown(study)
+    raise InputError(f"study {study[:12]} is {state}; wanted: open, for somebody to enter")
+
+
+def unknown(study: object) -> InputError:
+    """For a study that is not kept here."""
+    return InputError(f"study {ascii(study)[1:13]} is not in this store; wanted: add_study first")

@@ -1,0 +1,131 @@
+"""Exports: every row is there and says what it is; scales take what counts."""
+
+import csv
+import json
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+import pyarrow.parquet
+import pytest
+
+import nacreous as nc
+from nacreous.problem import InputError
+from nacreous.study.store import Answer, Store, answers_of, counts, export
+
+STUDY = "5e" * 32
+AT = datetime(2026, 3, 1, 9, 30, tzinfo=UTC)
+
+
+def fill(store: Store) -> None:
+    """Five people: one as usual, one excluded, one erased, one simulated, one without groups."""
+    store.add_study({"design_hash": STUDY, "design": {"name": "Akoya, 2 looks"}})
+    sessions = []
+    for index in range(5):
+        groups = {} if index == 4 else {"sex": "fm"[index % 2], "left": "handed"}
+        session = store.enter(STUDY, "en", groups)[0].id
+        sessions.append(session)
+        store.consent(session)
+        for trial, kind in enumerate(("training", "pair", "pair", "repeat", "catch")):
+            left, right = ('a,\n"b"', "c") if trial % 2 else ("c", "真珠")
+            chosen = "tie" if trial == 2 else "left"
+            simulated = index == 3
+            told = Answer(trial, "q", left, right, chosen, 500, AT, AT, {}, simulated, kind)
+            store.answer(session, told)
+    store.exclude(sessions[1], "slept", "lab")
+    store.erase(sessions[2], "lab")
+
+
+@pytest.fixture
+def store(place: str):
+    with Store.open(place) as made:
+        fill(made)
+        yield made
+
+
+@pytest.mark.parametrize("suffix", ["csv", "parquet"])
+def test_every_row_is_there_and_marked(store: Store, tmp_path: Path, suffix: str) -> None:
+    output = tmp_path / f"answers.{suffix}"
+    assert export(store, STUDY, output) == 25
+    read = pl.read_csv if suffix == "csv" else pl.read_parquet
+    rows = read(output).to_dicts()
+    assert len(rows) == 25
+    assert sum(row["excluded"] == "slept" for row in rows) == 5
+    assert sum(row["simulated"] for row in rows) == 5
+    assert sum(row["erased"] for row in rows) == 5
+    assert {row["group_left"] for row in rows} == {"handed", None}
+    assert rows[1]["left"] == 'a,\n"b"'
+    assert rows[1]["shown_at"] == "2026-03-01T09:30:00.000000Z"
+    assert [row["sequence"] for row in rows] == sorted(row["sequence"] for row in rows)
+
+
+def test_a_psych_ds_folder_describes_every_column(store: Store, tmp_path: Path) -> None:
+    export(store, STUDY, tmp_path / "akoya")
+    akoya = (tmp_path / "akoya").rglob("*")
+    files = {str(path.relative_to(tmp_path)) for path in akoya if path.is_file()}
+    data = "akoya/data/study-akoya2looks_data.csv"
+    assert files == {"akoya/dataset_description.json", data}
+    told = json.loads((tmp_path / "akoya/dataset_description.json").read_text(encoding="utf-8"))
+    assert (told["@context"], told["@type"]) == ("https://schema.org", "Dataset")
+    assert told["name"] == "Akoya, 2 looks"
+    assert "1 people were erased; 5 answers of theirs" in told["description"]
+    described = [variable["name"] for variable in told["variableMeasured"]]
+    with (tmp_path / data).open(encoding="utf-8", newline="") as stream:
+        header, *rows = csv.reader(stream)
+    assert described == header
+    assert len(rows) == 25
+    assert len({len(row) for row in rows}) == 1
+    with pytest.raises(InputError, match="is there already"):
+        export(store, STUDY, tmp_path / "akoya")
+
+
+def test_a_scale_takes_pairs_of_people_who_count(store: Store) -> None:
+    answers = answers_of(store, STUDY, "q")
+    # Three people (one of them erased) with two pairs and a repeat each.
+    assert (len(answers), len(answers.people)) == (9, 3)
+    assert answers.groups["sex"].levels == ("f",)
+    counted = counts(store, STUDY, "q")
+    assert counted.stimuli == answers.stimuli
+    assert counted.total == 9
+    assert np.sum(counted.ties) == 3
+    assert len(answers_of(store, STUDY, "q", simulated=True)) == 3
+    assert len(answers_of(store, STUDY, "q", kinds=("catch",))) == 3
+    with pytest.raises(InputError, match="no answers to 'other' count yet"):
+        counts(store, STUDY, "other")
+
+
+def test_the_scale_of_a_store_is_the_scale_of_its_answers(place: str) -> None:
+    paper = nc.scaling.paper()
+    with Store.open(place) as store:
+        store.add_study({"design_hash": STUDY})
+        session = store.enter(STUDY, "en", {})[0].id
+        store.consent(session)
+        pairs = [
+            (paper.stimuli[left], paper.stimuli[right], chosen)
+            for left, right, *wins in zip(
+                paper.left, paper.right, paper.left_wins, paper.right_wins, strict=True
+            )
+            for chosen, count in zip(("left", "right"), wins, strict=True)
+            for _ in range(int(count))
+        ]
+        futures = [
+            store.hand_in(session, Answer(n, "q", left, right, chosen))
+            for n, (left, right, chosen) in enumerate(pairs)
+        ]
+        assert not any(future.result().again for future in futures)
+        found = nc.scaling.thurstone(counts(store, STUDY, "q"))
+    expected = nc.scaling.thurstone(paper)
+    assert found.stimuli == expected.stimuli
+    np.testing.assert_allclose(found.scale, expected.scale, atol=1e-9)
+
+
+def test_a_study_without_answers_has_a_header(place: str, tmp_path: Path) -> None:
+    with Store.open(place) as store:
+        store.add_study({"design_hash": STUDY})
+        assert export(store, STUDY, tmp_path / "none.parquet") == 0
+        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 17
+        with pytest.raises(InputError, match=r"the ending is \.xlsx"):
+            export(store, STUDY, tmp_path / "none.xlsx")
+        with pytest.raises(InputError, match="is not in this store"):
+            export(store, "00" * 32, tmp_path / "none.csv")
