@@ -6,7 +6,8 @@ use rayon::prelude::*;
 use crate::{
     ball::{Ball, Hit},
     camera::Camera,
-    relief::{Draw, Relief},
+    draw::Draw,
+    relief::Relief,
     rgb::{self, Rgb},
 };
 

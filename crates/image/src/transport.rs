@@ -5,12 +5,12 @@ use nacreous_colour::{Matrix, matrix::apply};
 use crate::{
     bands::{self, Bands, Palette},
     camera::{Camera, Ray},
+    draw::Draw,
     film::STEPS,
     inside::{Beam, Body, Inside},
     lamp::Lamp,
     net::{Around, Net},
     pearl::{Shade, Sight},
-    relief::Draw,
     rgb::{self, Rgb},
     surface::{Surface, upsampled},
     surroundings::Surroundings,
