@@ -1,13 +1,16 @@
 //! Laws of light inside the pearl: nothing is gained or lost, a body without spread is matt, one with
 //! much of it shines alike on all sides.
 
-use std::{f64::consts::PI, sync::atomic::AtomicBool};
+use std::{
+    f64::consts::PI,
+    sync::{Arc, atomic::AtomicBool},
+};
 
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Model, Pearl, Place, Projection,
-    Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
+    BANDS, Ball, Bands, Body, Camera, Dome, Film, Grain, Lamp, Light, Model, Pearl, Place,
+    Projection, Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
@@ -60,17 +63,27 @@ impl Scene {
     /// Light from inside and light mirrored, mean over a pixel's samples, where lines of sight along -z
     /// meet the pearl `x`, `y` radii from its middle.
     fn seen(&self, pearl: &Pearl<'_>, x: f64, y: f64) -> ([f64; 3], [f64; 3]) {
+        self.seen_with(pearl, (x, y), SIDE)
+    }
+
+    /// The same with more samples along a pixel's side.
+    fn seen_with(
+        &self,
+        pearl: &Pearl<'_>,
+        (x, y): (f64, f64),
+        side: usize,
+    ) -> ([f64; 3], [f64; 3]) {
         let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, 8.0);
         let ray = camera.ray(x, y);
         let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
         let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
-        for part in 0..SIDE {
-            let sight =
-                Sight { ball: 0, hit, view: -ray.along, pixel_mm: 0.01, part, around: None };
+        for part in 0..side {
+            let view = -ray.along;
+            let sight = Sight { ball: 0, hit, view, pixel_mm: 0.01, part, around: None };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
-                inside[i] += (parts.interference[i] + parts.diffuse[i]) / SIDE as f64;
-                mirror[i] += parts.mirror[i] / SIDE as f64;
+                inside[i] += (parts.interference[i] + parts.diffuse[i]) / side as f64;
+                mirror[i] += parts.mirror[i] / side as f64;
             }
         }
         (inside, mirror)
@@ -235,49 +248,95 @@ fn surface_mean(surface: &Surface, scene: &Scene) -> Bands {
     mean
 }
 
+/// What all facets mirror of sky and lamp where the normal is `normal`, seen along -z: the plain integral
+/// of D G R / (4 cos) over all light.
+fn mirrored_by_all(
+    scene: &Scene,
+    surface: &Surface,
+    normal: DVec3,
+    lamp: Option<DVec3>,
+) -> [f64; 3] {
+    let palette = scene.light.palette();
+    let mut all = [0.0; 3];
+    let rows = 400;
+    for row in 0..rows {
+        let theta = (f64::from(row) + 0.5) * PI / f64::from(rows);
+        let solid = theta.sin() * (PI / f64::from(rows)).powi(2);
+        for column in 0..2 * rows {
+            let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
+            let along = DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
+            let Some(glint) = surface.relief.mirrored(normal, DVec3::Z, along) else { continue };
+            let mut light = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
+            // The lamp: an even disc whose light on a surface that faces it is pi.
+            let disc = 2.0 * (1.0 - 0.1_f64.cos());
+            if lamp.is_some_and(|lamp| along.dot(lamp) > 0.1_f64.cos()) {
+                light = std::array::from_fn(|b| light[b] + scene.lamps[0][b] / disc);
+            }
+            let film = surface.film.reflectance(glint.cos_half);
+            let bands = std::array::from_fn(|b| film[b] * light[b] * glint.share * solid);
+            for (sum, part) in all.iter_mut().zip(palette.rgb(&bands)) {
+                *sum += part;
+            }
+        }
+    }
+    all
+}
+
+/// Places of the pearl that look at the sky, its horizon and the ground.
+const MIRRORING: [(f64, f64); 3] = [(0.0, 0.3), (-0.3, 0.4), (0.5, -0.5)];
+
+fn normal_at((x, y): (f64, f64)) -> DVec3 {
+    DVec3::new(x, y, (1.0_f64 - x * x - y * y).sqrt())
+}
+
 #[test]
 fn few_facets_agree_with_all_of_them() {
-    // Satin under a sky with a horizon and a wide lamp: the facets that a pixel draws against the plain
-    // integral of D G R / (4 cos) over all light.
     let lamp = DVec3::new(-0.4, 0.6, 0.7).normalize();
     let scene = scene([0.2, 0.3, 0.4], [1.0, 0.9, 0.7], Some((lamp, 0.1)));
-    let palette = scene.light.palette();
     for relief in [Relief::grooves(0.1), Relief::ggx(0.1), Relief::grooves(0.25)] {
         let surface = Surface::new(film(), relief);
         let pearl = scene.pearl(surface.clone(), &white(0.0));
-        for (x, y) in [(0.0, 0.3), (-0.3, 0.4), (0.5, -0.5)] {
-            let view = DVec3::Z;
-            let normal = DVec3::new(x, y, (1.0_f64 - x * x - y * y).sqrt());
-            let mirrored = |light: DVec3, radiance: Bands| {
-                relief.mirrored(normal, view, light).map_or([0.0; 3], |glint| {
-                    let film = surface.film.reflectance(glint.cos_half);
-                    let bands = std::array::from_fn(|b| film[b] * radiance[b] * glint.share);
-                    palette.rgb(&bands)
-                })
-            };
-            let mut all = [0.0; 3];
-            let rows = 400;
-            for row in 0..rows {
-                let theta = (f64::from(row) + 0.5) * PI / f64::from(rows);
-                for column in 0..2 * rows {
-                    let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
-                    let along =
-                        DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
-                    let solid = theta.sin() * (PI / f64::from(rows)).powi(2);
-                    let sky = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
-                    // The lamp: an even disc whose light on a surface that faces it is pi.
-                    let disc = 2.0 * (1.0 - 0.1_f64.cos());
-                    let lit = if along.dot(lamp) > 0.1_f64.cos() { 1.0 / disc } else { 0.0 };
-                    let light = std::array::from_fn(|b| sky[b] + lit * scene.lamps[0][b]);
-                    for (sum, part) in all.iter_mut().zip(mirrored(along, light)) {
-                        *sum += part * solid;
-                    }
-                }
-            }
-            let (_, mirror) = scene.seen(&pearl, x, y);
+        for place in MIRRORING {
+            let all = mirrored_by_all(&scene, &surface, normal_at(place), Some(lamp));
+            let (_, mirror) = scene.seen(&pearl, place.0, place.1);
             for i in 0..3 {
                 let error = (mirror[i] - all[i]).abs();
-                assert!(error < 0.004 + 0.02 * all[i], "{relief:?} {x} {y}: {mirror:?} {all:?}");
+                assert!(error < 0.004 + 0.02 * all[i], "{relief:?} {place:?} {mirror:?} {all:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
+    // A sun ten degrees wide, 60 times as bright as the sky, over squares of ground.
+    let (width, height) = (256, 128);
+    let pixel = |i: usize| {
+        let (row, column) = (i / width, i % width);
+        let apart = ((row as f32 - 44.0).powi(2) + (column as f32 - 104.0).powi(2)).sqrt();
+        let square = if (row / 8 + column / 8) % 2 == 0 { 0.4 } else { 0.1 };
+        match row {
+            _ if apart < 3.5 => [40.0, 36.0, 30.0],
+            0..64 => [0.5, 0.6, 0.8],
+            _ => [square, square * 0.8, square * 0.6],
+        }
+    };
+    let dome = Dome::new(width, height, (0..width * height).map(pixel).collect());
+    let mut scene = scene([0.0; 3], [0.0; 3], None);
+    scene.surroundings.sky =
+        Sky::Panorama { picture: Arc::new(dome), rotation_rad: 0.3, intensity: 1.0 };
+    for relief in [Relief::grooves(0.1), Relief::ggx(0.15)] {
+        let surface = Surface::new(film(), relief);
+        let (palette, around) = (scene.light.palette(), &scene.surroundings);
+        let many = Transport::new(surface.clone(), &white(0.0), &palette, around, 0, &[], 64);
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
+        let pearl = Pearl { model: Model::Transport(Box::new(many)), texture: None, grain };
+        for place in MIRRORING {
+            let all = mirrored_by_all(&scene, &surface, normal_at(place), None);
+            let (_, mirror) = scene.seen_with(&pearl, place, 64);
+            for i in 0..3 {
+                let error = (mirror[i] - all[i]).abs();
+                assert!(error < 0.002 + 0.02 * all[i], "{relief:?} {place:?} {mirror:?} {all:?}");
             }
         }
     }
