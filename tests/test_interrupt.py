@@ -17,6 +17,7 @@ from stage import (
 )
 
 import nacreous as nc
+from nacreous.spec import Pearl, Scene
 
 
 def test_progress_rises_from_0_to_1() -> None:
@@ -39,6 +40,24 @@ def test_what_progress_raises_stops_the_render() -> None:
     with pytest.raises(EnoughError):
         nc.render(pearl(), "paper", 2048, 64, progress=stop)
     assert time.monotonic() - begin < 5
+
+
+def test_hundreds_of_pearls_need_not_be_lit_before_the_render_stops() -> None:
+    """The light around each is worked out before the first row; all 225 take many times as long."""
+    scene = Scene(
+        rows=[{"pearls": ["*"] * 15}] * 15, camera={"distance_mm": 2000, "elevation_deg": 60}
+    )
+    begin = time.monotonic()
+    asked: list[float] = []
+
+    def stop(share: float) -> None:
+        if share == 0 and time.monotonic() - begin > 0.5:  # past the film, amid the pearls
+            asked.append(time.monotonic())
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        nc.render(Pearl(grain=0), scene, 64, 1, progress=stop)
+    assert time.monotonic() - asked[0] < 1.5
 
 
 def terminal_shows(reader: int, words: bytes, patience_s: float = 30) -> bytes:

@@ -39,6 +39,11 @@ impl Progress {
         &self.stop
     }
 
+    /// Whether there is that wish.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
     /// Asks the render to stop at the end of the row.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);
@@ -63,10 +68,10 @@ pub fn render(
     let mut pixels = vec![0.0_f32; size_px * size_px * CHANNELS];
     let eye = Eye::new(pearls, surroundings, camera, size_px, samples_side);
     pixels.par_chunks_mut(size_px * CHANNELS).enumerate().for_each(|(row, out)| {
-        if !progress.stop.load(Ordering::Relaxed) {
+        if !progress.is_stopped() {
             eye.row(row, out.chunks_mut(CHANNELS));
             progress.rows_done.fetch_add(1, Ordering::Relaxed);
         }
     });
-    (!progress.stop.load(Ordering::Relaxed)).then_some(pixels)
+    (!progress.is_stopped()).then_some(pixels)
 }

@@ -47,11 +47,11 @@ impl Job<'_> {
         if softly_lit {
             self.surroundings.settle();
         }
-        let pearls = self.pearls(&films);
+        let Some(pearls) = self.pearls(&films, progress) else { return Ok(None) };
         // One bounce: what the pearls send out lights the table and is mirrored by their neighbours.
         softly_lit |= pearls.iter().any(Pearl::gives_light);
         let glow = |(ball, pearl): (usize, &Pearl<'_>)| {
-            let gives = pearl.gives_light() || !alone;
+            let gives = (pearl.gives_light() || !alone) && !progress.is_stopped();
             if gives { pearl.glow(&self.surroundings, ball) } else { Glow::BLACK }
         };
         let glows: Vec<Glow> = pearls.par_iter().enumerate().map(glow).collect();
@@ -62,13 +62,15 @@ impl Job<'_> {
         if softly_lit {
             self.surroundings.settle();
         }
-        let (pearls, around) = (self.pearls(&films), &self.surroundings);
+        let Some(pearls) = self.pearls(&films, progress) else { return Ok(None) };
+        let around = &self.surroundings;
         let (size, side) = (self.size_px, self.samples_side);
         Ok(nacreous_image::render(&pearls, around, &self.camera, size, side, progress))
     }
 
-    /// The pearls in their places, in the light that there is.
-    fn pearls(&self, prepared: &[Prepared]) -> Vec<Pearl<'_>> {
+    /// The pearls in their places, in the light that there is; `None` once `progress` says to stop, which for
+    /// hundreds of pearls need not wait for all of them.
+    fn pearls(&self, prepared: &[Prepared], progress: &Progress) -> Option<Vec<Pearl<'_>>> {
         let scene = Around {
             surroundings: &self.surroundings,
             palette: &self.palette,
@@ -77,7 +79,10 @@ impl Job<'_> {
         };
         let places = self.places.par_iter().enumerate();
         places
-            .map(|(ball, &subject)| self.subjects[subject].pearl(&prepared[subject], &scene, ball))
+            .map(|(ball, &subject)| {
+                let pearl = || self.subjects[subject].pearl(&prepared[subject], &scene, ball);
+                (!progress.is_stopped()).then(pearl)
+            })
             .collect()
     }
 }
