@@ -75,7 +75,8 @@ def keep_log(engine: sa.Engine) -> None:
     end = time.monotonic() + _BUSY_MS / 1000
     while True:
         try:
-            return outside_transaction(engine, "PRAGMA journal_mode = WAL")
+            outside_transaction(engine, "PRAGMA journal_mode = WAL")
+            return
         except OperationalError:  # while another opens it too; SQLite does not wait for this lock
             if time.monotonic() > end:
                 raise
