@@ -11,7 +11,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 import nacreous
-from nacreous.server import lab, login, outcomes, pages, participant
+from nacreous.server import lab, login, pages, participant, results
 from nacreous.server.description import describe
 from nacreous.server.door import Door
 from nacreous.server.service import Service
@@ -38,7 +38,7 @@ def create_app(
     service = Service(running, url)
     app.state.service = service
     app.state.pages = pages.Pages(built)
-    for part in (participant, login, lab, outcomes, pages):
+    for part in (participant, login, lab, results, pages):
         app.include_router(part.router)
     app.add_middleware(Door, service=service)
     describe(app)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import hashlib
 import hmac
 
-from fastapi import APIRouter, Response
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 
@@ -18,12 +20,11 @@ from nacreous.study.store import UnknownToken
 
 COOKIE = "nacreous_lab"
 _PATH = "/lab"
-_SCHEME = {"security": [{"cookie": []}]}
 
 #: What every route of experimenters may answer besides.
 PROBLEMS = {status: {"model": Problem} for status in (400, 401, 403, 409, 429, 503)}
 BODIES = {status: {"model": Problem} for status in (408, 413, 415)}
-READS = {**_SCHEME}
+READS = {"security": [{"cookie": []}]}
 CHANGES = {"security": [{"cookie": [], "csrf": []}]}
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses={**PROBLEMS})
@@ -51,6 +52,10 @@ def experimenter(request: Request) -> str:
     return name
 
 
+#: For routes of experimenters alone.
+Who = Annotated[str, Depends(experimenter)]
+
+
 @router.post("/login", responses={**BODIES}, openapi_extra=asks(LoggingIn))
 async def login(request: Request, response: Response) -> WhoTold:
     """Log in. Five tries a minute from one address, ten in fifteen minutes for one name."""
@@ -68,16 +73,14 @@ async def login(request: Request, response: Response) -> WhoTold:
 
 
 @router.get("/me", openapi_extra=READS)
-def me(request: Request) -> WhoTold:
+def me(request: Request, name: Who) -> WhoTold:
     """Who is logged in, after a page was loaded again."""
-    name = experimenter(request)
     return WhoTold(name=name, csrf=csrf_of(request.cookies[COOKIE]))
 
 
 @router.post("/logout", status_code=204, openapi_extra=CHANGES)
-def logout(request: Request, response: Response) -> None:
+def logout(request: Request, response: Response, _who: Who) -> None:
     """Log out: the cookie is worthless from now on."""
-    experimenter(request)
     service_of(request).store.logout(request.cookies[COOKIE])
     response.delete_cookie(COOKIE, path=_PATH)
 

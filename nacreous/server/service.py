@@ -10,11 +10,16 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse
 from starlette.types import Scope
 
+from nacreous.server.facts import Facts
 from nacreous.server.origin import origin_of
+from nacreous.server.outcomes import Outcomes
+from nacreous.server.person import People
+from nacreous.server.pictures import Pictures
 from nacreous.server.rates import Rates, address_of
 from nacreous.server.refusal import Refusal
+from nacreous.server.told import StudyTold
 from nacreous.study.running import Running
-from nacreous.study.store import Store, StoreError
+from nacreous.study.store import Store, StoreError, tokens
 
 
 class Service:
@@ -26,6 +31,10 @@ class Service:
     def __init__(self, running: Running, url: str | None = None) -> None:
         self.running = running
         self.rates = Rates()
+        self.outcomes = Outcomes()
+        self.people = People(running)
+        self.pictures = Pictures(running.frozen)
+        self._facts = Facts(running.frozen.design)
         self.url = url.rstrip("/") if url else None
         self.origin = origin_of(url) if url else None
 
@@ -33,6 +42,12 @@ class Service:
     def store(self) -> Store:
         """The study's store."""
         return self.running.store
+
+    def told(self) -> StudyTold:
+        """The study to somebody who has not entered, with a token of their own."""
+        study = self.running.study
+        state = self.store.studies()[study]
+        return self._facts.told(state, self.store.registration(study), tokens.draw())
 
     def scheme(self, scope: Scope) -> str:
         """How people's browsers speak to the server: "http" or "https"."""

@@ -194,7 +194,7 @@ class TooFew(BaseModel):
 class InvitationTold(BaseModel):
     """An invitation; `number` is of the participant who used it."""
 
-    id: str
+    id: int
     label: str
     made_at: datetime
     made_by: str
