@@ -18,9 +18,7 @@ from nacreous.server.service import Service
 from nacreous.study.running import Running
 
 
-def create_app(
-    running: Running, *, url: str | None = None, built: Path = pages.FOLDER
-) -> FastAPI:
+def create_app(running: Running, *, url: str | None = None, built: Path = pages.FOLDER) -> FastAPI:
     """The application that serves a running study.
 
     url: where people reach it, if not where it listens. built: where the pages are. Raises

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-
-
 from fastapi import FastAPI
 
 _SCHEMES = {
@@ -33,5 +31,3 @@ def describe(app: FastAPI) -> None:
     for name in ("HTTPValidationError", "ValidationError"):
         made["components"].get("schemas", {}).pop(name, None)
     app.openapi_schema = made
-
-

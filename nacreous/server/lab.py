@@ -11,18 +11,17 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
 from nacreous.server.asked import Excluding, Inviting, Opening, Registering, asked, asks
-from nacreous.server.login import BODIES, CHANGES, PROBLEMS, READS, Who
-from nacreous.server.refusal import Problem
+from nacreous.server.login import CHANGES, READS, Who
+from nacreous.server.refusal import BODIES, MISSING, PROBLEMS
 from nacreous.server.results import state_of
 from nacreous.server.service import Service, service_of
 from nacreous.server.told import EventTold, InvitationTold, LinksTold, ProgressTold
 from nacreous.study import outcome
 from nacreous.study.store import Session
 
-router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses={**PROBLEMS})
+router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
 
 Number = Annotated[int, Path(ge=0, le=2**31 - 1)]
-_MISSING = {404: {"model": Problem}}
 #: How old marks on people may be, in seconds, while answers come in.
 _STALE_S = 30.0
 _COUNTS = (
@@ -58,7 +57,7 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
 
 
 @router.post(
-    "/state", status_code=204, responses={**BODIES}, openapi_extra={**CHANGES, **asks(Opening)}
+    "/state", status_code=204, responses=BODIES, openapi_extra={**CHANGES, **asks(Opening)}
 )
 async def state(request: Request, who: Who) -> None:
     """Open, pause or close the study."""
@@ -72,7 +71,7 @@ async def state(request: Request, who: Who) -> None:
 @router.post(
     "/registration",
     status_code=204,
-    responses={**BODIES},
+    responses=BODIES,
     openapi_extra={**CHANGES, **asks(Registering)},
 )
 async def registration(request: Request, who: Who) -> None:
@@ -93,9 +92,7 @@ def invitations(request: Request, _who: Who) -> list[InvitationTold]:
     ]
 
 
-@router.post(
-    "/invitations", responses={**BODIES}, openapi_extra={**CHANGES, **asks(Inviting)}
-)
+@router.post("/invitations", responses=BODIES, openapi_extra={**CHANGES, **asks(Inviting)})
 async def invite(request: Request, who: Who) -> LinksTold:
     """Make invitations. The token stands behind #, which browsers send to no server."""
     service = service_of(request)
@@ -110,7 +107,7 @@ async def invite(request: Request, who: Who) -> LinksTold:
 @router.post(
     "/invitations/{invitation}/revoke",
     status_code=204,
-    responses={**_MISSING},
+    responses=MISSING,
     openapi_extra=CHANGES,
 )
 def revoke_invitation(request: Request, who: Who, invitation: Number) -> None:
@@ -125,7 +122,7 @@ def revoke_invitation(request: Request, who: Who, invitation: Number) -> None:
 @router.post(
     "/people/{number}/exclude",
     status_code=204,
-    responses={**BODIES, **_MISSING},
+    responses={**BODIES, **MISSING},
     openapi_extra={**CHANGES, **asks(Excluding)},
 )
 async def exclude(request: Request, who: Who, number: Number) -> None:
@@ -139,18 +136,14 @@ async def exclude(request: Request, who: Who, number: Number) -> None:
     await run_in_threadpool(work)
 
 
-@router.post(
-    "/people/{number}/readmit", status_code=204, responses={**_MISSING}, openapi_extra=CHANGES
-)
+@router.post("/people/{number}/readmit", status_code=204, responses=MISSING, openapi_extra=CHANGES)
 def readmit(request: Request, who: Who, number: Number) -> None:
     """Count them after all."""
     service = service_of(request)
     service.store.readmit(_person(service, number).id, who)
 
 
-@router.post(
-    "/people/{number}/revoke", status_code=204, responses={**_MISSING}, openapi_extra=CHANGES
-)
+@router.post("/people/{number}/revoke", status_code=204, responses=MISSING, openapi_extra=CHANGES)
 def revoke(request: Request, who: Who, number: Number) -> None:
     """Make somebody's token worthless."""
     service = service_of(request)
@@ -167,7 +160,7 @@ def _person(service: Service, number: int) -> Session:
 @router.get(
     "/pictures/{sha256}",
     response_class=Response,
-    responses={200: {"content": {"image/png": {}}}, **_MISSING},
+    responses={200: {"content": {"image/png": {}}}, **MISSING},
     openapi_extra=READS,
 )
 async def picture(

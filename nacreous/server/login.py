@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
-
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Response
 from starlette.concurrency import run_in_threadpool
@@ -13,7 +12,7 @@ from starlette.requests import Request
 
 from nacreous.server.asked import LoggingIn, asked, asks
 from nacreous.server.origin import SAFE
-from nacreous.server.refusal import Problem, Refusal
+from nacreous.server.refusal import BODIES, PROBLEMS, Refusal
 from nacreous.server.service import Service, address, service_of
 from nacreous.server.told import WhoTold
 from nacreous.study.store import UnknownToken
@@ -21,13 +20,11 @@ from nacreous.study.store import UnknownToken
 COOKIE = "nacreous_lab"
 _PATH = "/lab"
 
-#: What every route of experimenters may answer besides.
-PROBLEMS = {status: {"model": Problem} for status in (400, 401, 403, 409, 429, 503)}
-BODIES = {status: {"model": Problem} for status in (408, 413, 415)}
-READS = {"security": [{"cookie": []}]}
-CHANGES = {"security": [{"cookie": [], "csrf": []}]}
+#: How one shows who one is, for the description of a route.
+READS: dict[str, Any] = {"security": [{"cookie": []}]}
+CHANGES: dict[str, Any] = {"security": [{"cookie": [], "csrf": []}]}
 
-router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses={**PROBLEMS})
+router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
 
 
 def csrf_of(token: str) -> str:
@@ -56,7 +53,7 @@ def experimenter(request: Request) -> str:
 Who = Annotated[str, Depends(experimenter)]
 
 
-@router.post("/login", responses={**BODIES}, openapi_extra=asks(LoggingIn))
+@router.post("/login", responses=BODIES, openapi_extra=asks(LoggingIn))
 async def login(request: Request, response: Response) -> WhoTold:
     """Log in. Five tries a minute from one address, ten in fifteen minutes for one name."""
     service = service_of(request)
@@ -82,13 +79,15 @@ def me(request: Request, name: Who) -> WhoTold:
 def logout(request: Request, response: Response, _who: Who) -> None:
     """Log out: the cookie is worthless from now on."""
     service_of(request).store.logout(request.cookies[COOKIE])
-    response.delete_cookie(COOKIE, path=_PATH)
+    _set_cookie(service_of(request), request, response, "")
 
 
 def _set_cookie(service: Service, request: Request, response: Response, token: str) -> None:
+    """Until the browser is closed; without a token, no longer than now."""
     response.set_cookie(
         COOKIE,
         token,
+        max_age=None if token else 0,
         path=_PATH,
         httponly=True,
         samesite="strict",

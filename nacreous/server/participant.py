@@ -5,24 +5,22 @@ from __future__ import annotations
 import asyncio
 import re
 from concurrent.futures import Future
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 
 from nacreous.server.asked import Answering, Checking, Entering, asked, asks
-from nacreous.server.refusal import Problem
+from nacreous.server.refusal import BODIES, MISSING, PROBLEMS
 from nacreous.server.service import Service, address, service_of
 from nacreous.server.sitting import sitting_of
 from nacreous.server.told import ReceiptTold, ScreenTold, SittingTold, StudyTold
 from nacreous.study.store import NotAllowed, Receipt, Session, UnknownToken
 
-_PROBLEMS = {status: {"model": Problem} for status in (400, 401, 403, 409, 429, 503)}
-_BODIES = {status: {"model": Problem} for status in (408, 413, 415)}
-_BEARER = {"security": [{"token": []}]}
+_BEARER: dict[str, Any] = {"security": [{"token": []}]}
 
-router = APIRouter(prefix="/api", tags=["participant"], responses={**_PROBLEMS})
+router = APIRouter(prefix="/api", tags=["participant"], responses=PROBLEMS)
 
 
 def token_of(request: Request) -> str:
@@ -53,7 +51,7 @@ def study(request: Request) -> StudyTold:
 @router.post(
     "/enter",
     status_code=201,
-    responses={200: {"model": SittingTold}, **_BODIES},
+    responses={200: {"model": SittingTold}, **BODIES},
     openapi_extra={**_BEARER, **asks(Entering)},
 )
 async def enter(request: Request, response: Response) -> SittingTold:
@@ -93,7 +91,7 @@ def consent(request: Request) -> None:
     service.store.consent(session_of(service, request).id)
 
 
-@router.post("/screen", responses={**_BODIES}, openapi_extra={**_BEARER, **asks(Checking)})
+@router.post("/screen", responses=BODIES, openapi_extra={**_BEARER, **asks(Checking)})
 async def screen(request: Request) -> ScreenTold:
     """What the screen is like; the last check counts."""
     service = service_of(request)
@@ -109,13 +107,9 @@ async def screen(request: Request) -> ScreenTold:
     return await run_in_threadpool(work)
 
 
-@router.put(
-    "/answers/{trial}", responses={**_BODIES}, openapi_extra={**_BEARER, **asks(Answering)}
-)
-async def answer(
-    request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1)]
-) -> ReceiptTold:
-    """Answer a trial. The receipt says that the answer is on the disk; the same again is welcome."""
+@router.put("/answers/{trial}", responses=BODIES, openapi_extra={**_BEARER, **asks(Answering)})
+async def answer(request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1)]) -> ReceiptTold:
+    """Answer a trial. The receipt says that it is on the disk; the same again is welcome."""
     service = service_of(request)
     token_of(request)
     wanted = await asked(request, Answering)
@@ -151,18 +145,16 @@ def finish(request: Request) -> None:
 def withdraw(request: Request) -> None:
     """The participant does not want their answers to be counted."""
     service = service_of(request)
-    service.store.withdraw(session_of(service, request))
+    service.store.withdraw(session_of(service, request).id)
 
 
 @router.get(
     "/pictures/{sha256}",
     response_class=Response,
-    responses={200: {"content": {"image/png": {}}}, 404: {"model": Problem}},
+    responses={200: {"content": {"image/png": {}}}, **MISSING},
     openapi_extra=_BEARER,
 )
-def picture(
-    request: Request, sha256: Annotated[str, Path(pattern="^[0-9a-f]{64}$")]
-) -> Response:
+def picture(request: Request, sha256: Annotated[str, Path(pattern="^[0-9a-f]{64}$")]) -> Response:
     """A picture of the participant's own trials, once they have consented."""
     service = service_of(request)
     session = session_of(service, request)

@@ -17,9 +17,7 @@ class People:
         self._running = running
         self._lengths: dict[str, int] = {}
 
-    def told(
-        self, progress: Progress, flags: Mapping[int, Sequence[Any]]
-    ) -> list[PersonTold]:
+    def told(self, progress: Progress, flags: Mapping[int, Sequence[Any]]) -> list[PersonTold]:
         """A line for everyone who has entered. Reads the store: for threads alone."""
         return [
             self._line(person, flags.get(person.session.number, ())) for person in progress.people

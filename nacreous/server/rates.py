@@ -1,4 +1,4 @@
-"""How often somebody may: counted in memory, in a window of time, and forgotten with the process."""
+"""How often somebody may: counted in memory, in a window of time, for as long as it runs."""
 
 from __future__ import annotations
 

@@ -27,6 +27,17 @@ class Problem(BaseModel):
     kind: Kind
 
 
+def described(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """Refusals that a route may give, for its description."""
+    return {status: {"model": Problem} for status in statuses}
+
+
+#: What nearly every route may refuse, and what may be wrong with a body besides.
+PROBLEMS = described(400, 401, 403, 409, 429, 503)
+BODIES = described(408, 413, 415)
+MISSING = described(404)
+
+
 @dataclass
 class Refusal(Exception):  # noqa: N818 (it is no error of the program's)
     """A request that is answered with a problem. `logged`: it stands in the audit log already."""

@@ -13,14 +13,14 @@ from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 
 from nacreous.problem import InputError
-from nacreous.server.facts import words
-from nacreous.server.login import PROBLEMS, READS, Who
+from nacreous.server.login import READS, Who
+from nacreous.server.refusal import PROBLEMS
 from nacreous.server.service import Service, service_of
-from nacreous.server.told import ScaleTold, StimulusTold, TooFew
+from nacreous.server.told import ScaleTold, TooFew
 from nacreous.study import outcome
 from nacreous.study.store import Progress, export
 
-router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses={**PROBLEMS})
+router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
 
 Question = Annotated[str, Query(max_length=40)]
 
@@ -45,7 +45,7 @@ def _known(service: Service, question: str | None) -> str:
     if question is None:
         return ids[0]
     if question not in ids:
-        raise InputError(f"question is {ascii(question)}; allowed: {', '.join(ids)}")
+        raise InputError(f"question is {question!a}; allowed: {', '.join(ids)}")
     return question
 
 
@@ -61,31 +61,11 @@ async def scale(
 
 
 def _scale(service: Service, question: str, simulated: bool) -> ScaleTold | TooFew:
-    running = service.running
     try:
-        found = outcome.scale_so_far(running, question, simulated)
+        found = outcome.scale_so_far(service.running, question, simulated)
     except InputError as problem:
         return TooFew(problem=str(problem))
-    text = next(one.text for one in running.frozen.design.questions if one.id == question)
-    return ScaleTold(
-        question=question,
-        text=words(text),
-        stimuli=[
-            StimulusTold(
-                label=stimulus.label,
-                picture=service.pictures.of_label[stimulus.label],
-                value=stimulus.value,
-                low=stimulus.low,
-                high=stimulus.high,
-            )
-            for stimulus in found.stimuli
-        ],
-        answers=found.answers,
-        people=found.people,
-        unit=found.unit,
-        level=found.level,
-        verdict=found.verdict,
-    )
+    return ScaleTold.model_validate(found, from_attributes=True)
 
 
 @router.get(

@@ -58,6 +58,6 @@ def _notes(service: Service, session: Session) -> list[Words]:
     found = []
     for group in service.running.frozen.design.groups:
         value = session.groups.get(group.name)
-        if group.notes is not None and value in group.values:
+        if getattr(group, "notes", None) is not None and value in group.values:
             found.append(words(group.notes[group.values.index(value)]))
     return found

@@ -39,7 +39,7 @@ class SittingRules(BaseModel):
     training: int
     break_every: int
     minimum_viewing_ms: int
-    ties: bool
+    ties: bool = False
 
 
 class StudyTold(BaseModel):
@@ -177,12 +177,14 @@ class ScaleTold(BaseModel):
 
     question: str
     text: Words
+    simulated: bool
     stimuli: list[StimulusTold]
     answers: int
     people: int
     unit: str
     level: float
-    verdict: str
+    verdict: Literal["describes", "misfits", "untested"]
+    misfit: tuple[str, str] | None
 
 
 class TooFew(BaseModel):
