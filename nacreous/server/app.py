@@ -18,10 +18,11 @@ from nacreous.server.service import Service
 from nacreous.study.running import Running
 
 
-def create_app(running: Running, *, url: str | None = None, built: Path = pages.FOLDER) -> FastAPI:
+def create_app(running: Running, *, url: str | None = None, built: Path | None = None) -> FastAPI:
     """The application that serves a running study.
 
-    url: where people reach it, if not where it listens. built: where the pages are. Raises
+    url: where people reach it, if not where it listens. built: where the pages are, if
+    not where `./just pages` builds them. Raises
     `InputError` where they are not.
     """
     app = FastAPI(
@@ -35,7 +36,7 @@ def create_app(running: Running, *, url: str | None = None, built: Path = pages.
     )
     service = Service(running, url)
     app.state.service = service
-    app.state.pages = pages.Pages(built)
+    app.state.pages = pages.Pages(built or pages.FOLDER)
     for part in (participant, login, lab, results, pages):
         app.include_router(part.router)
     app.add_middleware(Door, service=service)

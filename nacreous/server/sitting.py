@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nacreous.server.facts import words
 from nacreous.server.service import Service
-from nacreous.server.told import PictureTold, SittingTold, TrialTold, Words
+from nacreous.server.told import PictureTold, SittingTold, TrialTold
 from nacreous.study.plan import Trial
 from nacreous.study.store import Session
 
@@ -25,7 +25,7 @@ def sitting_of(service: Service, session: Session) -> SittingTold:
         refused=running.refused(session),
         finished=session.finished_at is not None,
         answered=running.answered(session),
-        groups_notes=_notes(service, session),
+        groups_notes=[words(note) for note in running.notes(session)],
         trials=_trials(service, trials),
         pictures=_pictures(service, trials),
     )
@@ -51,13 +51,3 @@ def _pictures(service: Service, trials: Sequence[Trial]) -> dict[str, PictureTol
     labels = {label for trial in trials for label in (trial.left, trial.right)}
     shown = sorted(service.pictures.of_label[label] for label in labels)
     return {sha256: sizes[sha256] for sha256 in shown}
-
-
-def _notes(service: Service, session: Session) -> list[Words]:
-    """What the participant is told of the groups that they are in."""
-    found = []
-    for group in service.running.frozen.design.groups:
-        value = session.groups.get(group.name)
-        if getattr(group, "notes", None) is not None and value in group.values:
-            found.append(words(group.notes[group.values.index(value)]))
-    return found
