@@ -18,7 +18,8 @@ from functools import cache
 from pathlib import Path
 
 from nacreous.server import pages
-from nacreous.study.design import freeze
+from nacreous.study.design import freeze, open_frozen
+from nacreous.study.running import Running
 from nacreous.study.store import Store
 
 NAME, PASSWORD = "lab", "correct horse battery staple"
@@ -101,12 +102,19 @@ class Served:
         self.process.wait(30)
 
 
-@contextmanager
-def served(folder: Path, *options: str, place: str | None = None) -> Iterator[Served]:
-    """Serve a frozen study on any free port, with one account (NAME, PASSWORD), open to anybody."""
+def prepare(folder: Path, place: str | None = None) -> None:
+    """Let anybody enter, and make one account (NAME, PASSWORD)."""
     with Store.open(place or folder) as store:
+        running = Running(store, open_frozen(folder))
+        store.set_registration(running.study, "open", "test")
         if not store.accounts():
             store.set_password(NAME, PASSWORD, "test")
+
+
+@contextmanager
+def served(folder: Path, *options: str, place: str | None = None) -> Iterator[Served]:
+    """Serve a frozen study on any free port; anybody may enter."""
+    prepare(folder, place)
     command = [sys.executable, __file__, "study", "serve", str(folder), "--port", "0", *options]
     process = subprocess.Popen(
         [*command, *(("--store", place) if place else ())],

@@ -39,7 +39,7 @@ class SittingRules(BaseModel):
     training: int
     break_every: int
     minimum_viewing_ms: int
-    ties: bool = False
+    ties: bool
 
 
 class StudyTold(BaseModel):
