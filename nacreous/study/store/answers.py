@@ -54,12 +54,19 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_tur
     )
 
 
+def count(connection: sa.Connection, session: str, below: int | None = None) -> int:
+    """How many answers of a session are stored, of all trials or of those `below` one."""
+    query = sa.select(sa.func.count()).where(answers.c.session == session)
+    if below is not None:
+        query = query.where(answers.c.trial < below)
+    return int(connection.execute(query).scalar_one())
+
+
 def _check_turn(connection: sa.Connection, session: str, trial: int) -> None:
-    before = sa.select(sa.func.count()).where(answers.c.session == session, answers.c.trial < trial)
-    count = connection.execute(before).scalar_one()
-    if count < trial:
+    before = count(connection, session, trial)
+    if before < trial:
         raise OutOfTurn(
-            f"trial is {trial} while {count} trials before it are answered; "
+            f"trial is {trial} while {before} trials before it are answered; "
             "allowed: the next one, or one that is answered"
         )
 

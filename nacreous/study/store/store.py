@@ -175,6 +175,11 @@ class Store(Lab):
                 raise studies.unknown(study)
             return answering.rows(connection, study, session)
 
+    def answered(self, session: str) -> int:
+        """How many answers of a session are stored."""
+        with self.reading() as connection:
+            return answering.count(connection, session)
+
     def progress(self, study: str) -> Progress:
         """Who, how far, how long."""
         with self.reading() as connection:
