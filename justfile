@@ -35,7 +35,7 @@ figures: setup
 
 # Run every test and every check
 [group("trust")]
-test: _rust-tools check test-rust test-python _test-wasm
+test: _rust-tools check test-rust test-python _test-wasm _test-pages
 
 # Run the Rust tests, the examples in its documentation included
 [group("trust")]
@@ -46,6 +46,14 @@ test-rust *options: setup
 [group("trust")]
 test-python *options: setup
     pytest {{ options }}
+
+# Check the pages' types and format, and run the tests that need no server
+[group("trust")]
+[working-directory("studio")]
+test-pages: pages
+    npx --no-install tsc --noEmit
+    npx --no-install vitest run
+    npx --no-install prettier --check --log-level warn .
 
 # Check format, lint, links, types, the compiled module's stub, and who imports whom
 [group("trust")]
@@ -87,10 +95,10 @@ bench-wasm: _wasm-tools
     cargo xtask wasm
     node benchmarks/optics.mjs
 
-# Prepare .venv and build the compiled rooms into it; at once when nothing changed
+# Prepare .venv and build the compiled rooms and the pages into it; at once when nothing changed
 [group("build")]
 [script]
-setup:
+setup: _try-pages
     if ! "$PYO3_PYTHON" --version >/dev/null 2>&1; then
         uv venv --clear --relocatable --python .tools/bin/python .venv
     fi
@@ -102,6 +110,23 @@ setup:
         uv pip sync --require-hashes requirements.lock
         maturin develop --release --uv
         echo "$sources" >.venv/built-from
+    fi
+
+# Build the browser's pages from studio/ into nacreous/server/pages/; at once when nothing changed
+[group("build")]
+[script]
+[working-directory("studio")]
+pages: _node-tools
+    packages=$(cksum package.json package-lock.json)
+    if [ "$packages" != "$(cat node_modules/installed-from 2>/dev/null)" ]; then
+        npm ci --no-audit --no-fund
+        echo "$packages" >node_modules/installed-from
+    fi
+    pages=../nacreous/server/pages
+    sources=$(find . -path ./node_modules -prune -o -type f -exec cksum {} + | sort | cksum)
+    if [ ! -f $pages/index.html ] || [ "$sources" != "$(cat node_modules/built-from 2>/dev/null)" ]; then
+        npx --no-install vite build --logLevel warn
+        echo "$sources" >node_modules/built-from
     fi
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
@@ -120,6 +145,7 @@ format: setup
     cargo fmt --manifest-path xtask/Cargo.toml
     ruff check --fix
     ruff format
+    if [ -d studio/node_modules ]; then cd studio && npx --no-install prettier --write .; fi
 
 # Make requirements.lock again from pyproject.toml (with --upgrade: the newest of everything)
 [group("build")]
@@ -131,7 +157,7 @@ lock *options:
 [group("build")]
 clean:
     rm -rf target .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
-    rm -f nacreous/_core.*.so
+    rm -rf nacreous/_core.*.so nacreous/server/pages studio/node_modules
 
 # Debian's own cargo and rustup's minimal profile come without them.
 [script]
@@ -155,6 +181,35 @@ _wasm-tools:
         echo "Node.js is missing:   sudo apt install nodejs npm"
         exit 2
     fi >&2
+
+# Debian 12's own Node.js is older than Vite needs.
+[script]
+_node-tools:
+    modern='let [major, minor] = process.versions.node.split("."); process.exit(+(major * 100 + +minor < 2019))'
+    if ! command -v npm >/dev/null; then
+        echo "Node.js is missing, which the study's pages need:   sudo apt install nodejs npm"
+        exit 2
+    elif ! node -e "$modern"; then
+        echo "Node.js $(node --version) is too old for the study's pages: 20.19 or newer, from https://nodejs.org"
+        exit 2
+    fi >&2
+
+# The pearl does without the pages: no Node.js, or no way to its packages, stops nothing else.
+[script]
+_try-pages:
+    if ! missing=$(just _node-tools 2>&1); then
+        echo "$missing" | head -n 1
+    elif ! just pages; then
+        echo "The study's pages could not be built; all else goes on without."
+    fi >&2
+
+[script]
+_test-pages:
+    if missing=$(just _node-tools 2>&1); then
+        just test-pages
+    else
+        echo "The study's pages were left out of the tests. $missing" | head -n 1
+    fi
 
 [script]
 _test-wasm:

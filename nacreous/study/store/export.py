@@ -16,13 +16,11 @@ from nacreous import file, folder
 from nacreous.problem import InputError
 from nacreous.study.store.answers import person_of
 from nacreous.study.store.codebook import COLUMNS, Column, description, group_column
+from nacreous.study.store.record import COUNTED
 from nacreous.study.store.store import Store
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers, Comparisons
-
-#: The kinds of trials that are data for a scale.
-COUNTED = ("pair", "repeat")
 
 _RECORD = "dataset_description.json"
 _MAKER = "nacreous study export"
@@ -65,6 +63,7 @@ def answers_of(
     >>> from nacreous.study.store import Answer
     >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
     ...     study = store.add_study({"design_hash": "ab" * 32})
+    ...     store.set_registration(study, "open", "lab")
     ...     session, _ = store.enter(study, "en", {"sex": "f"})
     ...     store.consent(session.id)
     ...     _ = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))

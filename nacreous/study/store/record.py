@@ -15,6 +15,8 @@ from nacreous.study.store import check
 
 CHOICES = ("left", "right", "tie")
 KINDS = ("training", "pair", "repeat", "catch")
+#: The kinds of trials that are data for a scale.
+COUNTED = ("pair", "repeat")
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
@@ -104,6 +106,21 @@ class Session:
     finished_at: datetime | None
     excluded_reason: str | None
     erased_at: datetime | None
+
+
+@dataclass(frozen=True)
+class Invitation:
+    """A link that lets one person in; `number`: of the person who used it.
+
+    label: whom or what it is for, as the experimenter calls it; "(erased)" with its person.
+    """
+
+    id: int
+    label: str
+    made_at: datetime
+    made_by: str
+    number: int | None
+    revoked_at: datetime | None
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,28 @@
+/** The two languages, and words with places to fill. */
+
+export type Language = "en" | "ja";
+
+/** Words that a study gives: at least those of its languages. */
+export type Said = Partial<Record<Language, string>>;
+
+/** What each language calls itself. */
+export const NAMES: Record<Language, string> = { en: "English", ja: "日本語" };
+
+/** The first language that the browser asks for among those offered, otherwise the first offered. */
+export function preferred(offered: readonly Language[], asked: readonly string[]): Language {
+  for (const tag of asked) {
+    const found = offered.find((language) => tag.toLowerCase().split("-")[0] === language);
+    if (found !== undefined) return found;
+  }
+  return offered[0] ?? "en";
+}
+
+/** A study's words in a language; where they are missing, in any. */
+export function said(words: Said, language: Language): string {
+  return words[language] ?? words.en ?? words.ja ?? "";
+}
+
+/** Words with each {place} filled. */
+export function fill(words: string, places: Record<string, string | number>): string {
+  return words.replace(/\{(\w+)\}/g, (place, name: string) => String(places[name] ?? place));
+}
