@@ -20,6 +20,7 @@ def fill(place: str, people: int = 3, trials: int = 5) -> str:
     """A store with all that can be in one; the last session."""
     with Store.open(place) as store:
         store.add_study({"design_hash": STUDY, "design": {"name": "真珠"}})
+        store.set_registration(STUDY, "open", "lab")
         for _ in range(people):
             session, _ = store.enter(STUDY, "ja", {"sex": "f"})
             store.consent(session.id)

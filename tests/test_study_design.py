@@ -42,9 +42,12 @@ WHOLE: dict[str, Any] = {
             "how": "recorded",
             "question": WORDS,
             "choices": [WORDS, WORDS],
+            "notes": [{}, WORDS],
         },
-        {"name": "real-pearl", "values": ["shown", "not-shown"]},
+        {"name": "real-pearl", "values": ["shown", "not-shown"], "notes": [WORDS, {}]},
     ],
+    "sitting": {"ties": True},
+    "screen": {"vision": ["contrast", "colour"], "if_vision": "refuse", "card": False},
 }
 KEYS = list(every_key(Design))
 LEAVES = [key for key in KEYS if not sections_in(key.field.annotation)]
@@ -99,7 +102,8 @@ def test_every_number_refuses_what_is_outside_its_range(key: Key) -> None:
 
 @pytest.mark.parametrize("key", LEAVES, ids=lambda key: key.path)
 def test_every_key_refuses_what_is_of_another_kind(key: Key) -> None:
-    for value in (True, {"a": 1}, [[]]):
+    switch = set(alternatives(key.field.annotation)) == {bool}
+    for value in ("yes" if switch else True, {"a": 1}, [[]]):
         (line, *_) = problems(with_key(key.path, value))
         assert line.startswith(f"my.toml: {key.path}")
 
@@ -190,6 +194,23 @@ CONTRADICTIONS = {
             }
         ]
     },
+    "groups.0.notes are 1; allowed: 2, one for each value": {
+        "groups": [{"name": "x", "values": ["a", "b"], "notes": [WORDS]}]
+    },
+    "groups.0.notes.1.ja is missing while languages has": {
+        "groups": [{"name": "x", "values": ["a", "b"], "notes": [{}, {"en": "Take it."}]}]
+    },
+    'screen.if_no_card is "refuse" while screen.card is false; nobody would be asked': {
+        "screen": {"card": False, "if_no_card": "refuse"}
+    },
+    'screen.if_levels is "refuse" while screen.levels is false': {
+        "screen": {"levels": False, "if_levels": "refuse"}
+    },
+    'screen.if_vision is "refuse" while screen.vision is []': {"screen": {"if_vision": "refuse"}},
+    'screen.vision are ["colour", "colour"]; allowed: each once': {
+        "screen": {"vision": ["colour", "colour"]}
+    },
+    "screen.least_gamma is 2.8, not below screen.most_gamma": {"screen": {"least_gamma": 2.8}},
     'groups.1.name is "x", as groups.0.name': {
         "groups": [{"name": "x", "values": ["a", "b"]}, {"name": "x", "values": ["a", "b"]}]
     },

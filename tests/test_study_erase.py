@@ -15,6 +15,7 @@ AT = datetime(2026, 3, 1, 9, 30, 17, tzinfo=UTC)
 def fill(store: Store) -> tuple[str, str, str]:
     """Two people with ten answers each; the first one's session and token, and the other's."""
     store.add_study({"design_hash": STUDY})
+    store.set_registration(STUDY, "open", "lab")
     one, token = store.enter(STUDY, "ja", {"sex": "unmistakable"})
     two, _ = store.enter(STUDY, "en", {"sex": "f"})
     for session in (one, two):
@@ -69,6 +70,7 @@ def test_the_order_of_trials_is_gone(place: str) -> None:
     with Store.open(place) as store:
         orders = set()
         store.add_study({"design_hash": STUDY})
+        store.set_registration(STUDY, "open", "lab")
         for _ in range(3):
             session, _ = store.enter(STUDY, "en", {})
             store.consent(session.id)

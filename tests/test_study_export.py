@@ -21,6 +21,7 @@ AT = datetime(2026, 3, 1, 9, 30, tzinfo=UTC)
 def fill(store: Store) -> None:
     """Five people: one as usual, one excluded, one erased, one simulated, one without groups."""
     store.add_study({"design_hash": STUDY, "design": {"name": "Akoya, 2 looks"}})
+    store.set_registration(STUDY, "open", "lab")
     sessions = []
     for index in range(5):
         groups = {} if index == 4 else {"sex": "fm"[index % 2], "left": "handed"}
@@ -99,6 +100,7 @@ def test_the_scale_of_a_store_is_the_scale_of_its_answers(place: str) -> None:
     paper = nc.scaling.paper()
     with Store.open(place) as store:
         store.add_study({"design_hash": STUDY})
+        store.set_registration(STUDY, "open", "lab")
         session = store.enter(STUDY, "en", {})[0].id
         store.consent(session)
         pairs = [

@@ -23,6 +23,7 @@ def prepare(place: str, people: int = PEOPLE) -> list[str]:
     """A store with people who have consented."""
     with Store.open(place) as store:
         store.add_study({"design_hash": STUDY})
+        store.set_registration(STUDY, "open", "lab")
         sessions = [store.enter(STUDY, "en", {})[0].id for _ in range(people)]
         for session in sessions:
             store.consent(session)

@@ -19,6 +19,7 @@ STUDY = MANIFEST["design_hash"]
 def store(place: str) -> Iterator[Store]:
     with Store.open(place) as made:
         made.add_study(MANIFEST)
+        made.set_registration(STUDY, "open", "lab")
         yield made
 
 
@@ -124,6 +125,7 @@ def test_a_token_opens_its_own_session_until_it_is_revoked(store: Store) -> None
 def test_a_token_itself_is_kept_nowhere(tmp_path) -> None:
     with Store.open(tmp_path) as store:
         store.add_study(MANIFEST)
+        store.set_registration(STUDY, "open", "lab")
         _, token = store.enter(STUDY, "en", {})
     kept = b"".join(path.read_bytes() for path in tmp_path.iterdir())
     assert token.encode() not in kept
@@ -131,14 +133,15 @@ def test_a_token_itself_is_kept_nowhere(tmp_path) -> None:
 
 def test_a_clock_that_jumps_is_believed_and_orders_nothing(place: str) -> None:
     start = datetime(2026, 3, 1, tzinfo=UTC)
-    told = [start, start, start, start + timedelta(hours=1), start - timedelta(days=400), start]
+    told = [start] * 4 + [start + timedelta(hours=1), start - timedelta(days=400), start]
     hours = iter(told)
     with Store.open(place, clock=lambda: next(hours)) as store:
         store.add_study(MANIFEST)
+        store.set_registration(STUDY, "open", "lab")
         session = entered(store)
         receipts = [store.answer(session.id, answer(n)) for n in range(3)]
         rows = store.answers(STUDY)
-    assert [receipt.received_at for receipt in receipts] == told[3:]
+    assert [receipt.received_at for receipt in receipts] == told[4:]
     assert [row["trial"] for row in rows] == [0, 1, 2]
     assert [row["received_at"][:4] for row in rows] == ["2026", "2025", "2026"]
 
@@ -179,6 +182,7 @@ def test_progress_counts_who_and_how_far(place: str) -> None:
     seconds = iter(range(1000))
     with Store.open(place, clock=lambda: start + timedelta(seconds=next(seconds))) as store:
         store.add_study(MANIFEST)
+        store.set_registration(STUDY, "open", "lab")
         one, two = entered(store), entered(store)
         store.enter(STUDY, "en", {})
         for n in range(4):
@@ -269,6 +273,7 @@ def test_a_study_is_known_by_the_hash_of_all_that_is_frozen(store: Store) -> Non
 def test_two_stores_open_the_same_place(place: str) -> None:
     with Store.open(place) as one, Store.open(place) as two:
         one.add_study(MANIFEST)
+        one.set_registration(STUDY, "open", "lab")
         session = entered(two)
         one.answer(session.id, answer())
         assert two.answer(session.id, answer()).again

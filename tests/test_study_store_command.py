@@ -20,6 +20,7 @@ def folder(tmp_path: Path) -> Path:
     made.mkdir()
     with Store.open(made) as store:
         store.add_study({"design_hash": STUDY})
+        store.set_registration(STUDY, "open", "lab")
         for _ in range(3):
             session, _ = store.enter(STUDY, "en", {})
             store.consent(session.id)

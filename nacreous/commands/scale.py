@@ -65,6 +65,9 @@ def _add_data(parser: argparse.ArgumentParser) -> None:
     )
     data.add_argument("--repeats", action="store_true", help="take answers given twice")
     data.add_argument("--group", metavar="COLUMN", help="compare the groups of this column")
+    data.add_argument(
+        "--simulated", action="store_true", help="nobody gave the answers, and the report says so"
+    )
 
 
 def _add_model(parser: argparse.ArgumentParser) -> None:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import argparse
 import time
 
-from nacreous.commands import study_store
+from nacreous.commands import study_serve, study_store
 
 _EXAMPLES = """\
 examples:
   nacreous study new paper                       the experiment of 1996, in the folder paper-study
   nacreous presets study paper > my-study.toml   begin a study of your own with it
   nacreous study new my-study.toml -o my-study   render its stimuli and freeze it
+  nacreous study serve my-study                  its pages, for participants and experimenters
 """
 
 
@@ -27,6 +28,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", dest="action", required=True)
     _add_new(actions)
+    study_serve.add_actions(actions)
     study_store.add_actions(actions)
 
 

@@ -85,7 +85,7 @@ def exclude(args: argparse.Namespace) -> int:
 
     with Store.open(args.place, make=False) as store:
         session = _person(store, args)
-        store.exclude(session.id, args.reason, _who())
+        store.exclude(session.id, args.reason, who())
     print(f"person {session.number}: excluded; the answers stay, marked")
     return 0
 
@@ -96,7 +96,7 @@ def erase(args: argparse.Namespace) -> int:
 
     with Store.open(args.place, make=False) as store:
         session = _person(store, args)
-        store.erase(session.id, _who())
+        store.erase(session.id, who())
     print(f"person {session.number}: erased; backups and exports made before still hold the data")
     return 0
 
@@ -145,7 +145,7 @@ def _told(copied: Copied) -> str:
     return f"{copied.studies} studies, {copied.sessions} people, {copied.answers} answers"
 
 
-def _who() -> str:
+def who() -> str:
     """Whose hand it was, for the audit log."""
     from getpass import getuser
 

@@ -92,9 +92,9 @@ def study(
     """Fit a scale to answers or counts and look at it from all sides, as the report does.
 
     data: what `thurstone` takes. What is asked for comes as a `Settings`, or by its names:
-    question, model, method, ties, order, prior, unit, level, bootstrap, seed, group. progress:
-    called with the finished share. Raises `InputError` where there is no scale, and for bad
-    settings.
+    question, model, method, ties, order, prior, unit, level, bootstrap, seed, group, simulated.
+    progress: called with the finished share. Raises `InputError` where there is no scale, and for
+    bad settings.
 
     >>> import nacreous as nc
     >>> found = nc.scaling.study(nc.scaling.paper(), bootstrap=100)

@@ -72,7 +72,8 @@ def html(study: Study, language: str = "en") -> str:
 
 def _title(study: Study, words: Words) -> Html:
     asked = words.question(study.settings.question, study.example)
-    return words("page.title") if asked is None else words("page.asked", question=asked)
+    title = words("page.title") if asked is None else words("page.asked", question=asked)
+    return words("page.simulated", title=title) if study.settings.simulated else title
 
 
 def _asked(study: Study, words: Words) -> Html:
@@ -97,6 +98,8 @@ def _asked(study: Study, words: Words) -> Html:
     if counts.ties.any():
         said.append(words("head.ties", ties=thousands(float(counts.ties.sum()))))
     shown = f"<p>{words.sentences(*said)}</p>\n"
+    if study.settings.simulated:
+        shown = f'<p class="note"><b>{words("head.simulated")}</b></p>\n' + shown
     if study.example:
         shown += f'<p class="note">{words("head.paper")}</p>\n'
     return Html(shown)

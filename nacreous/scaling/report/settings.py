@@ -23,7 +23,8 @@ class Settings:
 
     question: as it was put to people, or None. unit: "z", "d'", "JOD", "JND", "logit"; None: the
     model's own. level: of all intervals and tests. bootstrap: resamplings, 0 for none. group: a
-    column of the answers, or None. prior: its spread in the model's own unit, or None.
+    column of the answers, or None. prior: its spread in the model's own unit, or None. simulated:
+    nobody gave the answers, which the report then says first.
     Raises `InputError` for what cannot be.
     """
 
@@ -38,6 +39,7 @@ class Settings:
     bootstrap: int = 1000
     seed: int = 1
     group: str | None = None
+    simulated: bool = False
 
     def __post_init__(self) -> None:
         """Check every value."""
@@ -72,7 +74,7 @@ class Settings:
         words = ["--language", language] if language != "en" else []
         for name in ("question", "model", "method", "ties", "order", "prior"):
             words += self._option(name, plain)
-        for name in ("unit", "level", "bootstrap", "seed", "group"):
+        for name in ("unit", "level", "bootstrap", "seed", "group", "simulated"):
             words += self._option(name, plain)
         return shlex.join(words)
 

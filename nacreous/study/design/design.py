@@ -13,10 +13,11 @@ from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.words import NAME, Name
 from nacreous.study.design import demo
-from nacreous.study.design.display import Display, Screen
+from nacreous.study.design.display import Display
 from nacreous.study.design.group import Group
 from nacreous.study.design.pairs import Pairs
 from nacreous.study.design.question import Catch, Question
+from nacreous.study.design.screen import Screen
 from nacreous.study.design.sitting import Sitting
 from nacreous.study.design.stimulus import Stimulus
 from nacreous.study.design.words import WORDS, Language, Words

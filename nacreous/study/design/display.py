@@ -1,13 +1,12 @@
-"""The [display] and the [screen] of a study: how stimuli are made and shown, and on what."""
+"""The [display] of a study: how stimuli are made and shown."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isqrt
-from typing import Literal
 
 from nacreous.spec.complaint import Contradiction, shown
-from nacreous.spec.key import key, quantity
+from nacreous.spec.key import quantity
 from nacreous.spec.section import Section
 
 
@@ -42,28 +41,3 @@ class Display(Section):
         if isqrt(self.samples) ** 2 != self.samples:
             verdict = f"is {shown(self.samples)}; allowed: a square number, 1 to 1024"
             yield Contradiction("samples", verdict)
-
-
-class Screen(Section):
-    """What is asked of a participant's screen."""
-
-    least_width_px: int = quantity(
-        1024,
-        "The least width of the window, in the browser's pixels.",
-        least=200,
-        most=10_000,
-        source="**(ours)**",
-    )
-    least_height_px: int = quantity(
-        640,
-        "The least height of the window, in the browser's pixels.",
-        least=200,
-        most=10_000,
-        source="**(ours)**",
-    )
-    if_smaller: Literal["flag", "refuse"] = key(
-        "flag",
-        "Keep the answers with a mark, or do not begin.",
-        allowed='"flag" or "refuse"',
-        source="**(ours)**",
-    )

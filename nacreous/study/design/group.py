@@ -50,6 +50,14 @@ class Group(Section):
         source="free",
         strict=False,
     )
+    notes: tuple[Words, ...] | None = key(
+        None,
+        "What a participant is told once the value is known, one for each value; {} for nothing.",
+        allowed=f"as many tables as values, each {WORDS}, or {{}}",
+        left_out="nothing is told",
+        source="paper 2.2, a real pearl is handed over or not",
+        strict=False,
+    )
 
     def contradictions(self) -> Iterator[Contradiction]:
         """A value twice, and a question that is missing or would never be asked."""
@@ -62,9 +70,22 @@ class Group(Section):
             if self.how == "randomised" and getattr(self, name) is not None:
                 verdict = 'is given while {other} is "randomised"; nobody would be asked'
                 yield Contradiction(name, verdict, "how")
-        if self.choices is not None and len(self.choices) != len(self.values):
-            verdict = f"are {len(self.choices)}; allowed: {len(self.values)}, one for each value"
-            yield Contradiction("choices", verdict)
+        for name in ("choices", "notes"):
+            given = getattr(self, name)
+            if given is not None and len(given) != len(self.values):
+                verdict = f"are {len(given)}; allowed: {len(self.values)}, one for each value"
+                yield Contradiction(name, verdict)
+
+    def note(self, value: str) -> Words | None:
+        """What somebody with this value is told, if anything.
+
+        >>> notes = [{"en": "Please hold the pearl.", "ja": "真珠をお持ちください。"}, {}]
+        >>> group = Group(name="real-pearl", values=["shown", "not-shown"], notes=notes)
+        >>> group.note("shown").en, group.note("not-shown")
+        ('Please hold the pearl.', None)
+        """
+        note = self.notes[self.values.index(value)] if self.notes is not None else None
+        return note if note is not None and (note.en or note.ja) else None
 
     def missing(self, path: str, languages: tuple[str, ...]) -> Iterator[Contradiction]:
         """What a participant would have to read and cannot."""
@@ -72,3 +93,7 @@ class Group(Section):
             yield from self.question.missing(f"{path}.question", languages)
         for place, choice in enumerate(self.choices or ()):
             yield from choice.missing(f"{path}.choices.{place}", languages)
+        for place, value in enumerate(self.values):
+            note = self.note(value)
+            if note is not None:
+                yield from note.missing(f"{path}.notes.{place}", languages)

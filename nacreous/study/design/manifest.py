@@ -59,6 +59,10 @@ class Frozen:
                 return self.folder / stimulus.file
         raise InputError(f'"{label}" is no stimulus of the study; allowed: its labels')
 
+    def manifest(self) -> dict[str, Any]:
+        """The manifest, which a store keeps beside the answers."""
+        return _read(self.folder)
+
 
 def hash_of(values: Mapping[str, Any]) -> str:
     """SHA-256 of the values as JSON with sorted keys and no spaces, in hexadecimal.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nacreous.spec.key import quantity
+from nacreous.spec.key import key, quantity
 from nacreous.spec.section import Section
 
 
@@ -29,5 +29,11 @@ class Sitting(Section):
         least=0,
         most=60_000,
         unit="ms",
+        source="**(ours)**",
+    )
+    ties: bool = key(
+        False,
+        'Whether "no difference" may be answered.',
+        allowed="true or false",
         source="**(ours)**",
     )

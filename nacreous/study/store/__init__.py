@@ -4,19 +4,25 @@ from nacreous.study.store.backup import Copied, backup, restore
 from nacreous.study.store.export import answers_of, counts, export
 from nacreous.study.store.fault import StoreError
 from nacreous.study.store.progress import PersonProgress, Progress
-from nacreous.study.store.record import Answer, Event, Receipt, Session
+from nacreous.study.store.record import Answer, Event, Invitation, Receipt, Session
+from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn, UnknownToken
 from nacreous.study.store.store import Store
 
 __all__ = [
     "Answer",
+    "Conflict",
     "Copied",
     "Event",
+    "Invitation",
+    "NotAllowed",
+    "OutOfTurn",
     "PersonProgress",
     "Progress",
     "Receipt",
     "Session",
     "Store",
     "StoreError",
+    "UnknownToken",
     "answers_of",
     "backup",
     "counts",

@@ -8,9 +8,9 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
-from nacreous.problem import InputError
 from nacreous.study.store import check, journal, people
 from nacreous.study.store.record import Answer, Receipt
+from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
 
 # Made once, for making a statement takes longer than running it.
@@ -22,14 +22,17 @@ _INSERT = {
 }
 
 
-def put(connection: sa.Connection, at: str, session: str, answer: Answer) -> Receipt:
+def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_turn: bool) -> Receipt:
     """Store an answer, or find that it is stored; refuse another under the same key.
 
-    What was refused is kept in the audit log, whole.
+    What was refused is kept in the audit log, whole. `in_turn`: only where all trials before it
+    are answered.
     """
     person = people.living(connection, session)
     if person.consented_at is None:
-        raise InputError(f"session {session} has not consented; wanted: consent before answers")
+        raise NotAllowed(f"session {session} has not consented; wanted: consent before answers")
+    if in_turn:
+        _check_turn(connection, session, answer.trial)
     row = dict(answer.row, study=person.study, session=session, received_at=at)
     insert = _INSERT[connection.dialect.name]
     stored = connection.execute(insert, {**row, "digest": answer.digest}).scalar_one_or_none()
@@ -45,10 +48,27 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer) -> Rec
     journal.note(
         connection, at, "participant", "answer refused", person.study, session, answer=answer.row
     )
-    raise InputError(
+    raise Conflict(
         f"trial {answer.trial} of session {session} is answered already, and otherwise; "
         "allowed: the same answer again"
     )
+
+
+def count(connection: sa.Connection, session: str, below: int | None = None) -> int:
+    """How many answers of a session are stored, of all trials or of those `below` one."""
+    query = sa.select(sa.func.count()).where(answers.c.session == session)
+    if below is not None:
+        query = query.where(answers.c.trial < below)
+    return int(connection.execute(query).scalar_one())
+
+
+def _check_turn(connection: sa.Connection, session: str, trial: int) -> None:
+    before = count(connection, session, trial)
+    if before < trial:
+        raise OutOfTurn(
+            f"trial is {trial} while {before} trials before it are answered; "
+            "allowed: the next one, or one that is answered"
+        )
 
 
 def _receipt(session: str, answer: Answer, at: str, *, again: bool) -> Receipt:

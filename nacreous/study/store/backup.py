@@ -1,7 +1,8 @@
 """Copies of a whole store, and stores from copies.
 
 A backup is one SQLite file, whichever database the store is in: a laptop's backup can be restored
-into PostgreSQL, and the other way round.
+into PostgreSQL, and the other way round. Accounts are in it, so that experimenters can go on;
+logins are not, for whoever is logged in is logged in to one server.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from nacreous.problem import InputError
 from nacreous.study.store.engine import engine_of, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
 from nacreous.study.store.migrate import check_revision, upgrade
-from nacreous.study.store.schema import answers, metadata, sessions, studies
+from nacreous.study.store.schema import answers, logins, metadata, sessions, studies
 
 #: Rows read and written at a time.
 _ROWS = 2000
@@ -130,6 +131,8 @@ def _copy_rows_to_file(source: sa.Engine, target: Path) -> None:
 
 def _copy_rows(source: sa.Connection, target: sa.Connection) -> None:
     for table in metadata.sorted_tables:
+        if table is logins:
+            continue
         ordered = sa.select(table).order_by(*table.primary_key.columns)
         streamed = source.execution_options(yield_per=_ROWS).execute(ordered)
         for part in streamed.mappings().partitions(_ROWS):
@@ -143,6 +146,10 @@ def _copy_rows(source: sa.Connection, target: sa.Connection) -> None:
 def _copy_file(source: Path, target: Path) -> None:
     with _read_only(source) as old, contextlib.closing(sqlite3.connect(target)) as new:
         old.backup(new)
+        new.execute("PRAGMA secure_delete = ON")
+        if new.execute("SELECT 1 FROM sqlite_master WHERE name = 'logins'").fetchone():
+            new.execute("DELETE FROM logins")
+        new.commit()
     _single(target)
 
 

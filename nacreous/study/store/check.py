@@ -12,8 +12,9 @@ from nacreous.problem import InputError
 
 #: The longest label, question or reason, in characters.
 LONGEST_TEXT = 1000
-#: The largest flags, groups or screen check, as JSON in bytes; of a study's manifest: 64 MiB.
+#: The largest flags, groups or screen check, as JSON in bytes; of a plan or a manifest: 64 MiB.
 LARGEST_JSON = 65_536
+LARGEST_PLAN = 64 * 2**20
 LARGEST_MANIFEST = 64 * 2**20
 
 
@@ -60,8 +61,27 @@ def canonical(name: str, value: Any, largest: int = LARGEST_JSON) -> str:
     """
     if not isinstance(value, Mapping):
         raise InputError(f"{name} is {_shown(value)}; allowed: a mapping of names to values")
+    return _json(name, dict(value), largest)
+
+
+def levels(groups: Mapping[str, str]) -> str:
+    """A person's groups, as JSON."""
+    for name, level in groups.items():
+        text("group's name", name, 100)
+        text(f"group {name}", level)
+    return canonical("groups", groups)
+
+
+def canonical_list(name: str, value: Any, largest: int) -> str:
+    """The same of a list."""
+    if not isinstance(value, list):
+        raise InputError(f"{name} is {_shown(value)}; allowed: a list")
+    return _json(name, value, largest)
+
+
+def _json(name: str, value: Any, largest: int) -> str:
     try:
-        made = json.dumps(dict(value), sort_keys=True, separators=(",", ":"), allow_nan=False)
+        made = json.dumps(value, sort_keys=True, separators=(",", ":"), allow_nan=False)
     except (TypeError, ValueError, RecursionError) as problem:
         raise InputError(f"{name} is no JSON ({problem})") from problem
     if len(made) > largest:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
+import sqlite3
+import time
 from importlib.util import find_spec
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import sqlalchemy as sa
-from sqlalchemy.exc import ArgumentError
+from sqlalchemy.exc import ArgumentError, OperationalError
 
 from nacreous.problem import InputError
 
@@ -68,8 +70,17 @@ def _prepare_sqlite(connection: Any, _record: Any) -> None:
 
 def keep_log(engine: sa.Engine) -> None:
     """Let SQLite write ahead into a log: readers never wait, and a commit is one flush."""
-    if engine.dialect.name == "sqlite":
-        outside_transaction(engine, "PRAGMA journal_mode = WAL")
+    if engine.dialect.name != "sqlite":
+        return
+    end = time.monotonic() + _BUSY_MS / 1000
+    while True:
+        try:
+            outside_transaction(engine, "PRAGMA journal_mode = WAL")
+            return
+        except OperationalError:  # while another opens it too; SQLite does not wait for this lock
+            if time.monotonic() > end:
+                raise
+            time.sleep(0.02)
 
 
 def outside_transaction(engine: sa.Engine, statement: str) -> None:
@@ -78,7 +89,10 @@ def outside_transaction(engine: sa.Engine, statement: str) -> None:
         driver = connection.connection.driver_connection
         if driver is None:
             raise AssertionError("a connection that is open has its driver's")
-        driver.execute(statement)
+        try:
+            driver.execute(statement)
+        except sqlite3.OperationalError as problem:
+            raise OperationalError(statement, {}, problem) from problem
 
 
 def _begin_sqlite(connection: sa.Connection) -> None:

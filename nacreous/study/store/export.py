@@ -65,6 +65,7 @@ def answers_of(
     >>> from nacreous.study.store import Answer
     >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
     ...     study = store.add_study({"design_hash": "ab" * 32})
+    ...     store.set_registration(study, "open", "lab")
     ...     session, _ = store.enter(study, "en", {"sex": "f"})
     ...     store.consent(session.id)
     ...     _ = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import secrets
 from collections.abc import Mapping
@@ -11,39 +10,84 @@ from typing import Any
 import sqlalchemy as sa
 
 from nacreous.problem import InputError
-from nacreous.study.store import check, journal, studies
+from nacreous.study.store import check, invitations, journal, studies, tokens
 from nacreous.study.store.record import Session
+from nacreous.study.store.refusal import NotAllowed
 from nacreous.study.store.schema import answers, screens, sessions
+
+#: Why a person is left out who no longer consents.
+WITHDREW = "withdrew"
 
 _LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
     sessions.c.id == sa.bindparam("session")
 )
 
 
-def hash_of(token: object) -> str:
-    """What is kept of a token."""
-    if not isinstance(token, str) or not 1 <= len(token) <= 200 or not token.isascii():
-        raise unknown_token()
-    return hashlib.sha256(token.encode()).hexdigest()
+def enter(
+    connection: sa.Connection, at: str, study: str, hashed: str, row: Mapping[str, Any]
+) -> str:
+    """Add a session, or find the one that has this token; give its id.
 
-
-def unknown_token() -> InputError:
-    """For a token that nobody holds; the token itself is told to no log."""
-    return InputError("token is unknown; wanted: one that was given out and not revoked")
-
-
-def enter(connection: sa.Connection, at: str, study: str, row: Mapping[str, Any]) -> None:
-    """Add a session whose id and token were drawn before."""
+    The study's row is locked first, so that the same token given twice at once enters once.
+    """
+    registration = studies.registration(connection, study, hold=True)
+    theirs = sa.select(sessions.c.id, sessions.c.study).where(sessions.c.token_hash == hashed)
+    there = connection.execute(theirs).one_or_none()
+    if there is not None:
+        if there.study != study:
+            raise tokens.unknown()
+        return str(there.id)
+    invitation = invitations.find(connection, study, hashed)
+    if invitation is None and registration != "open":
+        raise NotAllowed(f"study {study[:12]} is for invited people only; wanted: an invitation")
     number = studies.take_number(connection, study)
-    connection.execute(sa.insert(sessions).values(study=study, number=number, started_at=at, **row))
+    new = {**row, "study": study, "number": number, "started_at": at, "token_hash": hashed}
+    connection.execute(sa.insert(sessions).values(new))
+    if invitation is not None:
+        invitations.use(connection, invitation, row["id"])
     journal.note(connection, at, "participant", "entered", study, row["id"])
+    return str(row["id"])
+
+
+def settle(connection: sa.Connection, session: str, groups: str, plan: str) -> None:
+    """Keep a session's groups and its plan; once they are kept, nothing changes them."""
+    living(connection, session)
+    new = sessions.c.id == session, sessions.c.plan.is_(None)
+    connection.execute(sa.update(sessions).where(*new).values(groups=groups, plan=plan))
+
+
+def plan(connection: sa.Connection, session: str) -> list[dict[str, Any]] | None:
+    """A session's plan as it was settled; None before, and once the person is erased."""
+    row = connection.execute(sa.select(sessions.c.plan).where(sessions.c.id == session))
+    found = row.one_or_none()
+    if found is None:
+        raise _unknown(session)
+    made: list[dict[str, Any]] | None = None if found.plan is None else json.loads(found.plan)
+    return made
+
+
+def withdraw(connection: sa.Connection, at: str, session: str) -> None:
+    """Leave out a person who no longer consents; once is enough."""
+    living(connection, session)
+    if one(connection, session).excluded_reason != WITHDREW:
+        values = {"excluded_reason": WITHDREW}
+        change(connection, at, session, "participant", WITHDREW, values)
+
+
+def readmit(connection: sa.Connection, at: str, session: str, who: str) -> None:
+    """Take an exclusion back, but not a person's own."""
+    living(connection, session)
+    if one(connection, session).excluded_reason == WITHDREW:
+        raise NotAllowed("the person withdrew; wanted: one whom an experimenter excluded")
+    change(connection, at, session, who, "readmitted", {"excluded_reason": None})
 
 
 def find(connection: sa.Connection, where: sa.ColumnElement[bool]) -> list[Session]:
     """Sessions in the order of their numbers, each with its last screen check."""
+    brief = [column for column in sessions.c if column.name != "plan"]  # which is long
     last = sa.select(sa.func.max(screens.c.seq)).where(screens.c.session == sessions.c.id)
     query = (
-        sa.select(sessions, screens.c.content)
+        sa.select(*brief, screens.c.content)
         .outerjoin(screens, screens.c.seq == last.correlate(sessions).scalar_subquery())
         .where(where)
         .order_by(sessions.c.study, sessions.c.number)
@@ -55,7 +99,7 @@ def one(connection: sa.Connection, session: str) -> Session:
     """A session by its id."""
     found = find(connection, sessions.c.id == session)
     if not found:
-        raise InputError(f"session {ascii(session)[1:40]} is not in this store")
+        raise _unknown(session)
     return found[0]
 
 
@@ -78,9 +122,9 @@ def living(connection: sa.Connection, session: str) -> Any:
     """What decides whether something may be added to a session."""
     row = connection.execute(_LIVING, {"session": session}).one_or_none()
     if row is None:
-        raise InputError(f"session {ascii(session)[1:40]} is not in this store")
+        raise _unknown(session)
     if row.erased_at is not None:
-        raise InputError(f"session {session} was erased; nothing can be added to it")
+        raise NotAllowed(f"session {session} was erased; nothing can be added to it")
     return row
 
 
@@ -128,9 +172,11 @@ def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
             started_at=check.day(row.started_at),
             finished_at=check.day(row.finished_at),
             excluded_reason=None,
+            plan=None,
             erased_at=check.day(at),
         )
     )
+    invitations.forget(connection, at, session)
     journal.forget(connection, session)
     journal.note(connection, at[:10], who, "erased", found.study, session)
 
@@ -157,6 +203,10 @@ def _unlink(connection: sa.Connection, person: Session) -> None:
         )
     if rows:
         connection.execute(sa.insert(answers), rows)
+
+
+def _unknown(session: object) -> InputError:
+    return InputError(f"session {ascii(session)[1:40]} is not in this store")
 
 
 def _session(row: sa.RowMapping) -> Session:

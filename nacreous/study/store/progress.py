@@ -15,10 +15,14 @@ from nacreous.study.store.schema import answers, sessions
 
 @dataclass(frozen=True)
 class PersonProgress:
-    """One session and how many of its answers are stored; `last_at`: when the newest arrived."""
+    """One session, how many of its answers are stored, and how many of them a program gave.
+
+    `last_at`: when the newest arrived.
+    """
 
     session: Session
     answers: int
+    simulated: int
     last_at: datetime | None
 
 
@@ -64,29 +68,30 @@ def progress(connection: sa.Connection, study: str, state: str) -> Progress:
         erased_answers=erased,
         median_s=median(lasting) if lasting else None,
         people=tuple(
-            PersonProgress(person, *counts.get(person.id, (0, None))) for person in everyone
+            PersonProgress(person, *counts.get(person.id, (0, 0, None))) for person in everyone
         ),
     )
 
 
-def _counts(connection: sa.Connection, study: str) -> dict[str, tuple[int, datetime | None]]:
+def _counts(connection: sa.Connection, study: str) -> dict[str, tuple[int, int, datetime | None]]:
     # The newest by sequence, for a clock that was set back must not hide it.
     grouped = (
         sa.select(
             answers.c.session,
             sa.func.count().label("count"),
+            sa.func.count().filter(answers.c.simulated).label("simulated"),
             sa.func.max(answers.c.seq).label("last"),
         )
         .where(answers.c.study == study, answers.c.session.is_not(None))
         .group_by(answers.c.session)
         .subquery()
     )
-    query = sa.select(grouped.c.session, grouped.c.count, answers.c.received_at).join(
-        answers, answers.c.seq == grouped.c.last
-    )
+    query = sa.select(
+        grouped.c.session, grouped.c.count, grouped.c.simulated, answers.c.received_at
+    ).join(answers, answers.c.seq == grouped.c.last)
     return {
-        session: (count, datetime.fromisoformat(received))
-        for session, count, received in connection.execute(query)
+        session: (count, simulated, datetime.fromisoformat(received))
+        for session, count, simulated, received in connection.execute(query)
     }
 
 

@@ -107,6 +107,21 @@ class Session:
 
 
 @dataclass(frozen=True)
+class Invitation:
+    """A link that lets one person in; `number`: of the person who used it.
+
+    label: whom or what it is for, as the experimenter calls it; "(erased)" with its person.
+    """
+
+    id: int
+    label: str
+    made_at: datetime
+    made_by: str
+    number: int | None
+    revoked_at: datetime | None
+
+
+@dataclass(frozen=True)
 class Event:
     """A line of the audit log: when, who, what, about which study and session, and details."""
 

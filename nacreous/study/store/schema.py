@@ -33,6 +33,7 @@ studies = sa.Table(
     sa.Column("state", sa.String(8), nullable=False),
     sa.Column("next_number", sa.Integer, nullable=False),
     sa.Column("added_at", sa.String(27), nullable=False),
+    sa.Column("registration", sa.String(8), nullable=False, server_default="invited"),
 )
 
 sessions = sa.Table(
@@ -49,6 +50,7 @@ sessions = sa.Table(
     sa.Column("finished_at", sa.String(27)),
     sa.Column("excluded_reason", sa.Text),
     sa.Column("erased_at", sa.String(27)),
+    sa.Column("plan", sa.Text),
     sa.UniqueConstraint("study", "number"),
 )
 
@@ -100,4 +102,36 @@ audit = sa.Table(
     sa.Column("session", sa.String(36), index=True),
     sa.Column("detail", sa.Text, nullable=False),
     sqlite_autoincrement=True,
+)
+
+# `session`: who used it. The token is then that person's.
+invitations = sa.Table(
+    "invitations",
+    metadata,
+    _serial(),
+    sa.Column("study", sa.String(64), sa.ForeignKey("studies.hash"), nullable=False, index=True),
+    sa.Column("label", sa.Text, nullable=False),
+    sa.Column("token_hash", sa.String(64), unique=True),
+    sa.Column("made_at", sa.String(27), nullable=False),
+    sa.Column("made_by", sa.Text, nullable=False),
+    sa.Column("session", sa.String(36), sa.ForeignKey("sessions.id"), index=True),
+    sa.Column("revoked_at", sa.String(27)),
+    sqlite_autoincrement=True,
+)
+
+accounts = sa.Table(
+    "accounts",
+    metadata,
+    sa.Column("name", sa.String(40), primary_key=True),
+    sa.Column("password", sa.Text, nullable=False),
+    sa.Column("made_at", sa.String(27), nullable=False),
+)
+
+logins = sa.Table(
+    "logins",
+    metadata,
+    sa.Column("token_hash", sa.String(64), primary_key=True),
+    sa.Column("account", sa.String(40), sa.ForeignKey("accounts.name"), nullable=False, index=True),
+    sa.Column("made_at", sa.String(27), nullable=False),
+    sa.Column("used_at", sa.String(27), nullable=False),
 )

@@ -2,37 +2,25 @@
 
 from __future__ import annotations
 
-import contextlib
-import secrets
 import uuid
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from concurrent.futures import Future
-from datetime import UTC, datetime
 from functools import partial
-from os import PathLike
-from types import TracebackType
 from typing import Any
-
-import sqlalchemy as sa
 
 from nacreous.problem import InputError
 from nacreous.study.store import answers as answering
-from nacreous.study.store import check, journal, people, studies
+from nacreous.study.store import check, people, studies, tokens
 from nacreous.study.store import progress as counting
-from nacreous.study.store.engine import engine_of, outside_transaction
-from nacreous.study.store.fault import place_of, translated
-from nacreous.study.store.migrate import upgrade
+from nacreous.study.store.engine import outside_transaction
+from nacreous.study.store.fault import translated
+from nacreous.study.store.lab import Lab
 from nacreous.study.store.progress import Progress
-from nacreous.study.store.record import Answer, Event, Receipt, Session
+from nacreous.study.store.record import Answer, Receipt, Session
 from nacreous.study.store.schema import sessions
-from nacreous.study.store.writer import Writer
 
 
-def _now() -> datetime:
-    return datetime.now(UTC)
-
-
-class Store:
+class Store(Lab):
     """Sessions and answers on the disk. Safe to share among threads; several may open one store.
 
     Every method that changes something returns after its commit is on the disk. Methods raise
@@ -42,6 +30,7 @@ class Store:
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
     ...     study = store.add_study({"nacreous_study": 1, "design_hash": "ab" * 32})
+    ...     store.set_registration(study, "open", "lab")
     ...     session, token = store.enter(study, "en", {"seen": "real"})
     ...     store.consent(session.id)
     ...     receipt = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
@@ -49,52 +38,6 @@ class Store:
     ...     receipt.again, again.again, store.progress(study).answers
     (False, True, 1)
     """
-
-    def __init__(self, engine: sa.Engine, clock: Callable[[], datetime]) -> None:
-        self.engine = engine
-        self.place = place_of(engine)
-        self._clock = clock
-        self._writer = Writer(engine)
-
-    @classmethod
-    def open(
-        cls,
-        place: str | PathLike[str] | None = None,
-        *,
-        make: bool = True,
-        clock: Callable[[], datetime] = _now,
-    ) -> Store:
-        """Open or make a store: a file, a folder (answers.sqlite in it), or postgresql://....
-
-        None: what NACREOUS_STORE says. Unless it may `make` one, an empty place is refused. `clock`
-        tells the server's time; it may jump, for the order of answers hangs on their sequence
-        alone.
-        """
-        engine = engine_of(place)
-        try:
-            upgrade(engine, make=make)
-        except BaseException:
-            engine.dispose()
-            raise
-        return cls(engine, clock)
-
-    def close(self) -> None:
-        """Finish what was handed in, and let go of the database."""
-        self._writer.close()
-        self.engine.dispose()
-
-    def __enter__(self) -> Store:
-        """Close at the end of the block."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        problem: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Close."""
-        self.close()
 
     def add_study(self, manifest: Mapping[str, Any]) -> str:
         """Keep a frozen design and return its hash; at once if it is kept already."""
@@ -137,28 +80,48 @@ class Store:
         """Let nobody enter any more. An answer that comes late is still kept, for it was given."""
         self._set_state(study, "closed", who)
 
-    def enter(self, study: str, language: str, groups: Mapping[str, str]) -> tuple[Session, str]:
-        """Take in a participant: the session, with its number, and the token, told only here."""
-        for name, level in groups.items():
-            check.text("group's name", name, 100)
-            check.text(f"group {name}", level)
-        token = secrets.token_urlsafe(32)
+    def enter(
+        self, study: str, language: str, groups: Mapping[str, str], token: str | None = None
+    ) -> tuple[Session, str]:
+        """Take in a participant: the session, with its number, and the token.
+
+        token: drawn beforehand (`nacreous.study.store.tokens.draw`), or an invitation's, which is
+        used by that. The same token again gives the same session, whatever became of the study and
+        whatever else is said; so who did not hear of having entered asks again. None: a new one is
+        drawn, and told only here. Raises `NotAllowed` where the study is not open, or for invited
+        people only and the token no invitation.
+        """
+        token = tokens.draw() if token is None else tokens.fresh(token)
         row = {
             "id": str(uuid.uuid4()),
-            "token_hash": people.hash_of(token),
             "language": check.text("language", language, 35),
-            "groups": check.canonical("groups", groups),
+            "groups": check.levels(groups),
         }
-        self._do(partial(people.enter, at=self._at(), study=study, row=row))
-        return self.session(row["id"]), token
+        hashed = tokens.hash_of(token)
+        work = partial(people.enter, at=self._at(), study=study, hashed=hashed, row=row)
+        return self.session(self._do(work)), token
+
+    def settle(self, session: str, groups: Mapping[str, str], plan: list[dict[str, Any]]) -> None:
+        """Keep all groups of a participant, drawn and recorded, and the plan, plain values.
+
+        Set once: what is settled stays, whatever is given again.
+        """
+        text = check.levels(groups)
+        made = check.canonical_list("plan", plan, check.LARGEST_PLAN)
+        self._do(partial(people.settle, session=session, groups=text, plan=made))
+
+    def plan(self, session: str) -> list[dict[str, Any]] | None:
+        """The plan that was settled; None before, and of an erased person."""
+        with self.reading() as connection:
+            return people.plan(connection, session)
 
     def session_of(self, token: str) -> Session:
         """Whose token this is."""
-        hashed = people.hash_of(token)
+        hashed = tokens.hash_of(token)
         with self.reading() as connection:
             found = people.find(connection, sessions.c.token_hash == hashed)
         if not found:
-            raise people.unknown_token()
+            raise tokens.unknown()
         return found[0]
 
     def session(self, session: str) -> Session:
@@ -188,13 +151,17 @@ class Store:
         """Store an answer; the receipt says that it is on the disk.
 
         The same answer again gets the same receipt, with `again`, and is not stored twice. Another
-        answer to the same trial raises `InputError` and is kept in the audit log.
+        answer to the same trial raises `Conflict` and is kept in the audit log.
         """
         return self.hand_in(session, answer).result()
 
-    def hand_in(self, session: str, answer: Answer) -> Future[Receipt]:
-        """As `answer`, without waiting; for an event loop, by `asyncio.wrap_future`."""
-        work = partial(answering.put, at=self._at(), session=session, answer=answer)
+    def hand_in(self, session: str, answer: Answer, in_turn: bool = False) -> Future[Receipt]:
+        """As `answer`, without waiting; for an event loop, by `asyncio.wrap_future`.
+
+        in_turn: an answer to a trial before which others are open raises `OutOfTurn`.
+        """
+        at = self._at()
+        work = partial(answering.put, at=at, session=session, answer=answer, in_turn=in_turn)
         return self._writer.submit(work)
 
     def answers(self, study: str, session: str | None = None) -> list[dict[str, Any]]:
@@ -207,6 +174,11 @@ class Store:
             if study not in studies.states(connection):
                 raise studies.unknown(study)
             return answering.rows(connection, study, session)
+
+    def answered(self, session: str) -> int:
+        """How many answers of a session are stored."""
+        with self.reading() as connection:
+            return answering.count(connection, session)
 
     def progress(self, study: str) -> Progress:
         """Who, how far, how long."""
@@ -222,8 +194,12 @@ class Store:
         self._change(session, who, "excluded", values, reason=reason)
 
     def readmit(self, session: str, who: str) -> None:
-        """Take an exclusion back; the audit log keeps both."""
-        self._change(session, who, "readmitted", {"excluded_reason": None})
+        """Take an exclusion back, unless the person withdrew; the audit log keeps both."""
+        self._do(partial(people.readmit, at=self._at(), session=session, who=who))
+
+    def withdraw(self, session: str) -> None:
+        """Leave a person out at their own wish; the reason is "withdrew", and stays."""
+        self._do(partial(people.withdraw, at=self._at(), session=session))
 
     def revoke(self, session: str, who: str) -> None:
         """Make a participant's token worthless."""
@@ -236,37 +212,6 @@ class Store:
             # The log still holds the old pages until they are written over.
             with translated(self.place):
                 outside_transaction(self.engine, "PRAGMA wal_checkpoint(TRUNCATE)")
-
-    def audit(
-        self,
-        who: str,
-        what: str,
-        study: str | None = None,
-        session: str | None = None,
-        **detail: Any,
-    ) -> None:
-        """Add a line to the audit log."""
-        at = self._at()
-        self._do(
-            lambda connection: journal.note(connection, at, who, what, study, session, **detail)
-        )
-
-    def events(self, study: str | None = None) -> list[Event]:
-        """The audit log of a study, or all of it."""
-        with self.reading() as connection:
-            return journal.events(connection, study)
-
-    @contextlib.contextmanager
-    def reading(self) -> Iterator[sa.Connection]:
-        """A connection that sees one state of the store throughout."""
-        with translated(self.place), self.engine.connect() as connection:
-            yield connection
-
-    def _at(self) -> str:
-        return check.written("clock", self._clock())
-
-    def _do(self, work: Callable[[sa.Connection], None]) -> None:
-        self._writer.submit(work).result()
 
     def _set_state(self, study: str, state: str, who: str) -> None:
         self._do(partial(studies.set_state, at=self._at(), study=study, state=state, who=who))

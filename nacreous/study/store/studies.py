@@ -12,9 +12,11 @@ from sqlalchemy.dialects import postgresql, sqlite
 
 from nacreous.problem import InputError
 from nacreous.study.store import check, journal
+from nacreous.study.store.refusal import NotAllowed
 from nacreous.study.store.schema import studies
 
 STATES = ("open", "paused", "closed")
+REGISTRATIONS = ("open", "invited")
 
 
 def hash_of(manifest: Mapping[str, Any]) -> str:
@@ -85,6 +87,26 @@ def set_state(connection: sa.Connection, at: str, study: str, state: str, who: s
     journal.note(connection, at, who, f"study {state}", study, None)
 
 
+def registration(connection: sa.Connection, study: str, *, hold: bool = False) -> str:
+    """Who may enter: anybody ("open"), or who is "invited"; `hold`: until the transaction ends."""
+    query = sa.select(studies.c.registration).where(studies.c.hash == study)
+    if hold:
+        query = query.with_for_update()
+    kept = connection.execute(query).scalar_one_or_none()
+    if kept is None:
+        raise unknown(study)
+    return str(kept)
+
+
+def set_registration(connection: sa.Connection, at: str, study: str, value: str, who: str) -> None:
+    """Say who may enter."""
+    check.one_of("registration", value, REGISTRATIONS)
+    if registration(connection, study, hold=True) != value:
+        mine = studies.c.hash == study
+        connection.execute(sa.update(studies).where(mine).values(registration=value))
+        journal.note(connection, at, who, f"registration {value}", study, None)
+
+
 def take_number(connection: sa.Connection, study: str) -> int:
     """The next participant's number, which nobody else gets."""
     taken = connection.execute(
@@ -98,7 +120,7 @@ def take_number(connection: sa.Connection, study: str) -> int:
     state = states(connection).get(study)
     if state is None:
         raise unknown(study)
-    raise InputError(f"study {study[:12]} is {state}; wanted: open, for somebody to enter")
+    raise NotAllowed(f"study {study[:12]} is {state}; wanted: open, for somebody to enter")
 
 
 def unknown(study: object) -> InputError:

@@ -1,0 +1,57 @@
+"""`nacreous study report`: what a study has found, as a page that reads without statistics."""
+
+from __future__ import annotations
+
+import argparse
+
+_EXAMPLES = """\
+examples:
+  nacreous study report my-study -o report.html
+  nacreous study report my-study --question deeper --language ja -o report.html
+  nacreous study report my-study --simulated -o rehearsal.html   what simulated observers answered
+"""
+
+
+def add_action(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Describe what it can do."""
+    parser = actions.add_parser(
+        "report",
+        help="write what a study has found as a page, report.html",
+        description="Fit a scale to the answers that count and write the report: pairs and "
+        "repeats, of people who are not excluded; or of simulated observers, said to be so.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("study", help="the folder of a frozen study")
+    parser.add_argument("-o", "--output", default="report.html", help="report.html")
+    parser.add_argument("--store", help="where the answers are (NACREOUS_STORE, or the folder)")
+    parser.add_argument("--question", help="its id (the study's first)")
+    parser.add_argument("--language", choices=("en", "ja"), default="en", help="of the report (en)")
+    parser.add_argument("--simulated", action="store_true", help="simulated observers, not people")
+    parser.add_argument("--group", metavar="NAME", help="compare the groups of this factor")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Check, compute, write."""
+    import os
+
+    from nacreous import file
+    from nacreous.commands.progress import bar
+    from nacreous.study.design import open_frozen
+    from nacreous.study.outcome import report
+    from nacreous.study.running import Running
+    from nacreous.study.store import Store
+
+    file.check_output(args.output, [".html"])
+    frozen = open_frozen(args.study)
+    question = args.question or frozen.design.questions[0].id
+    place = args.store or os.environ.get("NACREOUS_STORE") or args.study
+    with Store.open(place, make=False) as store, bar("resampling") as show:
+        page = report(
+            Running(store, frozen), question, args.language, args.simulated, args.group, show
+        )
+    with file.atomic(args.output) as temporary:
+        temporary.write_text(page, encoding="utf-8", newline="\n")
+    print(f"{args.output}: written")
+    return 0

@@ -1,0 +1,49 @@
+"""The server as one ASGI application."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from fastapi import FastAPI
+from fastapi.exceptions import RequestValidationError
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import Response
+
+import nacreous
+from nacreous.server import lab, login, pages, participant, results
+from nacreous.server.description import describe
+from nacreous.server.door import Door
+from nacreous.server.service import Service
+from nacreous.study.running import Running
+
+
+def create_app(running: Running, *, url: str | None = None, built: Path | None = None) -> FastAPI:
+    """The application that serves a running study.
+
+    url: where people reach it, if not where it listens. built: where the pages are, if
+    not where `./just pages` builds them. Raises
+    `InputError` where they are not.
+    """
+    app = FastAPI(
+        title="Nacreous, a study",
+        description="Participants answer with a token, experimenters with a cookie.",
+        version=nacreous.__version__,
+        docs_url=None,
+        redoc_url=None,
+        redirect_slashes=False,
+        exception_handlers={HTTPException: _raised, RequestValidationError: _raised},
+    )
+    service = Service(running, url)
+    app.state.service = service
+    app.state.pages = pages.Pages(built or pages.FOLDER)
+    for part in (participant, login, lab, results, pages):
+        app.include_router(part.router)
+    app.add_middleware(Door, service=service)
+    describe(app)
+    return app
+
+
+async def _raised(_request: Request, problem: Exception) -> Response:
+    """The door tells all problems alike."""
+    raise problem

@@ -1,0 +1,53 @@
+"""Participants as experimenters see them: numbers, how far, and what is noticed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from nacreous.server.told import FlagTold, PersonTold
+from nacreous.study.running import Running
+from nacreous.study.store import PersonProgress, Progress, Session
+
+
+class People:
+    """Makes lines of the experimenters' table; remembers how long each plan is."""
+
+    def __init__(self, running: Running) -> None:
+        self._running = running
+        self._lengths: dict[str, int] = {}
+
+    def told(self, progress: Progress, flags: Mapping[int, Sequence[Any]]) -> list[PersonTold]:
+        """A line for everyone who has entered. Reads the store: for threads alone."""
+        return [
+            self._line(person, flags.get(person.session.number, ())) for person in progress.people
+        ]
+
+    def _line(self, person: PersonProgress, flags: Sequence[Any]) -> PersonTold:
+        session = person.session
+        end = session.finished_at or person.last_at
+        whole = end is not None and session.erased_at is None
+        return PersonTold(
+            number=session.number,
+            language=session.language,
+            groups=dict(session.groups),
+            answers=person.answers,
+            trials=self._length(session),
+            started_at=session.started_at,
+            last_at=person.last_at,
+            finished=session.finished_at is not None,
+            seconds=(end - session.started_at).total_seconds() if end and whole else None,
+            excluded=session.excluded_reason,
+            erased=session.erased_at is not None,
+            simulated=person.simulated > 0,
+            screen_flags=list(self._running.screen_flags(session)),
+            flags=[FlagTold(kind=flag.kind, detail=flag.detail) for flag in flags],
+        )
+
+    def _length(self, session: Session) -> int:
+        """How many trials the plan has; a plan is settled once, so this holds for ever."""
+        if session.erased_at is not None:
+            return 0
+        if session.id not in self._lengths:
+            self._lengths[session.id] = len(self._running.plan(session))
+        return self._lengths[session.id]

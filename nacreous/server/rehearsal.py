@@ -1,0 +1,209 @@
+"""A rehearsal: simulated observers take part by HTTP, as browsers do, before people come.
+
+They choose by Thurstone's case V from a scale that is known, and every answer says that it is
+simulated. Numbers decide what each one answers: same seed and number, same choices.
+"""
+
+from __future__ import annotations
+
+import csv
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nacreous.number import number_of, seed_of, whole_of
+from nacreous.problem import InputError
+from nacreous.server.client import Client
+from nacreous.study.design import Frozen
+
+__all__ = ["Rehearsed", "rehearse", "scale_of"]
+
+#: Who answers at the same time. More wait for each other in one process.
+_THREADS = 6
+#: The median of the response times that are made up **(ours)**, and their spread as a logarithm.
+_MEDIAN_MS, _SPREAD = 1800.0, 0.45
+_MOST_OBSERVERS = 10_000
+
+
+@dataclass(frozen=True)
+class Rehearsed:
+    """What was done: how many took part, how many answers, how long it took."""
+
+    observers: int
+    answers: int
+    seconds: float
+
+
+def rehearse(
+    url: str,
+    frozen: Frozen,
+    scale: Mapping[str, float],
+    observers: int,
+    *,
+    seed: int = 1,
+    sigma: float = 1.0,
+    links: Sequence[str] = (),
+    progress: Callable[[float], None] | None = None,
+) -> Rehearsed:
+    """Let simulated observers take part in the study that is served at a URL.
+
+    frozen: that study, which says which picture has which label. scale: label -> value. sigma: the
+    noise of a comparison in the unit of the scale; left is chosen with probability
+    Phi((v_left - v_right) / sigma). links: invitations, one an observer; without them the study
+    must be open. progress: called with the finished share.
+
+    Raises `InputError` for values that cannot be used, where nobody answers at the URL, where
+    another study is served there, and where the study lets nobody in.
+    """
+    count = whole_of("observers", observers, 1, _MOST_OBSERVERS)
+    noise = number_of("sigma", sigma)
+    if not 0 < noise <= 100:
+        raise InputError(f"sigma is {noise:g}; allowed: above 0, to 100")
+    if links and len(links) < count:
+        raise InputError(f"links are {len(links)}; allowed: {count}, one for each observer")
+    values = _by_picture(frozen, scale)
+    begin = time.monotonic()
+    crew = _Crew(url, values, seed_of(seed), noise)
+    tokens: list[str | None] = [link.rpartition("#")[2] for link in links[:count]]
+    answers = crew.run(tokens or [None] * count, progress)
+    return Rehearsed(count, answers, time.monotonic() - begin)
+
+
+def scale_of(name: str) -> dict[str, float]:
+    """The values of a scale: "paper" for table 1, or a CSV file with columns stimulus and scale.
+
+    Such a file is what `nacreous scale -o scale.csv` writes.
+
+    >>> list(scale_of("paper"))
+    ['1', '2', '3', '4', '5', '6', '7']
+    """
+    if name == "paper":
+        from nacreous.scaling import Comparisons, paper_proportions, thurstone
+
+        # The number of answers does not move row means of shares that are not 0 or 1.
+        table = Comparisons.of_proportions(paper_proportions(), answers=104)
+        fit = thurstone(table, method="least-squares")
+        return dict(zip(fit.stimuli, fit.scale.tolist(), strict=True))
+    try:
+        with Path(name).open(encoding="utf-8-sig", newline="") as lines:
+            rows = list(csv.DictReader(lines))
+        return {row["stimulus"]: float(row["scale"]) for row in rows}
+    except OSError as problem:
+        raise InputError(f"{name}: cannot be read ({problem.strerror})") from None
+    except (KeyError, TypeError, ValueError, csv.Error):
+        raise InputError(
+            f"{name}: is no scale; wanted: paper, or CSV with the columns stimulus and scale"
+        ) from None
+
+
+def _by_picture(frozen: Frozen, scale: Mapping[str, float]) -> dict[str, float]:
+    values = {}
+    for stimulus in frozen.stimuli:
+        if stimulus.label not in scale:
+            known = ", ".join(scale)[:200]
+            raise InputError(f'scale has no value for "{stimulus.label}"; it has: {known}')
+        values[stimulus.sha256] = number_of(f'scale["{stimulus.label}"]', scale[stimulus.label])
+    return values
+
+
+class _Crew:
+    """Simulated observers of one rehearsal, and the lines that they share."""
+
+    def __init__(self, url: str, values: Mapping[str, float], seed: int, sigma: float) -> None:
+        self._url = url
+        self._values = values
+        self._seed = seed
+        self._sigma = sigma
+        self._own = threading.local()
+
+    def run(self, tokens: Sequence[str | None], progress: Callable[[float], None] | None) -> int:
+        """Everyone enters in order, so that numbers do not hang on threads; then all answer."""
+        show = progress or (lambda _: None)
+        study = self._client.ask("GET", "/api/study")
+        sittings: list[Future[int]] = []
+        pool = ThreadPoolExecutor(_THREADS, thread_name_prefix="observer")
+        try:
+            for place, token in enumerate(tokens):
+                sittings.append(pool.submit(self._take_part, *self._enter(study, place, token)))
+                show((place + 1 + _finished(sittings)) / (2 * len(tokens)))
+            for done, sitting in enumerate(as_completed(sittings), 1):
+                sitting.result()
+                show((len(tokens) + done) / (2 * len(tokens)))
+        finally:
+            pool.shutdown(cancel_futures=True)
+        return sum(sitting.result() for sitting in sittings)
+
+    @property
+    def _client(self) -> Client:
+        """This thread's own line."""
+        if not hasattr(self._own, "client"):
+            self._own.client = Client(self._url)
+        client: Client = self._own.client
+        return client
+
+    def _enter(self, study: Any, place: int, token: str | None) -> tuple[str, int, Any]:
+        """Enter as a person would who answers what is asked by chance; the token and the number."""
+        random = np.random.default_rng([self._seed, 0, place])
+        groups = {
+            factor["name"]: str(random.choice([one["value"] for one in factor["choices"]]))
+            for factor in study["groups"]
+        }
+        languages = study["languages"]
+        content = {"language": languages[place % len(languages)], "groups": groups}
+        if token is None:
+            token = str(self._client.ask("GET", "/api/study")["token"])
+        entered = self._client.ask("POST", "/api/enter", token, content)
+        return token, int(entered["number"]), study["screen"]
+
+    def _take_part(self, token: str, number: int, screen: Mapping[str, Any]) -> int:
+        """From consent to the last page; how many answers were given."""
+        client = self._client
+        client.ask("POST", "/api/consent", token)
+        client.ask("POST", "/api/screen", token, {"content": _good_screen(screen)})
+        sitting = client.ask("GET", "/api/sitting", token)
+        given = 0
+        for trial, content in self._answers(sitting["trials"], number):
+            client.ask("PUT", f"/api/answers/{trial}", token, content)
+            given += 1
+        client.ask("POST", "/api/finish", token)
+        return given
+
+    def _answers(self, trials: Any, number: int) -> Iterator[tuple[int, dict[str, Any]]]:
+        """Each trial's number and what this observer answers to it."""
+        random = np.random.default_rng([self._seed, 1, number])
+        for trial in trials:
+            values = [self._values.get(trial[side]) for side in ("left", "right")]
+            if None in values:
+                raise InputError(f"{self._url}: serves another study; wanted: the one given")
+            lead = (values[0] - values[1]) / self._sigma + random.standard_normal()
+            yield (
+                trial["trial"],
+                {
+                    "chosen": "left" if lead > 0 else "right",
+                    "response_ms": round(_MEDIAN_MS * float(np.exp(_SPREAD * random.normal()))),
+                    "shown_at": None,
+                    "answered_at": None,
+                    "flags": {},
+                    "simulated": True,
+                },
+            )
+
+
+def _finished(sittings: Sequence[Future[int]]) -> int:
+    return sum(sitting.done() for sitting in sittings)
+
+
+def _good_screen(wanted: Mapping[str, Any]) -> dict[str, Any]:
+    """A check that finds nothing, of a screen that is not there."""
+    width_px, height_px = wanted["least_width_px"], wanted["least_height_px"]
+    return {
+        "window": {"width_px": width_px, "height_px": height_px, "device_pixel_ratio": 1},
+        "full_screen": True,
+        "agent": "simulated",
+    }

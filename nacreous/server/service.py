@@ -1,0 +1,96 @@
+"""What all routes of one server share."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import Any, cast
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import JSONResponse
+from starlette.types import Scope
+
+from nacreous.server.facts import Facts
+from nacreous.server.origin import origin_of
+from nacreous.server.outcomes import Outcomes
+from nacreous.server.person import People
+from nacreous.server.pictures import Pictures
+from nacreous.server.rates import Rates, address_of
+from nacreous.server.refusal import Refusal
+from nacreous.server.told import StudyTold
+from nacreous.study.running import Running
+from nacreous.study.store import Store, StoreError, tokens
+
+
+class Service:
+    """A study that runs, and what the server remembers beside it.
+
+    url: where people reach the server, if it is not where it listens, as behind a proxy.
+    """
+
+    def __init__(self, running: Running, url: str | None = None) -> None:
+        self.running = running
+        self.rates = Rates()
+        self.outcomes = Outcomes()
+        self.people = People(running)
+        self.pictures = Pictures(running.frozen)
+        self._facts = Facts(running.frozen.design)
+        self.url = url.rstrip("/") if url else None
+        self.origin = origin_of(url) if url else None
+
+    @property
+    def store(self) -> Store:
+        """The study's store."""
+        return self.running.store
+
+    def told(self) -> StudyTold:
+        """The study to somebody who has not entered, with a token of their own."""
+        study = self.running.study
+        state = self.store.studies()[study]
+        return self._facts.told(state, self.store.registration(study), tokens.draw())
+
+    def scheme(self, scope: Scope) -> str:
+        """How people's browsers speak to the server: "http" or "https"."""
+        if self.origin is not None:
+            return self.origin.partition(":")[0]
+        return str(scope["scheme"])
+
+    def is_https(self, scope: Scope) -> bool:
+        """Whether nobody on the way can listen."""
+        return self.scheme(scope) == "https"
+
+    async def refuse(self, scope: Scope, refusal: Refusal) -> JSONResponse:
+        """Tell a refusal, and note it in the audit log; too many are neither told nor noted.
+
+        Nothing is noted of where a request came from, for that would lead to a participant.
+        """
+        state = scope["state"]
+        if 400 <= refusal.status < 500 and refusal.kind != "missing":
+            who = state.get("session") or state.get("name") or address(scope)
+            if not self.rates.takes("refusals", who):
+                refusal = self.rates.busy("refusals", who)
+            elif not refusal.logged:
+                await run_in_threadpool(self._note, scope, refusal)
+        content = {"problem": refusal.problem, "kind": refusal.kind}
+        return JSONResponse(content, refusal.status, dict(refusal.headers))
+
+    def _note(self, scope: Scope, refusal: Refusal) -> None:
+        state = scope["state"]
+        session = state.get("session")
+        who = state.get("name") or ("participant" if session else "somebody")
+        detail: dict[str, Any] = {"status": refusal.status, "problem": refusal.problem}
+        detail["asked"] = f"{scope['method'][:20]} {scope['path'][:200]}"
+        # Whom the store refuses hears why, even if nothing more can be written.
+        with contextlib.suppress(StoreError):
+            self.store.audit(who, "refused", self.running.study, session, **detail)
+
+
+def address(scope: Scope) -> str:
+    """The address that a request came from."""
+    client = scope.get("client")
+    return address_of(client[0] if client else None)
+
+
+def service_of(request: Request) -> Service:
+    """The service behind a request."""
+    return cast(Service, request.app.state.service)

@@ -1,0 +1,53 @@
+"""Where one participant is, as their browser is told."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nacreous.server.facts import words
+from nacreous.server.service import Service
+from nacreous.server.told import PictureTold, SittingTold, TrialTold
+from nacreous.study.plan import Trial
+from nacreous.study.store import Session
+
+
+def sitting_of(service: Service, session: Session) -> SittingTold:
+    """All that somebody needs to begin or to go on. Reads the store: for threads alone."""
+    running = service.running
+    consented = session.consented_at is not None
+    trials = running.plan(session) if consented else ()
+    return SittingTold(
+        number=session.number,
+        language=session.language or running.frozen.design.languages[0],
+        consented=consented,
+        screened=session.screen is not None,
+        screen_flags=list(running.screen_flags(session)),
+        refused=running.refused(session),
+        finished=session.finished_at is not None,
+        answered=running.answered(session),
+        groups_notes=[words(note) for note in running.notes(session)],
+        trials=_trials(service, trials),
+        pictures=_pictures(service, trials),
+    )
+
+
+def _trials(service: Service, trials: Sequence[Trial]) -> list[TrialTold]:
+    sha256 = service.pictures.of_label
+    return [
+        TrialTold(
+            trial=trial.number,
+            question=trial.question,
+            left=sha256[trial.left],
+            right=sha256[trial.right],
+            training=trial.kind == "training",
+            break_before=trial.break_before,
+        )
+        for trial in trials
+    ]
+
+
+def _pictures(service: Service, trials: Sequence[Trial]) -> dict[str, PictureTold]:
+    sizes = service.pictures.sizes
+    labels = {label for trial in trials for label in (trial.left, trial.right)}
+    shown = sorted(service.pictures.of_label[label] for label in labels)
+    return {sha256: sizes[sha256] for sha256 in shown}

@@ -1,0 +1,236 @@
+"""A study that runs: the frozen folder and the store, and what a participant may do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from concurrent.futures import Future
+from datetime import datetime
+from typing import Any
+
+from nacreous.problem import InputError
+from nacreous.study.design import Frozen
+from nacreous.study.design.words import Words
+from nacreous.study.plan import Trial, drawn_groups, trials
+from nacreous.study.running.plans import Plans, plain, trials_of
+from nacreous.study.running.screening import flags_of, is_refused
+from nacreous.study.store import (
+    Answer,
+    NotAllowed,
+    OutOfTurn,
+    Receipt,
+    Session,
+    Store,
+    UnknownToken,
+)
+from nacreous.study.store.people import WITHDREW
+
+__all__ = ["Running"]
+
+
+class Running:
+    """A frozen study and its store. Safe to share among threads.
+
+    What a participant says is checked against the study: a client chooses one of two, and nothing
+    else is taken from it. Methods raise `InputError` and its kinds, and `StoreError`, as those of
+    `Store`. A session is given as `session_of` tells it now, for what may be done hangs on it.
+
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> from nacreous.study.design import freeze
+    >>> file = '''purpose = "demo"
+    ... questions = [{ id = "deeper", text = { en = "Which is deeper?", ja = "どちらが深い?" } }]
+    ... stimuli = [{ label = "a", pearl = "akoya-r" }, { label = "b", pearl = "akoya-g" }]
+    ... display = { size_px = 32, samples = 1 }
+    ... sitting = { training = 0 }
+    ... '''
+    >>> place = TemporaryDirectory()
+    >>> _ = Path(place.name, "my.toml").write_text(file, encoding="utf-8")
+    >>> frozen = freeze(f"{place.name}/my.toml", f"{place.name}/my-study")
+    >>> with Store.open(frozen.folder) as store:
+    ...     running = Running(store, frozen)
+    ...     [token] = store.invite(running.study, 1, "somebody", "lab")
+    ...     session = running.enter(token, "en", {})
+    ...     store.consent(session.id)
+    ...     session = running.session_of(token)
+    ...     receipt = running.hand_in(session, 0, "left").result()
+    ...     running.finish(session)
+    >>> receipt.trial
+    0
+    >>> place.cleanup()
+    """
+
+    def __init__(self, store: Store, frozen: Frozen) -> None:
+        self.store = store
+        self.frozen = frozen
+        self.study = store.add_study(frozen.manifest())
+        self._plans = Plans()
+
+    def enter(self, token: str, language: str, recorded: Mapping[str, str]) -> Session:
+        """Take in a participant, draw the groups and settle the plan.
+
+        token: drawn beforehand, or an invitation's; the same again gives the same session.
+        language: one of the study's. recorded: the value of each recorded group.
+        """
+        self._check_language(language)
+        self._check_groups(recorded)
+        session, _ = self.store.enter(self.study, language, recorded, token)
+        return self._settled(session)
+
+    def session_of(self, token: str) -> Session:
+        """Whose token this is, in this study."""
+        session = self.store.session_of(token)
+        if session.study != self.study:
+            raise UnknownToken("token is of another study; wanted: one of this study")
+        return self._settled(session)
+
+    def plan(self, session: Session) -> tuple[Trial, ...]:
+        """All trials of a participant; of an erased one none are left."""
+        if session.erased_at is not None:
+            return ()
+        self._settled(session)
+        return self._plans.get(session.id) or self._kept(session) or ()
+
+    def answered(self, session: Session) -> int:
+        """How many trials are answered: the number of the next one."""
+        return self.store.answered(session.id)
+
+    def notes(self, session: Session) -> tuple[Words, ...]:
+        """What the participant is told about the groups that they are in."""
+        given = [
+            group.note(session.groups[group.name])
+            for group in self.frozen.design.groups
+            if group.name in session.groups
+        ]
+        return tuple(note for note in given if note is not None)
+
+    def screen(self, session: Session, content: Mapping[str, Any]) -> tuple[str, ...]:
+        """Keep a screen check, and tell its flags. May be repeated: the last one counts."""
+        if (refusal := _withheld(session)) is not None:
+            raise refusal
+        if not isinstance(content, Mapping):
+            raise InputError(f"screen is {ascii(content)[:40]}; allowed: a table")
+        flags = flags_of(self.frozen.design.screen, content)
+        self.store.screen(session.id, {**content, "flags": list(flags)})
+        return flags
+
+    def screen_flags(self, session: Session) -> tuple[str, ...]:
+        """The flags of the last screen check."""
+        return tuple((session.screen or {}).get("flags", ()))
+
+    def refused(self, session: Session) -> bool:
+        """Whether the study's rules let the participant not go on, by the last screen check."""
+        return is_refused(self.frozen.design.screen, self.screen_flags(session))
+
+    def due(self, session: Session) -> frozenset[str]:
+        """The pictures, by SHA-256, that a participant may see now: those of the plan, or none."""
+        if self._barred(session) is not None:
+            return frozenset()
+        labels = {label for trial in self.plan(session) for label in (trial.left, trial.right)}
+        return frozenset(one.sha256 for one in self.frozen.stimuli if one.label in labels)
+
+    def hand_in(
+        self,
+        session: Session,
+        trial: int,
+        chosen: str,
+        response_ms: float | None = None,
+        shown_at: datetime | None = None,
+        answered_at: datetime | None = None,
+        flags: Mapping[str, Any] | None = None,
+        simulated: bool = False,
+    ) -> Future[Receipt]:
+        """Store an answer to a trial; question, stimuli and sides are those of the plan.
+
+        The next trial, or again one that is answered. "tie" only where the study allows it.
+        """
+        if (refusal := self._barred(session)) is not None:
+            raise refusal
+        plan = self.plan(session)
+        if isinstance(trial, bool) or not isinstance(trial, int) or not 0 <= trial < len(plan):
+            raise InputError(f"trial is {ascii(trial)[:40]}; allowed: 0 to {len(plan) - 1}")
+        if chosen == "tie" and not self.frozen.design.sitting.ties:
+            raise InputError("chosen is 'tie'; allowed in this study: left, right")
+        asked = plan[trial]
+        answer = Answer(
+            trial,
+            asked.question,
+            asked.left,
+            asked.right,
+            chosen,
+            response_ms,
+            shown_at,
+            answered_at,
+            flags or {},
+            simulated,
+            asked.kind,
+        )
+        return self.store.hand_in(session.id, answer, in_turn=True)
+
+    def finish(self, session: Session) -> None:
+        """Note that a participant saw the last page; every trial must be answered."""
+        count, wanted = self.answered(session), len(self.plan(session))
+        if count < wanted:
+            raise OutOfTurn(f"{count} trials are answered; wanted: all {wanted} before the end")
+        self.store.finish(session.id)
+
+    def _barred(self, session: Session) -> NotAllowed | None:
+        """Why a participant may not go on, if anything stands against it."""
+        if (refusal := _withheld(session)) is not None:
+            return refusal
+        if self.refused(session):
+            flags = ", ".join(self.screen_flags(session))
+            return NotAllowed(f"the screen is refused ({flags}); wanted: one that passes")
+        screen = self.frozen.design.screen
+        if session.screen is None and screen.refuses:
+            return NotAllowed("the screen check is missing; wanted: one that passes")
+        return None
+
+    def _settled(self, session: Session) -> Session:
+        """The session with its groups and its plan, made now where a crash left it without."""
+        if self._plans.get(session.id) is not None or session.erased_at is not None:
+            return session
+        if self._kept(session) is not None:
+            return session
+        design = self.frozen.design
+        groups = {**session.groups, **drawn_groups(design, session.number)}
+        self.store.settle(session.id, groups, plain(trials(design, session.number)))
+        self._kept(session)
+        return self.store.session(session.id)
+
+    def _kept(self, session: Session) -> tuple[Trial, ...] | None:
+        """The plan in the store, from now on in memory too."""
+        plan = self.store.plan(session.id)
+        if plan is None:
+            return None
+        made = trials_of(plan)
+        self._plans.put(session.id, made)
+        return made
+
+    def _check_language(self, language: object) -> None:
+        known = self.frozen.design.languages
+        if language not in known:
+            raise InputError(f"language is {ascii(language)[:40]}; allowed: {', '.join(known)}")
+
+    def _check_groups(self, recorded: Mapping[str, str]) -> None:
+        asked = {
+            group.name: group.values
+            for group in self.frozen.design.groups
+            if group.how == "recorded"
+        }
+        for name in recorded:
+            if name not in asked:
+                named = ", ".join(asked) or "none"
+                raise InputError(f"group {ascii(name)[:60]} is not asked for; allowed: {named}")
+        for name, values in asked.items():
+            if recorded.get(name) not in values:
+                said = ascii(recorded[name])[:60] if name in recorded else "missing"
+                raise InputError(f"group {name} is {said}; allowed: {', '.join(values)}")
+
+
+def _withheld(session: Session) -> NotAllowed | None:
+    """Consent that was never given, or taken back."""
+    if session.consented_at is None:
+        return NotAllowed("consent is missing; wanted: consent before anything else")
+    if session.excluded_reason == WITHDREW:
+        return NotAllowed("the participant withdrew; nothing more is taken")
+    return None

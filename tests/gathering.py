@@ -1,0 +1,87 @@
+"""Small frozen studies of grey pictures, and made-up people who answer them. No data of people."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from nacreous.study.design import Frozen, freeze
+from nacreous.study.plan import Trial, trials
+from nacreous.study.running import Running
+from nacreous.study.store import Answer, Store
+
+#: Chooses at a trial: "left", "right" or "tie".
+Choosing = Callable[[Trial], str]
+
+
+def frozen_study(folder: Path, labels: str = "abcde", **keys: Any) -> Frozen:
+    """A study of so many pictures, frozen; keys as in a study file, the last ones tables."""
+    for place, label in enumerate(labels):
+        Image.new("RGB", (16, 16), (40 + 20 * place,) * 3).save(folder / f"{label}.png")
+    design: dict[str, Any] = {
+        "purpose": "demo",
+        "questions": [{"id": "deeper", "text": {"en": "Which is deeper?", "ja": "どちらが深い?"}}],
+        **keys,
+    }
+    design["stimuli"] = [{"label": label, "picture": f"{label}.png"} for label in labels]
+    text = "\n".join(f"{name} = {_toml(value)}" for name, value in design.items())
+    (folder / "study.toml").write_text(text + "\n", encoding="utf-8")
+    return freeze(folder / "study.toml", folder / "study")
+
+
+def _toml(value: Any) -> str:
+    """A value as TOML, tables inline."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{name} = {_toml(one)}" for name, one in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return json.dumps(value, ensure_ascii=False)
+
+
+def opened(store: Store, frozen: Frozen) -> Running:
+    """The study with its store, open for everyone."""
+    running = Running(store, frozen)
+    store.set_registration(running.study, "open", "test")
+    return running
+
+
+def take_part(
+    running: Running, choose: Choosing, recorded: dict[str, str] | None = None, **more: Any
+) -> int:
+    """One made-up person answers everything; returns the number. more: of `Answer`."""
+    store = running.store
+    session, _ = store.enter(running.study, "en", recorded or {})
+    store.consent(session.id)
+    waiting = [
+        store.hand_in(
+            session.id,
+            Answer(
+                trial.number,
+                trial.question,
+                trial.left,
+                trial.right,
+                choose(trial),
+                kind=trial.kind,
+                **{"response_ms": 900.0, **more},
+            ),
+        )
+        for trial in trials(running.frozen.design, session.number)
+    ]
+    for one in waiting:
+        one.result()
+    return session.number
+
+
+def by_scale(scale: dict[str, float], random: np.random.Generator) -> Choosing:
+    """Somebody who chooses by Thurstone's case V."""
+
+    def choose(trial: Trial) -> str:
+        lead = scale[trial.left] - scale[trial.right] + random.standard_normal()
+        return "left" if lead > 0 else "right"
+
+    return choose
