@@ -31,7 +31,6 @@ export function reading<T extends string>(
   title: string,
   text: readonly string[],
   actions: readonly (readonly [T, string])[],
-  above: readonly string[] = [],
 ): Page<T> {
   return {
     name,
@@ -39,7 +38,7 @@ export function reading<T extends string>(
       const buttons = actions.map(([result, label], place) =>
         button(label, () => done(result), { class: place === 0 ? "main" : "quiet" }),
       );
-      sheet(into, title, text.flatMap(paragraphs), buttons, above);
+      sheet(into, title, text.flatMap(paragraphs), buttons);
     },
     play: (into) => press(into, ".actions button"),
   };

@@ -11,10 +11,10 @@ import type { Words } from "../words/words";
 export type Next = "go" | "stop";
 
 export function instructionsPage(words: Words, text: string, rules: Study["sitting"]): Page<Next> {
-  const keys = words.instructions_keys + (rules.ties ? ` ${words.instructions_ties}` : "");
   const training = fill(words.instructions_training, { n: rules.training });
   const practises = rules.training > 0;
-  const said = [text, keys, ...(practises ? [training] : [])];
+  const ties = rules.ties ? [words.instructions_ties] : [];
+  const said = [text, words.instructions_keys, ...ties, ...(practises ? [training] : [])];
   const go = practises ? words.instructions_begin : words.begin;
   return reading("instructions", words.instructions_title, said, [["go", go]]);
 }

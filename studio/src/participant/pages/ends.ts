@@ -1,7 +1,8 @@
 /** Pages that a sitting ends with, or cannot begin with: each says what can be done. */
 
-import { Problem } from "../../shared/http";
-import { reading } from "../sheet";
+import { button, element } from "../../shared/dom";
+import type { Problem } from "../../shared/http";
+import { sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
 
@@ -38,17 +39,19 @@ const ACTIONS: Partial<Record<End, keyof Words>> = {
 
 /** An end; `next`: whether another person may begin in this browser. A simulation stays at it. */
 export function endPage(words: Words, end: End, next = false): Page<"again" | "next"> {
-  const action = ACTIONS[end];
-  const actions: ("again" | "next")[] = [];
-  if (action !== undefined) actions.push("again");
-  if (next) actions.push("next");
-  const page = reading(
-    end,
-    words[`${end}_title`],
-    [words[end]],
-    actions.map((result) => [result, result === "next" ? words.thanks_next : words[action!]]),
-  );
-  return { ...page, play: () => undefined };
+  return {
+    name: end,
+    draw(into, done) {
+      const action = ACTIONS[end];
+      const actions: HTMLElement[] = [];
+      if (action !== undefined) {
+        actions.push(button(words[action], () => done("again"), { class: "main" }));
+      }
+      if (next) actions.push(button(words.thanks_next, () => done("next")));
+      sheet(into, words[`${end}_title`], [element("p", {}, words[end])], actions);
+    },
+    play: () => undefined,
+  };
 }
 
 /** What a refusal of the server means to a participant. */

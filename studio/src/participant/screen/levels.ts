@@ -43,7 +43,7 @@ export function gammaPage(words: Words, step: string): Page<number> {
       };
       slider.addEventListener("input", shade);
       shade();
-      const field = element("div", { class: "stripes", "aria-hidden": "true" }, stripes(320), disc);
+      const field = element("div", { class: "stripes", "aria-hidden": "true" }, stripes(264), disc);
       const same = button(words.gamma_done, () => done(gammaOf(Number(slider.value))), {
         class: "main",
       });

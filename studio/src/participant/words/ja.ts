@@ -63,12 +63,12 @@ export const ja: Words = {
   distance:
     "右目を閉じるか、手で覆ってください。左目で四角形をじっと見つめてください。" +
     "四角形から左へ点が動いていき、あるところで見えなくなります。見えなくなった瞬間に、ボタンかスペースキーを押してください。",
-  distance_try: "{n} 回目(全 {all} 回)",
+  distance_try: "{n} 回目（全 {all} 回）",
   distance_start: "点を動かす",
   distance_gone: "見えなくなりました",
   distance_type: "距離を入力する",
   distance_typed: "目から画面までの距離を、測るか、およその値でお答えください。",
-  distance_cm: "距離(センチメートル)",
+  distance_cm: "距離（センチメートル）",
   distance_range: "10から300までの数を入力してください。",
   distance_unknown: "わかりません",
   distance_missed: "点が端まで動きました。もう一度お試しください。",
@@ -108,7 +108,7 @@ export const ja: Words = {
   colour_none: "見えません",
 
   instructions_title: "進め方",
-  instructions_keys: "キー操作:左の画像は ←、右の画像は →",
+  instructions_keys: "キー操作：左の画像は ←、右の画像は →",
   instructions_ties: "違いがわからないときは ↓ または =",
   instructions_training: "はじめに、練習が {n} 組あります。",
   instructions_begin: "練習を始める",
@@ -123,7 +123,7 @@ export const ja: Words = {
   pair_of: "{n}/{all}",
   training_of: "練習 {n}/{all}",
   pair_keys: "← → キーでも選べます",
-  pair_keys_tie: "← → キーでも選べます(違いがわからないときは ↓)",
+  pair_keys_tie: "← → キーでも選べます（違いがわからないときは ↓）",
   pair_early: "もう少しご覧になってからお答えください。",
 
   break_title: "休憩",
