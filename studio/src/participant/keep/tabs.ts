@@ -9,28 +9,27 @@ interface Word {
 
 /**
  * Resolves to whether this tab may go on. Tabs that were here before answer; of two that open at
- * the same moment one goes on.
+ * the same moment the one with the smaller number goes on.
  */
 export function claim(sitting: string): Promise<boolean> {
   const channel = new BroadcastChannel(`nacreous ${sitting}`);
   const own = Math.random();
-  let settled = false;
   const tell = (says: Word["says"]) => channel.postMessage({ from: own, says } satisfies Word);
   return new Promise((resolve) => {
-    channel.onmessage = ({ data }: MessageEvent<Word>) => {
-      if (data.says === "who is here") {
-        if (settled || own < data.from) tell("I am");
-      } else if (!settled) {
-        settled = true;
-        channel.close();
-        resolve(false);
-      }
+    let here = false;
+    const yieldTo = () => {
+      clearTimeout(clock);
+      channel.close();
+      resolve(false);
     };
-    tell("who is here");
-    setTimeout(() => {
-      if (settled) return;
-      settled = true;
+    channel.onmessage = ({ data }: MessageEvent<Word>) => {
+      if (data.says === "who is here" && (here || own < data.from)) tell("I am");
+      else if (!here) yieldTo();
+    };
+    const clock = setTimeout(() => {
+      here = true;
       resolve(true);
     }, WAIT_MS);
+    tell("who is here");
   });
 }

@@ -14,11 +14,11 @@ export interface Plate {
 
 const SIDE_PX = 340;
 const DOTS = 1500;
-const LEVEL = 0.24;
+export const LEVEL = 0.24;
 /** How much of the cones' catch the digit differs in. */
-const SHARES: Record<Missing, number> = { protan: 0.22, deutan: 0.16 };
+export const SHARES: Record<Missing, number> = { protan: 0.18, deutan: 0.16 };
 /** Dots differ in brightness by chance, so that brightness does not tell the digit. */
-const SPREAD = 0.35;
+export const SPREAD = 0.35;
 
 /** One for everybody, then three for each kind of cones, each with another digit. */
 export function platesOf(seed: number): Plate[] {
