@@ -10,7 +10,7 @@ import sqlalchemy as sa
 from database import Server
 
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, Copied, Store, backup, restore
+from nacreous.study.store import Answer, Copied, Store, UnknownToken, backup, restore
 from nacreous.study.store.schema import metadata
 
 STUDY = "5e" * 32
@@ -27,6 +27,11 @@ def fill(place: str, people: int = 3, trials: int = 5) -> str:
             store.screen(session.id, {"mm": 0.25})
             for n in range(trials):
                 store.answer(session.id, Answer(n, "q", "a", "b", "left", 100.5, flags={"n": n}))
+            store.settle(session.id, {"sex": "f"}, [{"left": "a"}])
+        [token, _] = store.invite(STUDY, 2, "seat", "lab")
+        store.enter(STUDY, "ja", {"sex": "m"}, token)
+        store.set_password("lab", "nacre, layer on layer", "me")
+        store.login("lab", "nacre, layer on layer")
     return session.id
 
 
@@ -37,21 +42,35 @@ def content(place: str) -> dict[str, list[tuple]]:
                 (tuple(row) for row in connection.execute(sa.select(table))), key=repr
             )
             for table in metadata.sorted_tables
+            if table.name != "logins"
         }
 
 
 def test_a_restored_store_is_the_same_store_and_goes_on(place: str, tmp_path: Path) -> None:
     last = fill(place)
     before = content(place)
-    assert backup(place, tmp_path / "copy.sqlite") == Copied(1, 3, 15)
+    assert backup(place, tmp_path / "copy.sqlite") == Copied(1, 4, 15)
     restored = tmp_path / "new" / "answers.sqlite"
     restored.parent.mkdir()
-    assert restore(tmp_path / "copy.sqlite", restored) == Copied(1, 3, 15)
+    assert restore(tmp_path / "copy.sqlite", restored) == Copied(1, 4, 15)
     assert content(str(restored)) == before
     with Store.open(restored) as store:
-        assert store.enter(STUDY, "ja", {})[0].number == 3
+        assert store.enter(STUDY, "ja", {})[0].number == 4
+        assert [one.number for one in store.invitations(STUDY)] == [3, None]
         assert not store.answer(last, Answer(5, "q", "a", "b", "left")).again
         assert [row["trial"] for row in store.answers(STUDY)][-1] == 5
+
+
+def test_a_backup_has_accounts_and_no_logins(place: str, tmp_path: Path) -> None:
+    fill(place)
+    with Store.open(place) as store:
+        token = store.login("lab", "nacre, layer on layer")
+        backup(place, tmp_path / "copy.sqlite")
+        assert store.login_of(token) == "lab"
+    with Store.open(tmp_path / "copy.sqlite") as copy:
+        with pytest.raises(UnknownToken):
+            copy.login_of(token)
+        assert copy.login_of(copy.login("lab", "nacre, layer on layer")) == "lab"
 
 
 def test_a_laptops_backup_goes_into_postgresql(postgresql: Server, tmp_path: Path) -> None:

@@ -6,18 +6,82 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 from alembic.autogenerate import compare_metadata
+from alembic.runtime.environment import EnvironmentContext
 from alembic.runtime.migration import MigrationContext
 
 from nacreous.problem import InputError
-from nacreous.study.store import Store
-from nacreous.study.store.engine import engine_of
+from nacreous.study.store import Answer, Copied, NotAllowed, Store, restore
+from nacreous.study.store.engine import engine_of, writing
+from nacreous.study.store.migrate import _script
 from nacreous.study.store.schema import metadata
+
+STUDY = "5e" * 32
+AT = "2026-03-01T09:30:00.000000Z"
+#: One person who gave one answer, in the first schema.
+OLD = {
+    "studies": {"hash": STUDY, "manifest": "{}", "state": "open", "next_number": 1, "added_at": AT},
+    "sessions": {
+        **{"id": "one", "study": STUDY, "number": 0, "token_hash": "7a" * 32, "language": "en"},
+        **{"groups": "{}", "consented_at": AT, "started_at": AT},
+    },
+    "answers": {
+        **{"study": STUDY, "session": "one", "trial": 0, "kind": "pair", "question": "q"},
+        **{"left": "a", "right": "b", "chosen": "left", "received_at": AT, "flags": "{}"},
+        **{"simulated": False, "digest": "0"},
+    },
+}
+
+
+def make_old(place: str) -> None:
+    """A store of the first schema."""
+    config, script = _script()
+    engine = writing(engine_of(place))
+
+    def steps(revision, _context):
+        return script._upgrade_revs("0001", revision)
+
+    with engine.begin() as connection, EnvironmentContext(config, script, fn=steps) as environment:
+        environment.configure(connection=connection)
+        environment.run_migrations()
+        for table, row in OLD.items():
+            names = ", ".join(f'"{name}"' for name in row)
+            values = ", ".join(f":{name}" for name in row)
+            connection.execute(sa.text(f"INSERT INTO {table} ({names}) VALUES ({values})"), row)
+    engine.dispose()
 
 
 def test_the_steps_lead_to_the_schema(place: str) -> None:
     with Store.open(place) as store, store.engine.connect() as connection:
         context = MigrationContext.configure(connection, opts={"compare_type": True})
         assert compare_metadata(context, metadata) == []
+
+
+def test_an_old_store_is_brought_up_to_date_and_keeps_all_it_had(place: str) -> None:
+    make_old(place)
+    with Store.open(place) as store:
+        with store.engine.connect() as connection:
+            context = MigrationContext.configure(connection, opts={"compare_type": True})
+            assert compare_metadata(context, metadata) == []
+        assert store.studies() == {STUDY: "open"}
+        assert store.registration(STUDY) == "invited"
+        assert [row["chosen"] for row in store.answers(STUDY)] == ["left"]
+        store.answer("one", Answer(1, "q", "a", "b", "right"))
+        assert store.plan("one") is None
+        with pytest.raises(NotAllowed):
+            store.enter(STUDY, "en", {})
+        store.set_registration(STUDY, "open", "lab")
+        assert store.enter(STUDY, "en", {})[0].number == 1
+
+
+def test_an_old_backup_is_brought_up_to_date(place: str, tmp_path: Path) -> None:
+    old = tmp_path / "old.sqlite"
+    make_old(str(old))
+    before = old.read_bytes()
+    assert restore(old, place) == Copied(1, 1, 1)
+    assert old.read_bytes() == before
+    with Store.open(place, make=False) as store:
+        assert store.registration(STUDY) == "invited"
+        assert store.session("one").number == 0
 
 
 def test_sqlite_is_durable_and_checks_its_keys(tmp_path: Path) -> None:
@@ -63,7 +127,7 @@ def test_another_programs_database_is_refused(place: str) -> None:
 def test_many_may_make_the_same_store_at_once(place: str) -> None:
     def open_and_close(_: int) -> str:
         with Store.open(place) as store:
-            return store.add_study({"design_hash": "5e" * 32})
+            return store.add_study({"design_hash": STUDY})
 
     with ThreadPoolExecutor(8) as pool:
         assert len(set(pool.map(open_and_close, range(16)))) == 1

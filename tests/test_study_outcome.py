@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import re
 from collections import Counter
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
@@ -18,7 +20,7 @@ from nacreous.study.outcome import people_flags, report, scale_so_far
 from nacreous.study.outcome.chance import at_least, circles_by_chance, one_sided
 from nacreous.study.outcome.consistent import consistency_flags
 from nacreous.study.outcome.flag import RATE
-from nacreous.study.plan import trials
+from nacreous.study.plan import drawn_groups, trials
 from nacreous.study.running import Running
 from nacreous.study.store import Store, answers_of
 
@@ -226,6 +228,15 @@ def test_too_few_and_unanimous_answers_are_told_plainly(running):
         scale_so_far(running, "duller")
 
 
+def carried(page: str) -> str:
+    """The answers that a page carries along."""
+    found = re.search(
+        r'download="answers.csv" href="data:text/csv;charset=utf-8;base64,([^"]+)', page
+    )
+    assert found
+    return base64.b64decode(found[1]).decode()
+
+
 @pytest.mark.parametrize(
     ("language", "titled", "said"),
     [
@@ -240,8 +251,29 @@ def test_a_report_of_simulated_answers_says_so_in_title_and_text(running, langua
     title = page[page.index("<title>") : page.index("</title>")]
     assert titled in title
     assert said in page
-    assert "simulated 12" in page or "simulated 13" in page or page.count("simulated ") > 1
+    assert "simulated 12,a," in carried(page)
+    assert "--simulated" in page
     plain = report(running, "deeper", language)
     assert titled not in plain
     assert said not in plain
     assert {"en": "Which is deeper?", "ja": "どちらが深い?"}[language] in plain
+
+
+def test_a_report_compares_the_groups_where_each_has_a_scale(running):
+    honest(running, 24)
+    page = report(running, "deeper")
+    assert '<section id="groups">' in page
+    assert "real-pearl" in page
+    assert report(running, "deeper", group="real-pearl") == page
+    with pytest.raises(InputError, match="group is 'age'; allowed: real-pearl"):
+        report(running, "deeper", group="age")
+
+
+def test_a_report_without_a_scale_in_each_group_leaves_them_out(running):
+    random = np.random.default_rng(5)
+    consistent = lambda trial: "left" if trial.left < trial.right else "right"  # noqa: E731
+    for number in range(12):
+        shown = drawn_groups(running.frozen.design, number)["real-pearl"] == "shown"
+        take_part(running, by_scale(SCALE, random) if shown else consistent)
+    page = report(running, "deeper")
+    assert '<section id="groups">' not in page

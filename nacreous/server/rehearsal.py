@@ -141,7 +141,7 @@ class _Crew:
 
     @property
     def _client(self) -> Client:
-        """This thread's own line."""
+        """The line of the thread that asks."""
         if not hasattr(self._own, "client"):
             self._own.client = Client(self._url)
         client: Client = self._own.client

@@ -1,0 +1,68 @@
+/** The audit log. */
+
+import { element } from "../../shared/dom";
+import type { Event } from "../api";
+import type { Desk, View } from "../desk";
+
+export function log(desk: Desk): View {
+  const words = desk.speech.words.log;
+  const list = element("div");
+  let sign = "";
+  const node = element(
+    "div",
+    {},
+    element("h2", {}, words.title),
+    element("p", { class: "soft" }, words.lead),
+    list,
+  );
+  return {
+    node,
+    async update() {
+      const events = await desk.lab.events();
+      const now = JSON.stringify(events);
+      if (now === sign) return;
+      sign = now;
+      list.replaceChildren(
+        events.length === 0 ? element("p", {}, words.none) : table(desk, events),
+      );
+    },
+  };
+}
+
+function table(desk: Desk, events: Event[]): HTMLElement {
+  const { speech } = desk;
+  const words = speech.words.log;
+  const heads = [words.at, words.who, words.what, words.person, words.detail];
+  const newest = [...events].sort((one, other) => other.at.localeCompare(one.at));
+  const rows = newest.map((event) =>
+    element(
+      "tr",
+      {},
+      element("td", { class: "nowrap" }, speech.moment(event.at)),
+      element("td", {}, event.who),
+      element("td", {}, event.what),
+      element("td", {}, event.number === null ? "" : String(event.number)),
+      element("td", { class: "detail" }, detail(event.detail)),
+    ),
+  );
+  return element(
+    "div",
+    { class: "scroll", role: "region", "aria-label": words.title, tabindex: 0 },
+    element(
+      "table",
+      { class: "log" },
+      element(
+        "thead",
+        {},
+        element("tr", {}, ...heads.map((one) => element("th", { scope: "col" }, one))),
+      ),
+      element("tbody", {}, ...rows),
+    ),
+  );
+}
+
+function detail(given: Record<string, unknown>): string {
+  return Object.entries(given)
+    .map(([name, value]) => `${name}: ${typeof value === "string" ? value : JSON.stringify(value)}`)
+    .join("; ");
+}

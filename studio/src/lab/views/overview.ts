@@ -1,0 +1,172 @@
+/** The overview: whether people may enter, how far it is, and what can be taken away. */
+
+import { button, element } from "../../shared/dom";
+import { fill, said } from "../../shared/language";
+import { ANSWERS_AT, reportAt, type Progress, type State } from "../api";
+import { askBefore } from "../dialog";
+import type { Desk, View } from "../desk";
+import { copyButton } from "./copy";
+import { downloadButton } from "./download";
+
+export function overview(desk: Desk): View {
+  const figures = element("div", { class: "figures" });
+  const state = element("section", { class: "card", "aria-labelledby": "state-title" });
+  const registration = element("section", { class: "card", "aria-labelledby": "entry-title" });
+  const node = element(
+    "div",
+    { class: "overview" },
+    element("h2", { class: "sr-only" }, desk.speech.words.tabs.overview),
+    figures,
+    element("div", { class: "pair" }, state, registration),
+    results(desk),
+  );
+  let before = "";
+  return {
+    node,
+    update(progress) {
+      const { people, ...rest } = progress;
+      const flagged = people.filter((person) => person.flags.length > 0).length;
+      const now = JSON.stringify([rest, flagged]);
+      if (now === before) return;
+      before = now;
+      const held = document.activeElement?.id ?? "";
+      fillFigures(desk, figures, progress, flagged);
+      fillState(desk, state, progress);
+      fillRegistration(desk, registration, progress);
+      if (held !== "") document.getElementById(held)?.focus();
+    },
+  };
+}
+
+function fillFigures(desk: Desk, node: HTMLElement, progress: Progress, flagged: number): void {
+  const words = desk.speech.words.figures;
+  const { median_s, simulated } = progress;
+  const figure = (value: string, name: string, note = "") =>
+    element(
+      "div",
+      { class: "figure" },
+      element("dd", {}, value, ...(note ? [element("small", {}, note)] : [])),
+      element("dt", {}, name),
+    );
+  const shown = [
+    figure(String(progress.entered), words.entered),
+    figure(String(progress.finished), words.finished),
+    figure(
+      progress.answers.toLocaleString(desk.speech.language),
+      words.answers,
+      simulated > 0
+        ? fill(words.simulated, { count: simulated.toLocaleString(desk.speech.language) })
+        : "",
+    ),
+    figure(median_s === null ? words.none : desk.speech.duration(median_s), words.median),
+    figure(String(flagged), words.flagged),
+    figure(String(progress.excluded), words.excluded),
+  ];
+  if (progress.erased > 0) shown.push(figure(String(progress.erased), words.erased));
+  node.replaceChildren(element("dl", {}, ...shown));
+}
+
+function fillState(desk: Desk, node: HTMLElement, progress: Progress): void {
+  const words = desk.speech.words.state;
+  const to = (state: State, label: string, main = false) =>
+    button(label, () => void desk.act(() => desk.lab.setState(state)), {
+      id: `to-${state}`,
+      ...(main ? { class: "main" } : {}),
+    });
+  const closing = button(
+    words.close,
+    () => {
+      void askBefore({
+        title: words.close_title,
+        note: words.close_note,
+        act: words.close,
+        cancel: desk.speech.words.people.cancel,
+      }).then((given) => {
+        if (given !== null) void desk.act(() => desk.lab.setState("closed"));
+      });
+    },
+    { id: "to-closed" },
+  );
+  const open = progress.state === "open";
+  const buttons = open ? [to("paused", words.pause)] : [to("open", words.reopen, true)];
+  if (progress.state !== "closed") buttons.push(closing);
+  node.replaceChildren(
+    element("h3", { id: "state-title" }, words.title),
+    element(
+      "p",
+      {},
+      element("span", { class: `badge ${progress.state}` }, words[progress.state]),
+      " ",
+      words[`${progress.state}_note`],
+    ),
+    element("div", { class: "row" }, ...buttons),
+  );
+}
+
+function fillRegistration(desk: Desk, node: HTMLElement, progress: Progress): void {
+  const words = desk.speech.words.registration;
+  const choice = (value: "open" | "invited") => {
+    const input = element("input", {
+      type: "radio",
+      name: "registration",
+      id: `registration-${value}`,
+      checked: progress.registration === value,
+    });
+    input.addEventListener("change", () => {
+      void desk.act(() => desk.lab.setRegistration(value));
+    });
+    return element("label", { class: "choice" }, input, words[value]);
+  };
+  const address = new URL("/", location.href).href;
+  const note =
+    progress.registration === "open"
+      ? [
+          element("p", { class: "soft" }, words.open_note),
+          element("p", { class: "row" }, element("code", {}, address), copyButton(desk, address)),
+        ]
+      : [element("p", { class: "soft" }, words.invited_note)];
+  node.replaceChildren(
+    element("h3", { id: "entry-title" }, words.title),
+    element(
+      "fieldset",
+      { class: "plain" },
+      element("legend", { class: "sr-only" }, words.title),
+      choice("open"),
+      choice("invited"),
+    ),
+    ...note,
+  );
+}
+
+function results(desk: Desk): HTMLElement {
+  const words = desk.speech.words.results;
+  const reports = (simulated: boolean) =>
+    desk.questions.map((question) =>
+      element(
+        "div",
+        { class: "take" },
+        element("span", {}, said(question.text, desk.speech.language)),
+        ...(["en", "ja"] as const).map((language) => {
+          const name = `report-${question.id}${simulated ? "-simulated" : ""}-${language}.html`;
+          const from = reportAt(question.id, language, simulated);
+          return downloadButton(desk, words[`report_${language}`], from, name);
+        }),
+      ),
+    );
+  return element(
+    "section",
+    { class: "card", "aria-labelledby": "results-title" },
+    element("h3", { id: "results-title" }, words.title),
+    element("p", { class: "soft" }, words.lead),
+    ...reports(false),
+    element(
+      "div",
+      { class: "take" },
+      element("span", { class: "soft" }, words.answers_note),
+      downloadButton(desk, words.answers, ANSWERS_AT, "answers.csv"),
+    ),
+    element("h4", {}, words.simulated_title),
+    element("p", { class: "soft" }, words.simulated_lead),
+    ...reports(true),
+  );
+}

@@ -1,0 +1,183 @@
+/** The scale so far, people's and simulated ones' apart. */
+
+import { element } from "../../shared/dom";
+import { Problem } from "../../shared/http";
+import { fill, said } from "../../shared/language";
+import type { Progress, Scale } from "../api";
+import type { Desk, View } from "../desk";
+import { chart, numeral } from "./chart";
+
+export function scale(desk: Desk): View {
+  const { words } = desk.speech;
+  const shown = element("div", { class: "card", "aria-live": "off" });
+  const drawn = new Drawing(desk, shown);
+  let key = "";
+  let latest: Progress | null = null;
+  const look = async () => {
+    if (latest === null) return;
+    const { question, simulated } = desk.kept;
+    const wanted = JSON.stringify([question, simulated, latest.answers, latest.excluded]);
+    if (wanted === key) return;
+    key = wanted;
+    try {
+      const found = await desk.lab.scale(question, simulated);
+      if (key === wanted) drawn.show(found);
+    } catch (problem) {
+      key = "";
+      if (!(problem instanceof Problem && problem.status === 400)) throw problem;
+      drawn.show({ problem: problem.message });
+    }
+  };
+  const changed = () => void desk.act(look);
+  const node = element(
+    "div",
+    {},
+    element(
+      "div",
+      { class: "row heading" },
+      element("h2", {}, words.scale.title),
+      ...choices(desk, changed),
+    ),
+    shown,
+  );
+  return {
+    node,
+    async update(progress) {
+      latest = progress;
+      await look();
+    },
+  };
+}
+
+function choices(desk: Desk, changed: () => void): HTMLElement[] {
+  const { kept, questions } = desk;
+  const words = desk.speech.words.scale;
+  const question = element(
+    "select",
+    { id: "question" },
+    ...questions.map((one) =>
+      element("option", { value: one.id }, said(one.text, desk.speech.language)),
+    ),
+  );
+  question.value = kept.question;
+  question.addEventListener("change", () => {
+    kept.question = question.value;
+    changed();
+  });
+  const whose = [false, true].map((simulated) => {
+    const input = element("input", {
+      type: "radio",
+      name: "whose",
+      id: simulated ? "whose-simulated" : "whose-people",
+      checked: kept.simulated === simulated,
+    });
+    input.addEventListener("change", () => {
+      kept.simulated = simulated;
+      changed();
+    });
+    return element("label", { class: "tab" }, input, simulated ? words.simulated : words.people);
+  });
+  const group = element(
+    "fieldset",
+    { class: "plain tabs" },
+    element("legend", { class: "sr-only" }, words.whose),
+    ...whose,
+  );
+  if (questions.length < 2) return [group];
+  return [element("label", { class: "inline" }, words.question, question), group];
+}
+
+/** What was found, drawn anew when the window's width changes. */
+class Drawing {
+  private found: Scale | null = null;
+  private readonly place = element("div", { class: "drawing" });
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly node: HTMLElement,
+  ) {
+    new ResizeObserver(() => this.draw()).observe(this.place);
+  }
+
+  show(found: Scale | { problem: string }): void {
+    const words = this.desk.speech.words.scale;
+    if ("problem" in found) {
+      this.found = null;
+      this.node.replaceChildren(
+        element("p", { class: "empty" }, words.none),
+        element("p", { class: "soft" }, fill(words.reason, { problem: found.problem })),
+      );
+      return;
+    }
+    this.found = found;
+    const { simulated } = this.desk.kept;
+    const from = simulated ? words.from_simulated : words.from;
+    this.node.replaceChildren(
+      element("h3", {}, said(found.text, this.desk.speech.language)),
+      ...(simulated ? [element("p", { class: "note" }, words.simulated_note)] : []),
+      this.place,
+      element(
+        "p",
+        { class: "soft" },
+        fill(from, { answers: found.answers, people: found.people }),
+        ". ",
+        fill(words.interval, { level: 100 * found.level }),
+      ),
+      element("p", {}, verdict(found, words)),
+      table(found, words),
+    );
+    this.draw();
+  }
+
+  private draw(): void {
+    const width = Math.floor(this.place.clientWidth);
+    if (this.found === null || width < 100) return;
+    const before = this.place.querySelector("svg");
+    const words = this.desk.speech.words.scale;
+    const labels = this.found.stimuli.map((one) => one.label).join(", ");
+    const drawn = chart(this.found, width, {
+      alt: fill(words.chart, { labels }),
+      axis: fill(words.axis, { unit: this.found.unit }),
+      mark: this.desk.kept.simulated ? words.simulated_mark : "",
+    });
+    if (before?.outerHTML !== drawn.outerHTML) this.place.replaceChildren(drawn);
+  }
+}
+
+type ScaleWords = Desk["speech"]["words"]["scale"];
+
+function verdict(found: Scale, words: ScaleWords): string {
+  if (found.verdict === "misfits" && found.misfit) {
+    const [first, second] = found.misfit;
+    return fill(words.misfits_pair, { first, second });
+  }
+  if (found.verdict === "misfits") return words.misfits;
+  return found.verdict === "describes" ? words.describes : words.untested;
+}
+
+function table(found: Scale, words: ScaleWords): HTMLElement {
+  const heads = [words.stimulus, words.value, words.low, words.high];
+  const rows = found.stimuli.map((one) =>
+    element(
+      "tr",
+      {},
+      element("th", { scope: "row" }, one.label),
+      ...[one.value, one.low, one.high].map((value) => element("td", {}, numeral(value))),
+    ),
+  );
+  return element(
+    "details",
+    {},
+    element("summary", {}, words.table),
+    element(
+      "table",
+      { class: "numbers" },
+      element(
+        "thead",
+        {},
+        element("tr", {}, ...heads.map((one) => element("th", { scope: "col" }, one))),
+      ),
+      element("tbody", {}, ...rows),
+    ),
+  );
+}
