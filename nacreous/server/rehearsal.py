@@ -178,10 +178,13 @@ class _Crew:
         """Each trial's number and what this observer answers to it."""
         random = np.random.default_rng([self._seed, 1, number])
         for trial in trials:
-            values = [self._values.get(trial[side]) for side in ("left", "right")]
-            if None in values:
-                raise InputError(f"{self._url}: serves another study; wanted: the one given")
-            lead = (values[0] - values[1]) / self._sigma + random.standard_normal()
+            try:
+                left, right = (self._values[trial[side]] for side in ("left", "right"))
+            except KeyError:
+                raise InputError(
+                    f"{self._url}: serves another study; wanted: the one given"
+                ) from None
+            lead = (left - right) / self._sigma + random.standard_normal()
             yield (
                 trial["trial"],
                 {
@@ -205,5 +208,12 @@ def _good_screen(wanted: Mapping[str, Any]) -> dict[str, Any]:
     return {
         "window": {"width_px": width_px, "height_px": height_px, "device_pixel_ratio": 1},
         "full_screen": True,
+        "card": {"px_per_mm": 4.0},
+        "distance_mm": 600,
+        "distance_by": "none",
+        "gamma": 2.2,
+        "darkest_step": 1,
+        "gamut": "srgb",
+        "vision": {test: {"right": 1, "of": 1} for test in wanted["vision"]},
         "agent": "simulated",
     }
