@@ -4,8 +4,17 @@ from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
 
+import httpx
 import pytest
 from database import Server, start
+from fastapi import FastAPI
+from server_process import in_thread, prepare, small_study, some_pages
+
+from nacreous.server import create_app
+from nacreous.server.service import Service
+from nacreous.study.design import open_frozen
+from nacreous.study.running import Running
+from nacreous.study.store import Store
 
 _NAMES = count()
 
@@ -24,3 +33,25 @@ def place(request: pytest.FixtureRequest, tmp_path: Path) -> str:
         return str(tmp_path / "answers.sqlite")
     server: Server = request.getfixturevalue("postgresql")
     return server.create(f"store_{next(_NAMES)}")
+
+
+@pytest.fixture
+def app(place: str, tmp_path: Path) -> Iterator[FastAPI]:
+    """A small study's application; anybody may enter."""
+    folder = small_study(tmp_path / "study")
+    prepare(folder, place)
+    with Store.open(place) as store:
+        yield create_app(Running(store, open_frozen(folder)), built=some_pages(tmp_path / "pages"))
+
+
+@pytest.fixture
+def service(app: FastAPI) -> Service:
+    """What its routes share: the study and its store."""
+    return app.state.service
+
+
+@pytest.fixture
+def server(app: FastAPI) -> Iterator[httpx.Client]:
+    """A client of its server, which runs on a thread of this process."""
+    with in_thread(app) as url, httpx.Client(base_url=url) as client:
+        yield client

@@ -36,9 +36,11 @@ class Server:
         done = subprocess.run(command, user=self.user, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
 
-    def start(self) -> None:
+    def start(self, fsync: str = "off") -> None:
         # Processes are killed here and no power is cut: what was written the system still has.
-        options = f"-c fsync=off -c listen_addresses='' -c unix_socket_directories='{self.folder}'"
+        options = (
+            f"-c fsync={fsync} -c listen_addresses='' -c unix_socket_directories='{self.folder}'"
+        )
         self.run(
             str(self.binaries / "pg_ctl"),
             *("-D", str(self.folder / "data"), "-l", str(self.folder / "log"), "-w"),

@@ -11,13 +11,17 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from fastapi import FastAPI
+
 from nacreous.server import pages
+from nacreous.server.listening import address_of, listen, server_of
 from nacreous.study.design import freeze, open_frozen
 from nacreous.study.running import Running
 from nacreous.study.store import Store
@@ -81,6 +85,20 @@ def some_pages(folder: Path) -> Path:
         (folder / name).write_text(f"<!doctype html><title>{name}</title>\n", encoding="utf-8")
     (folder / "assets" / "main-1a2b3c.js").write_text("export {};\n", encoding="utf-8")
     return folder
+
+
+@contextmanager
+def in_thread(app: FastAPI) -> Iterator[str]:
+    """Serve on any free port, from a thread of this process; gives the URL."""
+    server = server_of(app)
+    with listen("127.0.0.1", 0) as listening:
+        thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+        thread.start()
+        try:
+            yield address_of(listening)
+        finally:
+            server.should_exit = True
+            thread.join(30)
 
 
 @dataclass

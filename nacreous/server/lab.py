@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from statistics import median
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Response
@@ -41,15 +40,13 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
     )
 
     def work() -> ProgressTold:
-        people = service.people.told(found, flags)
-        lengths = [person.trials for person in people if person.trials]
         return ProgressTold(
             name=running.frozen.design.name,
             study=running.study,
             purpose=running.frozen.design.purpose,
             registration=service.store.registration(running.study),
-            trials=median(lengths) if lengths else 0,
-            people=people,
+            trials=service.people.trials,
+            people=service.people.told(found, flags),
             **{name: getattr(found, name) for name in _COUNTS},
         )
 

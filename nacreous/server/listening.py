@@ -77,9 +77,8 @@ def address_of(listening: socket.socket) -> str:
     return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
 
 
-def serve(app: FastAPI, listening: socket.socket) -> None:
-    """Serve until SIGINT or SIGTERM; requests that came before are answered."""
-    _open_many()
+def server_of(app: FastAPI) -> uvicorn.Server:
+    """uvicorn, as a study needs it; `run(sockets=[...])` serves."""
     config = uvicorn.Config(
         app,
         ws="none",
@@ -93,10 +92,16 @@ def serve(app: FastAPI, listening: socket.socket) -> None:
         timeout_graceful_shutdown=10,
         **_fast(),
     )
+    return uvicorn.Server(config)
+
+
+def serve(app: FastAPI, listening: socket.socket) -> None:
+    """Serve until SIGINT or SIGTERM; requests that came before are answered."""
+    _open_many()
     # uvicorn gives a signal on when it has stopped; either is then an ordinary end.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        uvicorn.Server(config).run(sockets=[listening])
+        server_of(app).run(sockets=[listening])
     except KeyboardInterrupt:
         return
 

@@ -6,16 +6,17 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nacreous.server.told import FlagTold, PersonTold
+from nacreous.study.plan import trials
 from nacreous.study.running import Running
-from nacreous.study.store import PersonProgress, Progress, Session
+from nacreous.study.store import PersonProgress, Progress
 
 
 class People:
-    """Makes lines of the experimenters' table; remembers how long each plan is."""
+    """Makes lines of the experimenters' table; `trials`: how many each sitting of the study has."""
 
     def __init__(self, running: Running) -> None:
         self._running = running
-        self._lengths: dict[str, int] = {}
+        self.trials = len(trials(running.frozen.design, 0))
 
     def told(self, progress: Progress, flags: Mapping[int, Sequence[Any]]) -> list[PersonTold]:
         """A line for everyone who has entered. Reads the store: for threads alone."""
@@ -32,7 +33,7 @@ class People:
             language=session.language,
             groups=dict(session.groups),
             answers=person.answers,
-            trials=self._length(session),
+            trials=0 if session.erased_at is not None else self.trials,
             started_at=session.started_at,
             last_at=person.last_at,
             finished=session.finished_at is not None,
@@ -43,11 +44,3 @@ class People:
             screen_flags=list(self._running.screen_flags(session)),
             flags=[FlagTold(kind=flag.kind, detail=flag.detail) for flag in flags],
         )
-
-    def _length(self, session: Session) -> int:
-        """How many trials the plan has; a plan is settled once, so this holds for ever."""
-        if session.erased_at is not None:
-            return 0
-        if session.id not in self._lengths:
-            self._lengths[session.id] = len(self._running.plan(session))
-        return self._lengths[session.id]

@@ -124,7 +124,7 @@ class FlagTold(BaseModel):
 
 
 class PersonTold(BaseModel):
-    """How far one participant is. `trials` is 0 before they have consented."""
+    """How far one participant is. Of an erased one `trials` is 0."""
 
     number: int
     language: str | None
@@ -143,7 +143,7 @@ class PersonTold(BaseModel):
 
 
 class ProgressTold(BaseModel):
-    """How far the study is. `trials` is what a full sitting has, the median of all sittings."""
+    """How far the study is. `trials` is what a full sitting has."""
 
     name: str
     study: str
@@ -158,7 +158,7 @@ class ProgressTold(BaseModel):
     answers: int
     simulated: int
     median_s: float | None
-    trials: float
+    trials: int
     people: list[PersonTold]
 
 

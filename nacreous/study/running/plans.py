@@ -12,8 +12,8 @@ from nacreous.study.plan import Trial
 
 __all__ = ["Plans", "plain", "trials_of"]
 
-#: People who answer at the same time; a plan of 1000 trials takes some 200 kB.
-_MOST = 256
+#: Trials of all plans together, some 60 MB: of 2000 people who answer a hundred each.
+_MOST = 200_000
 
 
 def plain(trials: Sequence[Trial]) -> list[dict[str, Any]]:
@@ -39,6 +39,7 @@ class Plans:
 
     def __init__(self) -> None:
         self._kept: OrderedDict[str, tuple[Trial, ...]] = OrderedDict()
+        self._trials = 0
         self._lock = threading.Lock()
 
     def get(self, session: str) -> tuple[Trial, ...] | None:
@@ -51,7 +52,8 @@ class Plans:
     def put(self, session: str, trials: tuple[Trial, ...]) -> None:
         """Keep a plan."""
         with self._lock:
+            self._trials += len(trials) - len(self._kept.pop(session, ()))
             self._kept[session] = trials
-            self._kept.move_to_end(session)
-            while len(self._kept) > _MOST:
-                self._kept.popitem(last=False)
+            while self._trials > _MOST and len(self._kept) > 1:
+                _, dropped = self._kept.popitem(last=False)
+                self._trials -= len(dropped)

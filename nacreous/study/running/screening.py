@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
@@ -87,7 +86,7 @@ def _number(content: Any, *path: str) -> float | None:
     if value is None:
         return None
     good = isinstance(value, int | float) and not isinstance(value, bool)
-    if not good or not math.isfinite(value) or not 0 <= value <= 1e6:
+    if not good or not 0 <= value <= 1e6:
         said = ascii(value)[:40]
         raise InputError(f"screen.{'.'.join(path)} is {said}; allowed: a number, 0 to 1000000")
     return float(value)
