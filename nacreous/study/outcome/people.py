@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from nacreous.study.outcome.consistent import consistency_flags
 from nacreous.study.outcome.flag import LONGEST_PAUSE_S, Flag
 from nacreous.study.outcome.rows import Row, chosen_of
-from nacreous.study.store.export import COUNTED
+from nacreous.study.store.record import COUNTED
 
 if TYPE_CHECKING:
     from nacreous.study.design import Design
