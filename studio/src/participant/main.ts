@@ -1,1 +1,57 @@
+/** The participant's page: a course through the study, and what stands at its end. */
+
 import "../shared/style.css";
+import "./participant.css";
+import { element } from "../shared/dom";
+import { Problem } from "../shared/http";
+import { preferred } from "../shared/language";
+import { Course, studyTold } from "./course";
+import { Kept } from "./keep/kept";
+import { claim } from "./keep/tabs";
+import { Notice } from "./notice";
+import { Ended, endOf, endPage } from "./pages/ends";
+import type { End } from "./pages/ends";
+import { Stage } from "./stage";
+import type { Simulation } from "./stage";
+import { WORDS } from "./words/words";
+
+async function main(): Promise<void> {
+  const root = element("main");
+  const notice = new Notice();
+  document.body.replaceChildren(root, notice.root);
+  // Another link in the same tab changes nothing but what stands behind the #.
+  addEventListener("hashchange", () => location.reload());
+
+  const words = WORDS[preferred(["en", "ja"], navigator.languages)];
+  const stage = new Stage(root, simulation());
+  const study = await studyTold((yes) => (yes ? notice.hide() : notice.show(words.unreachable)));
+  const kept = await Kept.open();
+  const course = new Course(stage, notice, kept, study);
+  const end = (await claim(study.name)) ? await ended(course) : "tabs";
+  const another = end === "thanks" && study.registration === "open";
+  if ((await stage.show(endPage(course.words, end, another))) === "next") {
+    await kept.forgetToken(study.name);
+  }
+  location.reload();
+}
+
+/** How a course ends. */
+async function ended(course: Course): Promise<End> {
+  try {
+    await course.run();
+    return "thanks";
+  } catch (reason) {
+    if (reason instanceof Ended) return reason.end;
+    if (reason instanceof Problem) return endOf(reason);
+    console.error(reason);
+    return "broken";
+  }
+}
+
+/** How the address asks for a simulation: ?simulate=visual or ?simulate=data-only. */
+function simulation(): Simulation | null {
+  const asked = new URLSearchParams(location.search).get("simulate");
+  return asked === "visual" || asked === "data-only" ? asked : null;
+}
+
+void main();

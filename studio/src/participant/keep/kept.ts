@@ -1,0 +1,60 @@
+/** What this browser holds of a study: its token, its answers, and what the screen is like. */
+
+import type { ScreenContent } from "../screen/content";
+import { openDatabase, read, write } from "./database";
+import { LastingLog, PassingLog } from "./log";
+import type { Log } from "./log";
+
+/** The token that came with the link, behind the #; null where there is none. */
+export function linked(hash: string): string | null {
+  const token = hash.replace(/^#/, "");
+  return /^[\w-]{16,200}$/.test(token) ? token : null;
+}
+
+export class Kept {
+  private constructor(private readonly database: IDBDatabase | null) {}
+
+  /** Open it; where the browser keeps nothing, nothing is kept. */
+  static async open(): Promise<Kept> {
+    return new Kept(await openDatabase().catch(() => null));
+  }
+
+  async token(study: string): Promise<string | null> {
+    if (this.database === null) return null;
+    const token: unknown = await read(this.database, "tokens", (store) => store.get(study));
+    return typeof token === "string" ? token : null;
+  }
+
+  /**
+   * Keep the token before it is used, and take it out of the address: an address is shown, saved
+   * and sent on. Where nothing is kept, the address is the only place that a reload can find.
+   */
+  async keepToken(study: string, token: string): Promise<void> {
+    const { database } = this;
+    if (database !== null) await write(database, "tokens", (store) => store.put(token, study));
+    const place = location.pathname + location.search;
+    history.replaceState(null, "", database === null ? `${place}#${token}` : place);
+  }
+
+  /** Forget it, so that another person can begin here; the answers given so far stay. */
+  async forgetToken(study: string): Promise<void> {
+    const { database } = this;
+    if (database !== null) await write(database, "tokens", (store) => store.delete(study));
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+
+  async screen(token: string): Promise<ScreenContent | null> {
+    if (this.database === null) return null;
+    const kept: unknown = await read(this.database, "screens", (store) => store.get(token));
+    return (kept as ScreenContent | undefined) ?? null;
+  }
+
+  async keepScreen(token: string, content: ScreenContent): Promise<void> {
+    const { database } = this;
+    if (database !== null) await write(database, "screens", (store) => store.put(content, token));
+  }
+
+  log(token: string): Log {
+    return this.database === null ? new PassingLog() : new LastingLog(this.database, token);
+  }
+}

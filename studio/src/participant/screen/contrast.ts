@@ -1,0 +1,96 @@
+/** Rings with a gap (Landolt's), fainter and fainter, on the grey that the pictures are shown on. */
+
+import { button, element } from "../../shared/dom";
+import { fill } from "../../shared/language";
+import { sheet } from "../sheet";
+import type { Page } from "../stage";
+import type { Words } from "../words/words";
+import { chance, oneOf } from "./chance";
+import type { Share } from "./content";
+
+/** How much darker than the grey around it a ring is, as a share of its luminance (Weber). */
+export const CONTRASTS = [0.5, 0.25, 0.25, 0.12, 0.12, 0.06, 0.06, 0.04, 0.04, 0.04] as const;
+
+const SURROUND = 119;
+const SIDE_PX = 220;
+/** Landolt's proportions: stroke and gap are a fifth of the ring. */
+const STROKE = 1 / 5;
+
+const GAPS = ["up", "right", "down", "left"] as const;
+type Gap = (typeof GAPS)[number];
+const KEYS: Record<string, Gap> = {
+  ArrowUp: "up",
+  ArrowRight: "right",
+  ArrowDown: "down",
+  ArrowLeft: "left",
+};
+
+/** The grey code of a ring, on a screen that is the power `gamma`; at least one step off. */
+export function codeOf(contrast: number, gamma: number): number {
+  const code = SURROUND * (1 - contrast) ** (1 / gamma);
+  return Math.min(SURROUND - 1, Math.round(code));
+}
+
+export function contrastPage(words: Words, step: string, seed: number, gamma: number): Page<Share> {
+  const next = chance(seed);
+  const gaps = CONTRASTS.map(() => oneOf(GAPS, next));
+  return {
+    name: "contrast",
+    draw(into, done) {
+      let at = 0;
+      let right = 0;
+      const canvas = element("canvas", { class: "ring", role: "img" });
+      canvas.setAttribute("aria-label", words.contrast_question);
+      const count = element("p", { class: "now", role: "status" });
+      const show = () => {
+        draw(canvas, gaps[at] ?? "up", codeOf(CONTRASTS[at] ?? 1, gamma));
+        count.textContent = fill(words.contrast_of, { n: at + 1, all: gaps.length });
+      };
+      const take = (gap: Gap) => {
+        if (gap === gaps[at]) right += 1;
+        at += 1;
+        if (at === gaps.length) done({ right, of: gaps.length });
+        else show();
+      };
+      const press = (event: KeyboardEvent) => {
+        const gap = KEYS[event.key];
+        if (gap === undefined || event.repeat) return;
+        event.preventDefault();
+        take(gap);
+      };
+      const choices = GAPS.map((gap) => button(words[gap], () => take(gap), { class: gap }));
+      const body = [
+        element("p", {}, words.contrast),
+        element("p", { class: "soft" }, words.no_medical),
+        element("div", { class: "rings" }, canvas, ...choices),
+        count,
+      ];
+      sheet(into, words.contrast_title, body, [], [step]);
+      show();
+      document.addEventListener("keydown", press);
+      return () => document.removeEventListener("keydown", press);
+    },
+    play(into) {
+      for (const gap of gaps) into.querySelector<HTMLElement>(`.rings .${gap}`)?.click();
+    },
+  };
+}
+
+function draw(canvas: HTMLCanvasElement, gap: Gap, code: number): void {
+  const side = Math.round(SIDE_PX * devicePixelRatio);
+  canvas.width = canvas.height = side;
+  const pen = canvas.getContext("2d");
+  if (pen === null) return;
+  pen.fillStyle = `rgb(${SURROUND} ${SURROUND} ${SURROUND})`;
+  pen.fillRect(0, 0, side, side);
+  const outer = side * 0.42;
+  const stroke = 2 * outer * STROKE;
+  pen.translate(side / 2, side / 2);
+  pen.rotate(((GAPS.indexOf(gap) - 1) * Math.PI) / 2);
+  pen.strokeStyle = `rgb(${code} ${code} ${code})`;
+  pen.lineWidth = stroke;
+  pen.beginPath();
+  pen.arc(0, 0, outer - stroke / 2, 0, 2 * Math.PI);
+  pen.stroke();
+  pen.fillRect(0, -stroke / 2, outer + 1, stroke);
+}
