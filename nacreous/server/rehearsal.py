@@ -132,9 +132,9 @@ class _Crew:
             for place, token in enumerate(tokens):
                 sittings.append(pool.submit(self._take_part, *self._enter(study, place, token)))
                 show((place + 1 + _finished(sittings)) / (2 * len(tokens)))
-            for done, sitting in enumerate(as_completed(sittings), 1):
+            for sitting in as_completed(sittings):
                 sitting.result()
-                show((len(tokens) + done) / (2 * len(tokens)))
+                show((len(tokens) + _finished(sittings)) / (2 * len(tokens)))
         finally:
             pool.shutdown(cancel_futures=True)
             for line in self._lines:
