@@ -84,10 +84,10 @@ def test_after_logging_out_the_cookie_is_worthless(server: httpx.Client) -> None
     assert server.get("/lab/api/me", headers={"Cookie": f"{COOKIE}={token}"}).status_code == 401
 
 
-@pytest.mark.parametrize("cookie", ["", "x", "x" * 5000, '"', "\\000", "é", "a b", "' OR 1=1 --"])
-def test_a_forged_cookie_is_refused(server: httpx.Client, cookie: str) -> None:
-    headers = {"Cookie": f"{COOKIE}={cookie}".encode()}
-    assert server.get("/lab/api/me", headers=headers).status_code == 401
+def test_a_forged_cookie_is_refused(server: httpx.Client) -> None:
+    for cookie in ("", "x", "x" * 5000, '"', "\\000", "é", "a b", "' OR 1=1 --"):
+        headers = {"Cookie": f"{COOKIE}={cookie}".encode()}
+        assert server.get("/lab/api/me", headers=headers).status_code == 401
 
 
 def test_a_participants_token_is_no_login_and_a_login_no_token(server: httpx.Client) -> None:

@@ -18,7 +18,8 @@ from nacreous.study.store.schema import answers, screens, sessions
 #: Why a person is left out who no longer consents.
 WITHDREW = "withdrew"
 
-_LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
+#: What decides whether something may be added to a session.
+LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
     sessions.c.id == sa.bindparam("session")
 )
 
@@ -118,9 +119,11 @@ def change(
     journal.note(connection, at, who, what, study, session, **detail)
 
 
-def living(connection: sa.Connection, session: str) -> Any:
-    """What decides whether something may be added to a session."""
-    row = connection.execute(_LIVING, {"session": session}).one_or_none()
+def living(
+    connection: sa.Connection, session: str, query: sa.Select[Any] = LIVING, **bound: Any
+) -> Any:
+    """The columns of `LIVING`, or of it and more, of a session that something may be added to."""
+    row = connection.execute(query, {"session": session, **bound}).one_or_none()
     if row is None:
         raise _unknown(session)
     if row.erased_at is not None:
