@@ -78,16 +78,25 @@ def test_nobody_enters_with_a_token_that_can_be_guessed(
             assert told(Person(server, token).enter()) == (401, "token")
 
 
-@pytest.mark.parametrize("how", ["revoked", "erased"])
-def test_a_token_that_was_taken_away(server: httpx.Client, service: Service, how: str) -> None:
-    person = Person.consented(server)
+def test_a_token_that_was_taken_away(server: httpx.Client, service: Service) -> None:
+    person, lab = Person.consented(server), Experimenter.login(server)
     person.answer(0)
-    session = service.running.session_of(person.token)
-    getattr(service.store, {"revoked": "revoke", "erased": "erase"}[how])(session.id, "lab")
+    assert lab.post("people/0/revoke").status_code == 204
     with unchanged(service, logged=3):
         assert told(person.answer(0)) == (401, "token")
         assert told(person.answer(1)) == (401, "token")
         assert told(person.get("sitting")) == (401, "token")
+
+
+def test_a_person_whom_another_program_erased(server: httpx.Client, service: Service) -> None:
+    person = Person.consented(server)
+    person.answer(0)
+    service.store.erase(service.running.session_of(person.token).id, "lab")
+    with unchanged(service, logged=2):
+        assert told(person.answer(1)) == (403, "not-allowed")
+        assert told(person.get("sitting")) == (401, "token")
+    service.sessions.forget()  # or some seconds later
+    assert told(person.answer(1)) == (401, "token")
 
 
 def test_answers_out_of_turn(server: httpx.Client, service: Service) -> None:
