@@ -58,7 +58,7 @@ def service(app: FastAPI) -> Service:
 @pytest.fixture
 def server(app: FastAPI) -> Iterator[httpx.Client]:
     """A client of its server, which runs on a thread of this process."""
-    with in_thread(app) as url, httpx.Client(base_url=url) as client:
+    with in_thread(app) as url, httpx.Client(base_url=url, verify=False) as client:
         yield client
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import secrets
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,9 +12,9 @@ import numpy as np
 from PIL import Image
 
 from nacreous.study.design import Frozen, freeze
-from nacreous.study.plan import Trial, trials
+from nacreous.study.plan import Trial
 from nacreous.study.running import Running
-from nacreous.study.store import Answer, Store
+from nacreous.study.store import Store
 
 #: Chooses at a trial: "left", "right" or "tie".
 Choosing = Callable[[Trial], str]
@@ -53,24 +54,14 @@ def opened(store: Store, frozen: Frozen) -> Running:
 def take_part(
     running: Running, choose: Choosing, recorded: dict[str, str] | None = None, **more: Any
 ) -> int:
-    """One made-up person answers everything; returns the number. more: of `Answer`."""
-    store = running.store
-    session, _ = store.enter(running.study, "en", recorded or {})
-    store.consent(session.id)
+    """One made-up person answers everything; returns the number. more: of `hand_in`."""
+    token = secrets.token_urlsafe(32)
+    session = running.enter(token, "en", recorded or {})
+    running.store.consent(session.id)
+    session = running.session_of(token)
     waiting = [
-        store.hand_in(
-            session.id,
-            Answer(
-                trial.number,
-                trial.question,
-                trial.left,
-                trial.right,
-                choose(trial),
-                kind=trial.kind,
-                **{"response_ms": 900.0, **more},
-            ),
-        )
-        for trial in trials(running.frozen.design, session.number)
+        running.hand_in(session, trial.number, choose(trial), **{"response_ms": 900.0, **more})
+        for trial in running.plan(session)
     ]
     for one in waiting:
         one.result()

@@ -46,7 +46,7 @@ class Person:
         told: dict[str, Any] = self.get("sitting").json()
         return told
 
-    def answer(self, trial: object, chosen: str = "left", **other: Any) -> httpx.Response:
+    def answer(self, trial: object, chosen: str = "left", /, **other: Any) -> httpx.Response:
         body = {"chosen": chosen, "response_ms": 1840.5, **other}
         return self.client.put(f"/api/answers/{trial}", json=body, headers=self.headers)
 

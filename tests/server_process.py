@@ -130,9 +130,12 @@ def prepare(folder: Path, place: str | None = None) -> None:
 
 
 @contextmanager
-def served(folder: Path, *options: str, place: str | None = None) -> Iterator[Served]:
-    """Serve a frozen study on any free port; anybody may enter."""
-    prepare(folder, place)
+def served(
+    folder: Path, *options: str, place: str | None = None, prepared: bool = True
+) -> Iterator[Served]:
+    """Serve a frozen study on any free port; if it is prepared, anybody may enter."""
+    if prepared:
+        prepare(folder, place)
     command = [sys.executable, __file__, "study", "serve", str(folder), "--port", "0", *options]
     process = subprocess.Popen(
         [*command, *(("--store", place) if place else ())],

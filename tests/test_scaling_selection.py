@@ -106,6 +106,17 @@ def test_same_arguments_same_pairs_and_another_seed_others():
     assert one != other
 
 
+@pytest.mark.parametrize("method", ["greedy", "tree"])
+def test_one_person_is_shown_no_pair_twice_in_a_batch(method):
+    answers = simulate([0.0, 0.1, 5.0, 9.0], people=40, seed=1)
+    often = Counter(frozenset((p.left, p.right)) for p in next_pairs(answers, 6, method=method))
+    assert max(often.values()) > 1, "or there is nothing to test"
+    once = next_pairs(answers, 6, method=method, distinct=True)
+    assert len({frozenset((p.left, p.right)) for p in once}) == 6
+    with pytest.raises(InputError, match="batch is 7; allowed: 1 to 6, the distinct pairs"):
+        next_pairs(answers, 7, method=method, distinct=True)
+
+
 def test_bits_fall_along_a_greedy_batch():
     bits = [pair.bits for pair in next_pairs(stimuli=LABELS, batch=200)]
     assert all(later <= earlier + 1e-6 for earlier, later in pairwise(bits))

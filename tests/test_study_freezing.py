@@ -236,12 +236,14 @@ def test_the_command_says_where_three_stimuli_must_repeat(desk: Path, capsys: An
     assert "a stimulus is shown twice in a row 5 times" in capsys.readouterr().out
 
 
-def test_an_adaptive_study_is_refused_for_now_and_not_frozen(desk: Path, capsys: Any) -> None:
+def test_an_adaptive_study_is_frozen_and_its_first_participant_told(
+    desk: Path, capsys: Any
+) -> None:
     text = SMALL + '\n[pairs]\nkind = "adaptive"\nnumber = 20\n'
     (desk / "adaptive.toml").write_text(text, encoding="utf-8")
-    assert cli.main(["study", "new", "desk/adaptive.toml", "-o", "out"]) == 2
-    assert 'pairs.kind is "adaptive", for which there is no plan yet' in capsys.readouterr().err
-    assert not Path("out").exists()
+    assert cli.main(["study", "new", "desk/adaptive.toml", "-o", "out"]) == 0
+    assert "9 stimuli, 23 trials a participant" in capsys.readouterr().out
+    assert open_frozen("out").design.pairs.kind == "adaptive"
 
 
 @pytest.mark.parametrize(

@@ -250,11 +250,6 @@ def test_a_number_that_cannot_be_is_refused(number: Any) -> None:
             act(study(7), number)
 
 
-def test_adaptive_pairs_are_refused_for_now() -> None:
-    with pytest.raises(nc.InputError, match=r'pairs.kind is "adaptive", for which there is no'):
-        trials(study(7, pairs={"kind": "adaptive", "number": 10}), 0)
-
-
 # --- simulated observers, no data of people -------------------------------------------------------
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import argparse
 import time
 
-from nacreous.commands import study_serve, study_store
+from nacreous.commands import study_demo, study_report, study_serve, study_store
 
 _EXAMPLES = """\
 examples:
+  nacreous study demo                            all of it at once, with simulated observers
   nacreous study new paper                       the experiment of 1996, in the folder paper-study
   nacreous presets study paper > my-study.toml   begin a study of your own with it
   nacreous study new my-study.toml -o my-study   render its stimuli and freeze it
@@ -27,8 +28,11 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", dest="action", required=True)
+    study_demo.add_demo(actions)
     _add_new(actions)
     study_serve.add_actions(actions)
+    study_demo.add_rehearse(actions)
+    study_report.add_action(actions)
     study_store.add_actions(actions)
 
 

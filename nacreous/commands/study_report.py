@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from nacreous.commands.study_store import Actions
+
 _EXAMPLES = """\
 examples:
   nacreous study report my-study -o report.html
@@ -12,7 +14,7 @@ examples:
 """
 
 
-def add_action(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add_action(actions: Actions[argparse.ArgumentParser]) -> None:
     """Describe what it can do."""
     parser = actions.add_parser(
         "report",

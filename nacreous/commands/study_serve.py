@@ -39,20 +39,18 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
 
 def serve(args: argparse.Namespace) -> int:
     """Serve until Ctrl-C."""
-    from nacreous.server import create_app
-    from nacreous.server.listening import address_of, check_url, listen
-    from nacreous.server.listening import serve as serve_app
+    from nacreous.server import create_app, listening
     from nacreous.study.running import Running
 
-    url = None if args.url is None else check_url(args.url)
+    url = None if args.url is None else listening.check_url(args.url)
     frozen, store = _opened(args)
     with store:
         app = create_app(Running(store, frozen), url=url)
-        with listen(args.host, args.port) as listening:
-            address = address_of(listening)
+        with listening.listen(args.host, args.port) as opened, listening.until_stopped():
+            address = listening.address_of(opened)
             for line in _told(args.study, frozen, store, address, url):
                 print(f"{args.study}: {line}", flush=True)
-            serve_app(app, listening)
+            listening.serve(app, opened)
     return 0
 
 

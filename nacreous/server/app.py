@@ -12,7 +12,7 @@ from starlette.responses import Response
 
 import nacreous
 from nacreous.server import lab, login, pages, participant, results
-from nacreous.server.description import describe
+from nacreous.server.description import Described
 from nacreous.server.door import Door
 from nacreous.server.service import Service
 from nacreous.study.running import Running
@@ -25,7 +25,7 @@ def create_app(running: Running, *, url: str | None = None, built: Path | None =
     not where `./just pages` builds them. Raises
     `InputError` where they are not.
     """
-    app = FastAPI(
+    app = Described(
         title="Nacreous, a study",
         description="Participants answer with a token, experimenters with a cookie.",
         version=nacreous.__version__,
@@ -40,7 +40,6 @@ def create_app(running: Running, *, url: str | None = None, built: Path | None =
     for part in (participant, login, lab, results, pages):
         app.include_router(part.router)
     app.add_middleware(Door, service=service)
-    describe(app)
     return app
 
 

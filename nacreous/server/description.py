@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from fastapi import FastAPI
 
 _SCHEMES = {
@@ -20,14 +22,19 @@ _SCHEMES = {
 }
 
 
-def describe(app: FastAPI) -> None:
-    """Let the description say how one shows who one is, and nothing that is not so."""
-    made = app.openapi()
-    made.setdefault("components", {})["securitySchemes"] = _SCHEMES
-    for path in made["paths"].values():
-        for operation in path.values():
-            # FastAPI's own code for bad input; ours is 400.
-            operation["responses"].pop("422", None)
-    for name in ("HTTPValidationError", "ValidationError"):
-        made["components"].get("schemas", {}).pop(name, None)
-    app.openapi_schema = made
+class Described(FastAPI):
+    """An application whose description says how one shows who one is, and nothing untrue."""
+
+    def openapi(self) -> dict[str, Any]:
+        """The description, made when it is first asked for."""
+        if self.openapi_schema is None:
+            made = super().openapi()
+            made.setdefault("components", {})["securitySchemes"] = _SCHEMES
+            for path in made["paths"].values():
+                for operation in path.values():
+                    # FastAPI's own code for bad input; ours is 400.
+                    operation["responses"].pop("422", None)
+            for name in ("HTTPValidationError", "ValidationError"):
+                made["components"].get("schemas", {}).pop(name, None)
+            self.openapi_schema = made
+        return self.openapi_schema

@@ -6,6 +6,8 @@ import errno
 import signal
 import socket
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -95,15 +97,20 @@ def server_of(app: FastAPI) -> uvicorn.Server:
     return uvicorn.Server(config)
 
 
+@contextmanager
+def until_stopped() -> Iterator[None]:
+    """SIGINT and SIGTERM are the ordinary ends of what goes on in here."""
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    # uvicorn, which waits for both too, gives a signal on when all requests are answered.
+    with suppress(KeyboardInterrupt):
+        yield
+    signal.signal(signal.SIGTERM, before)
+
+
 def serve(app: FastAPI, listening: socket.socket) -> None:
-    """Serve until SIGINT or SIGTERM; requests that came before are answered."""
+    """Serve until stopped; requests that came before are answered."""
     _open_many()
-    # uvicorn gives a signal on when it has stopped; either is then an ordinary end.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        server_of(app).run(sockets=[listening])
-    except KeyboardInterrupt:
-        return
+    server_of(app).run(sockets=[listening])
 
 
 def _fast() -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,14 +20,13 @@ import numpy as np
 from nacreous.number import number_of, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.server.client import Client
+from nacreous.server.observer import choices
 from nacreous.study.design import Frozen
 
 __all__ = ["Rehearsed", "rehearse", "scale_of"]
 
 #: Who answers at the same time. More wait for each other in one process.
 _THREADS = 6
-#: The median of the response times that are made up **(ours)**, and their spread as a logarithm.
-_MEDIAN_MS, _SPREAD = 1800.0, 0.45
 _MOST_OBSERVERS = 10_000
 
 
@@ -121,6 +120,7 @@ class _Crew:
         self._seed = seed
         self._sigma = sigma
         self._own = threading.local()
+        self._lines: list[Client] = []
 
     def run(self, tokens: Sequence[str | None], progress: Callable[[float], None] | None) -> int:
         """Everyone enters in order, so that numbers do not hang on threads; then all answer."""
@@ -132,11 +132,13 @@ class _Crew:
             for place, token in enumerate(tokens):
                 sittings.append(pool.submit(self._take_part, *self._enter(study, place, token)))
                 show((place + 1 + _finished(sittings)) / (2 * len(tokens)))
-            for done, sitting in enumerate(as_completed(sittings), 1):
+            for sitting in as_completed(sittings):
                 sitting.result()
-                show((len(tokens) + done) / (2 * len(tokens)))
+                show((len(tokens) + _finished(sittings)) / (2 * len(tokens)))
         finally:
             pool.shutdown(cancel_futures=True)
+            for line in self._lines:
+                line.close()
         return sum(sitting.result() for sitting in sittings)
 
     @property
@@ -144,6 +146,7 @@ class _Crew:
         """The line of the thread that asks."""
         if not hasattr(self._own, "client"):
             self._own.client = Client(self._url)
+            self._lines.append(self._own.client)
         client: Client = self._own.client
         return client
 
@@ -167,32 +170,14 @@ class _Crew:
         client.ask("POST", "/api/consent", token)
         client.ask("POST", "/api/screen", token, {"content": _good_screen(screen)})
         sitting = client.ask("GET", "/api/sitting", token)
-        given = 0
-        for trial, content in self._answers(sitting["trials"], number):
-            client.ask("PUT", f"/api/answers/{trial}", token, content)
-            given += 1
+        trials = [(trial["trial"], trial["left"], trial["right"]) for trial in sitting["trials"]]
+        if not all(shown in self._values for _, *both in trials for shown in both):
+            raise InputError(f"{self._url}: serves another study; wanted: the one given")
+        for one in choices(trials, self._values, number, seed=self._seed, sigma=self._sigma):
+            content = {"chosen": one.chosen, "response_ms": one.response_ms, "simulated": True}
+            client.ask("PUT", f"/api/answers/{one.trial}", token, content)
         client.ask("POST", "/api/finish", token)
-        return given
-
-    def _answers(self, trials: Any, number: int) -> Iterator[tuple[int, dict[str, Any]]]:
-        """Each trial's number and what this observer answers to it."""
-        random = np.random.default_rng([self._seed, 1, number])
-        for trial in trials:
-            values = [self._values.get(trial[side]) for side in ("left", "right")]
-            if None in values:
-                raise InputError(f"{self._url}: serves another study; wanted: the one given")
-            lead = (values[0] - values[1]) / self._sigma + random.standard_normal()
-            yield (
-                trial["trial"],
-                {
-                    "chosen": "left" if lead > 0 else "right",
-                    "response_ms": round(_MEDIAN_MS * float(np.exp(_SPREAD * random.normal()))),
-                    "shown_at": None,
-                    "answered_at": None,
-                    "flags": {},
-                    "simulated": True,
-                },
-            )
+        return len(trials)
 
 
 def _finished(sittings: Sequence[Future[int]]) -> int:
@@ -205,5 +190,12 @@ def _good_screen(wanted: Mapping[str, Any]) -> dict[str, Any]:
     return {
         "window": {"width_px": width_px, "height_px": height_px, "device_pixel_ratio": 1},
         "full_screen": True,
+        "card": {"px_per_mm": 4.0},
+        "distance_mm": 600,
+        "distance_by": "none",
+        "gamma": 2.2,
+        "darkest_step": 1,
+        "gamut": "srgb",
+        "vision": {test: {"right": 1, "of": 1} for test in wanted["vision"]},
         "agent": "simulated",
     }

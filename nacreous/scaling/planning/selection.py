@@ -63,6 +63,7 @@ def next_pairs(
     model: str = "probit",
     prior: float = 1.0,
     seed: int = 1,
+    distinct: bool = False,
 ) -> tuple[NextPair, ...]:
     """The pairs to show next, the most telling first.
 
@@ -73,6 +74,7 @@ def next_pairs(
              the best is chosen over the worst nearly always **(ours)**. It is there at first and
              matters little after some answers a stimulus.
     seed     decides between pairs that tell equally much. Same arguments, same pairs.
+    distinct no pair twice in the batch: for one person, who would give the same answer again.
 
     Against random pairs a fifth less squared error at equal answers, by either method (simulated:
     12 stimuli, spread 1 z, 110 answers). Takes 0.03 s for 300 stimuli. Raises `InputError` for
@@ -94,7 +96,10 @@ def next_pairs(
     mean, covariance = _posterior(labels, comparisons, model, float(prior))
     random = np.random.default_rng(seed_of(seed))
     choose = _greedy if method == "greedy" else _trees
-    pairs = choose(mean, covariance, batch, model, random)
+    most = len(labels) * (len(labels) - 1) // 2
+    if distinct and batch > most:
+        raise InputError(f"batch is {batch}; allowed: 1 to {most}, the distinct pairs there are")
+    pairs = choose(mean, covariance, batch, model, random, distinct)
     sides = _Sides(len(labels), comparisons)
     found = []
     for first, second, bits in pairs:
@@ -186,14 +191,21 @@ def _leads(mean: Array, covariance: Array) -> tuple[Array, Array]:
 
 
 def _greedy(
-    mean: Array, covariance: Array, batch: int, model: str, random: np.random.Generator
+    mean: Array,
+    covariance: Array,
+    batch: int,
+    model: str,
+    random: np.random.Generator,
+    distinct: bool,
 ) -> list[tuple[int, int, float]]:
     first, second = np.triu_indices(len(mean), 1)
     chosen = []
     lead, variance = (table[first, second] for table in _leads(mean, covariance))
     bits = bits_of(lead, variance, model)
+    allowed = np.ones(len(bits), dtype=bool)
     for _ in range(batch):
-        best = _largest(bits, random)
+        best = _largest(np.where(allowed, bits, -np.inf), random)
+        allowed[best] = not distinct
         i, j = int(first[best]), int(second[best])
         chosen.append((i, j, float(bits[best])))
         along = covariance[:, i] - covariance[:, j]
@@ -208,21 +220,28 @@ def _greedy(
 
 
 def _trees(
-    mean: Array, covariance: Array, batch: int, model: str, random: np.random.Generator
+    mean: Array,
+    covariance: Array,
+    batch: int,
+    model: str,
+    random: np.random.Generator,
+    distinct: bool,
 ) -> list[tuple[int, int, float]]:
     from scipy.sparse.csgraph import minimum_spanning_tree
 
     chosen: list[tuple[int, int, float]] = []
+    allowed = np.ones(covariance.shape, dtype=bool)
     while len(chosen) < batch:
         lead, variance = _leads(mean, covariance)
         bits = bits_of(lead, variance, model)
         # Small random parts decide between equals; edges of weight 0 would be none.
-        costs = -1 - bits - 1e-9 * random.random(bits.shape)
+        costs = np.where(allowed, -1 - bits - 1e-9 * random.random(bits.shape), 0.0)
         tree = minimum_spanning_tree(np.triu(costs, 1)).tocoo()
         edges = list(zip(tree.row.tolist(), tree.col.tolist(), strict=True))
         edges.sort(key=lambda edge: -bits[edge])
         chosen += [(i, j, float(bits[i, j])) for i, j in edges]
         for i, j in edges:
+            allowed[i, j] = not distinct
             covariance = _answered(covariance, i, j, lead[i, j], model)
     return chosen[:batch]
 

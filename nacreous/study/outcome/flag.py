@@ -24,8 +24,10 @@ class Flag:
     - "circles": more circular triads (a over b over c over a) than chance makes people have
     - "fast": more than a tenth of the answers came faster than anyone reacts to light, 0.2 s
     - "pause": five minutes or more between two answers
-    - "answer-NAME": the participant's page noticed NAME with so many answers
-    - "screen-NAME": the check of the screen found NAME
+    - "answer-NAME": the participant's page noticed NAME with so many answers: "away" (the window
+      lost the focus or was hidden), "resized", "shrunk" (pictures were scaled down to fit),
+      "early" (keys were pressed before a pair could be answered; from a tenth of answers on)
+    - "screen-NAME": the check of the screen found NAME, as docs/study.md lists them
 
     "repeats", "left", "right" and "circles" are tests of chance, each at a level of `RATE`.
 

@@ -9,6 +9,7 @@ from datetime import datetime
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from nacreous.scaling.check.response import MOST_FAST
 from nacreous.study.outcome.consistent import consistency_flags
 from nacreous.study.outcome.flag import LONGEST_PAUSE_S, Flag
 from nacreous.study.outcome.rows import Row, chosen_of
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
     from nacreous.study.running import Running
 
 __all__ = ["people_flags"]
+
+#: What everyone does now and then is a flag from more than this share of answers on: pressing
+#: before a pair may be answered, as with answers that are too fast.
+_OFTEN = {"early": MOST_FAST}
 
 
 def people_flags(running: Running) -> dict[int, list[Flag]]:
@@ -80,4 +85,6 @@ def _noticed(rows: Sequence[Row]) -> Iterator[Flag]:
         name for row in rows for name, value in json.loads(row["flags"]).items() if value
     )
     for name, count in sorted(counts.items()):
+        if name in _OFTEN and count <= _OFTEN[name] * len(rows):
+            continue
         yield Flag(f"answer-{name}", f"{count}/{len(rows)}")

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from nacreous.scaling.door.comparisons import Comparisons
 from nacreous.scaling.planning.sequence import in_sequence
 from nacreous.study.design.design import Design
-from nacreous.study.plan.choice import Choice, chosen
+from nacreous.study.plan.choice import Choice, choices
 from nacreous.study.plan.order import Shown, in_order
 from nacreous.study.plan.stream import ORDER, numbered, stream
 from nacreous.study.plan.trial import Trial
@@ -16,36 +17,40 @@ from nacreous.study.plan.trial import Trial
 __all__ = ["trials"]
 
 
-def trials(design: Design, number: int) -> list[Trial]:
+def trials(
+    design: Design, number: int, so_far: Mapping[str, Comparisons] | None = None
+) -> list[Trial]:
     """The trials of participant `number`: training, then one question after the other.
 
     - Under each question every pair of the participant comes once, and the pairs chosen for that
       once more with the sides exchanged.
     - No stimulus comes twice in a row, where that is possible (`repetitions`).
     - Each stimulus is as often on the left as on the right, or once more or less; training and
-      catches aside. Numbers 2k and 2k + 1 have the same pairs, mirrored, in different orders.
+      catches aside. Numbers 2k and 2k + 1 have the same pairs, mirrored, in different orders,
+      unless pairs are adaptive.
     - Catches are spread evenly over their question. Questions begin with another one for every two
       participants.
 
-    Same design and number, same trials, with the same version of NumPy. Raises `InputError` for a
-    number that cannot be, and for adaptive pairs, which no plan made beforehand can hold.
+    so_far: of a study with adaptive pairs, the counts of the answers so far, by question; a
+    question without any gets pairs by lot. Other studies do not look at it.
+
+    Same arguments, same trials, with the same version of NumPy. Raises `InputError` for a number
+    that cannot be.
 
     >>> trials(Design.load("paper"), 0) == trials(Design.load("paper"), 0)
     True
     """
     number = numbered(number)
-    choice = chosen(design, number)
     random = stream(design, ORDER, number)
     turn = number // 2 % len(design.questions)
     ids = [question.id for question in design.questions]
     ids = ids[turn:] + ids[:turn]
-    training = _training(design, choice, random)
+    chosen = choices(design, number, ids, so_far or {})
+    training = _training(design, chosen[0], random)
     shown = [[(ids[0], one) for one in training]]
     before = training[-1] if training else None
-    for place, question in enumerate(ids):
-        # Under every other question mirrored, which evens out the one that an odd number leaves.
-        sided = choice.mirrored() if place % 2 else choice
-        order = in_order(sided, _catches(design, question, number, random), before, random)
+    for question, choice in zip(ids, chosen, strict=True):
+        order = in_order(choice, _catches(design, question, number, random), before, random)
         shown.append([(question, one) for one in order])
         before = order[-1]
     return list(_in_blocks(design, shown))

@@ -8,9 +8,11 @@ from datetime import datetime
 from typing import Any
 
 from nacreous.problem import InputError
+from nacreous.scaling.door.comparisons import Comparisons
 from nacreous.study.design import Frozen
 from nacreous.study.design.words import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
+from nacreous.study.running.counts import counts_of
 from nacreous.study.running.plans import Plans, plain, trials_of
 from nacreous.study.running.screening import flags_of, is_refused
 from nacreous.study.store import (
@@ -193,9 +195,17 @@ class Running:
             return session
         design = self.frozen.design
         groups = {**session.groups, **drawn_groups(design, session.number)}
-        self.store.settle(session.id, groups, plain(trials(design, session.number)))
+        shown = trials(design, session.number, self._so_far())
+        self.store.settle(session.id, groups, plain(shown))
         self._kept(session)
         return self.store.session(session.id)
+
+    def _so_far(self) -> dict[str, Comparisons] | None:
+        """What adaptive pairs are chosen by; nothing where they are not."""
+        design = self.frozen.design
+        if design.pairs.kind != "adaptive":
+            return None
+        return counts_of(design.labels, self.store.tally(self.study))
 
     def _kept(self, session: Session) -> tuple[Trial, ...] | None:
         """The plan in the store, from now on in memory too."""

@@ -9,7 +9,7 @@ import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
 from nacreous.study.store import check, journal, people
-from nacreous.study.store.record import Answer, Receipt
+from nacreous.study.store.record import COUNTED, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
 
@@ -95,6 +95,19 @@ def rows(connection: sa.Connection, study: str, session: str | None = None) -> l
     )
     if session is not None:
         query = query.where(answers.c.session == session)
+    return [dict(row) for row in connection.execute(query).mappings()]
+
+
+def tally(connection: sa.Connection, study: str) -> list[dict[str, Any]]:
+    """How often each was chosen of each pair, of the answers that count, simulated ones apart."""
+    excluded = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason)
+    named = [answers.c[name] for name in ("question", "simulated", "left", "right", "chosen")]
+    query = (
+        sa.select(*named, sa.func.count().label("count"))
+        .outerjoin(sessions, sessions.c.id == answers.c.session)
+        .where(answers.c.study == study, answers.c.kind.in_(COUNTED), excluded.is_(None))
+        .group_by(*named)
+    )
     return [dict(row) for row in connection.execute(query).mappings()]
 
 

@@ -16,13 +16,11 @@ from nacreous import file, folder
 from nacreous.problem import InputError
 from nacreous.study.store.answers import person_of
 from nacreous.study.store.codebook import COLUMNS, Column, description, group_column
+from nacreous.study.store.record import COUNTED
 from nacreous.study.store.store import Store
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers, Comparisons
-
-#: The kinds of trials that are data for a scale.
-COUNTED = ("pair", "repeat")
 
 _RECORD = "dataset_description.json"
 _MAKER = "nacreous study export"

@@ -15,6 +15,8 @@ from nacreous.study.store import check
 
 CHOICES = ("left", "right", "tie")
 KINDS = ("training", "pair", "repeat", "catch")
+#: The kinds of trials that are data for a scale.
+COUNTED = ("pair", "repeat")
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 

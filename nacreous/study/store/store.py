@@ -175,6 +175,14 @@ class Store(Lab):
                 raise studies.unknown(study)
             return answering.rows(connection, study, session)
 
+    def tally(self, study: str) -> list[dict[str, Any]]:
+        """How often each was chosen of each pair, of pairs and repeats of people who count.
+
+        A row has question, simulated, left, right, chosen and count; far less than all answers.
+        """
+        with self.reading() as connection:
+            return answering.tally(connection, study)
+
     def answered(self, session: str) -> int:
         """How many answers of a session are stored."""
         with self.reading() as connection:

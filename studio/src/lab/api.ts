@@ -102,8 +102,9 @@ export class Lab {
   /** `onEnd` is called whenever the server no longer knows who we are. */
   constructor(private readonly onEnd: () => void) {}
 
-  /** Who is logged in; null if nobody is. */
+  /** Who is logged in; null if nobody is. Not asked where nobody has logged in before. */
   async whoAmI(): Promise<Me | null> {
+    if (!hasBeenHere()) return null;
     try {
       this.me = await ask<Me>(`${API}/me`);
     } catch (problem) {
@@ -115,11 +116,13 @@ export class Lab {
 
   async login(name: string, password: string): Promise<Me> {
     this.me = await ask<Me>(`${API}/login`, { method: "POST", body: { name, password } });
+    noteHere(true);
     return this.me;
   }
 
   async logout(): Promise<void> {
     await this.change("/logout", {});
+    noteHere(false);
     this.me = null;
   }
 
@@ -160,6 +163,26 @@ export class Lab {
       if (problem instanceof Problem && problem.status === 401) this.onEnd();
       throw problem;
     }
+  }
+}
+
+const HERE = "nacreous-lab-here";
+
+/** Whether somebody has logged in with this browser and not out; true where nothing can be kept. */
+function hasBeenHere(): boolean {
+  try {
+    return localStorage.getItem(HERE) !== null;
+  } catch {
+    return true;
+  }
+}
+
+function noteHere(here: boolean): void {
+  try {
+    if (here) localStorage.setItem(HERE, "1");
+    else localStorage.removeItem(HERE);
+  } catch {
+    // Then the server is asked each time.
   }
 }
 

@@ -3,7 +3,7 @@
 import { pictureAt, type Placed, type Scale } from "../api";
 
 const NS = "http://www.w3.org/2000/svg";
-const ROW = 60;
+const ROW = 72;
 const DENSE_ROW = 40;
 /** From so many stimuli on, rows are lower. */
 const DENSE = 13;

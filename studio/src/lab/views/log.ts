@@ -40,7 +40,7 @@ function table(desk: Desk, events: Event[]): HTMLElement {
       {},
       element("td", { class: "nowrap" }, speech.moment(event.at)),
       element("td", {}, event.who),
-      element("td", {}, event.what),
+      element("td", {}, words.events[event.what] ?? event.what),
       element("td", {}, event.number === null ? "" : String(event.number)),
       element("td", { class: "detail" }, detail(event.detail)),
     ),

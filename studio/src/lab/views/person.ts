@@ -48,7 +48,7 @@ export function rowOf(
 
 function marks(desk: Desk, person: Person): (Node | string)[] {
   const words = desk.speech.words.people;
-  const shown: (Node | string)[] = [Object.values(person.groups).join(", ")];
+  const shown: (Node | string)[] = [Object.values(person.groups).join(", "), " "];
   if (person.simulated) shown.push(element("span", { class: "badge simulated" }, words.simulated));
   if (person.excluded !== null) {
     const reason = fill(words.excluded_because, { reason: person.excluded });
@@ -64,10 +64,9 @@ function answered(desk: Desk, person: Person): Node[] {
   full.style.inlineSize = `${100 * share}%`;
   const text = fill(words.of, { answers: person.answers, trials: person.trials });
   const done = person.finished ? element("span", { class: "sr-only" }, words.finished) : "";
-  return [
-    element("span", { class: "bar", "aria-hidden": "true" }, full),
-    element("span", { class: "count" }, text, done),
-  ];
+  const bar = element("span", { class: "bar", "aria-hidden": "true" }, full);
+  const count = element("span", { class: "count" }, text, done);
+  return [element("div", { class: "answered" }, bar, count)];
 }
 
 function flagButton(desk: Desk, person: Person, open: boolean, again: () => void): Node | string {
@@ -114,11 +113,14 @@ function told(desk: Desk, flag: Flag): { name: string; why: string } {
   };
 }
 
-/** "2/3" as it is, "640 s" as a duration. */
+/** "2/3" as 2 of 3, "640 s" as a duration. */
 function detail(desk: Desk, flag: Flag): string {
   const seconds = /^(\d+) s$/.exec(flag.detail);
   if (seconds !== null) return desk.speech.duration(Number(seconds[1]));
-  return flag.detail.replace("/", " / ");
+  const share = /^(.+)\/(.+)$/.exec(flag.detail);
+  if (share === null) return flag.detail;
+  const [, answers = "", trials = ""] = share;
+  return fill(desk.speech.words.people.of, { answers, trials });
 }
 
 function actions(desk: Desk, person: Person): Node[] {
