@@ -9,6 +9,7 @@ import { copyButton } from "./copy";
 import { downloadButton } from "./download";
 
 export function overview(desk: Desk): View {
+  const demo = element("p", { class: "note" }, desk.speech.words.demo_note);
   const figures = element("div", { class: "figures" });
   const state = element("section", { class: "card", "aria-labelledby": "state-title" });
   const registration = element("section", { class: "card", "aria-labelledby": "entry-title" });
@@ -16,6 +17,7 @@ export function overview(desk: Desk): View {
     "div",
     { class: "overview" },
     element("h2", { class: "sr-only" }, desk.speech.words.tabs.overview),
+    demo,
     figures,
     element("div", { class: "pair" }, state, registration),
     results(desk),
@@ -29,6 +31,7 @@ export function overview(desk: Desk): View {
       const now = JSON.stringify([rest, flagged]);
       if (now === before) return;
       before = now;
+      demo.hidden = progress.purpose !== "demo";
       const held = document.activeElement?.id ?? "";
       fillFigures(desk, figures, progress, flagged);
       fillState(desk, state, progress);
