@@ -148,6 +148,7 @@ class Load:
         self.errors = 0
 
     async def run(self) -> None:
+        """Ask for so long, and print what was found."""
         begin = time.monotonic() + 1
         everyone = [
             self.participant(token, begin + EVERY_S * place / len(self.tokens))
@@ -158,6 +159,7 @@ class Load:
         print(json.dumps({"times_s": self.times_s, "errors": self.errors, "wall_s": wall_s}))
 
     async def participant(self, token: str, begin: float) -> None:
+        """Answer a trial every two seconds."""
         await asyncio.sleep(begin - 0.5 - time.monotonic())
         reader, writer = await asyncio.open_connection(self.host, self.port)
         for trial in range(int(self.seconds / EVERY_S)):
@@ -173,6 +175,7 @@ class Load:
         writer.close()
 
     async def experimenter(self, begin: float) -> None:
+        """Log in, and look every five seconds."""
         reader, writer = await asyncio.open_connection(self.host, self.port)
         body = json.dumps({"name": NAME, "password": PASSWORD})
         _, head, _ = await self.ask(reader, writer, "POST", "/lab/api/login", "", body)
@@ -185,6 +188,7 @@ class Load:
         writer.close()
 
     async def ask(self, reader, writer, method: str, path: str, head: str, body: str = ""):
+        """Status, head and body of one response."""
         length = (
             f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n" if body else ""
         )
