@@ -40,7 +40,7 @@ function table(desk: Desk, events: Event[]): HTMLElement {
         "tr",
         {},
         element("td", { class: "nowrap" }, speech.moment(event.at)),
-        element("td", {}, event.who),
+        element("td", { class: "nowrap" }, words.people[event.who] ?? event.who),
         element("td", {}, words.events[event.what] ?? event.what),
         element("td", {}, event.number === null ? "" : String(event.number)),
         element("td", { class: "detail" }, detail(event.detail)),

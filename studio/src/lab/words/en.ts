@@ -60,13 +60,13 @@ export const en = {
 
   figures: {
     title: "So far",
-    entered: "entered",
+    entered: "people entered",
     finished: "finished",
     answers: "answers",
     median: "median time",
     excluded: "excluded",
     erased: "erased",
-    simulated: "{count} simulated",
+    simulated: "and {count} simulated",
     none: "–",
     flagged: "with flags",
   },
@@ -241,6 +241,7 @@ export const en = {
     detail: "Details",
     none: "The log is empty.",
     events: {} as Record<string, string>,
+    people: {} as Record<string, string>,
   },
 
   units: { s: "{n} s", min: "{n} min", h: "{n} h", d: "{n} d", min_s: "{min} min {s} s" },

@@ -68,7 +68,7 @@ export const ja: Words = {
     median: "所要時間の中央値",
     excluded: "除外",
     erased: "消去",
-    simulated: "シミュレーション {count}",
+    simulated: "ほかにシミュレーション {count}",
     none: "–",
     flagged: "注意あり",
   },
@@ -241,6 +241,7 @@ export const ja: Words = {
     person: "参加者",
     detail: "詳細",
     none: "記録はありません。",
+    people: { participant: "参加者", somebody: "不明", store: "保存先" },
     events: {
       "study added": "調査を登録",
       "study open": "調査を再開",
