@@ -52,6 +52,8 @@ export interface Picture {
 }
 
 export interface Sitting {
+  /** Its name, which no other sitting gets, whatever becomes of token or number. */
+  sitting: string;
   number: number;
   language: Language;
   consented: boolean;
