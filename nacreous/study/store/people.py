@@ -17,6 +17,9 @@ from nacreous.study.store.schema import answers, screens, sessions
 
 #: Why a person is left out who no longer consents.
 WITHDREW = "withdrew"
+#: Screen checks of one session. Somebody tries again a few times; more only a program that would
+#: fill the disk.
+MOST_SCREENS = 100
 
 _LAST = sa.select(sa.func.max(screens.c.seq)).where(screens.c.session == sessions.c.id)
 # Without the plan, which is long; made once, for making it takes as long as running it.
@@ -146,6 +149,10 @@ def set_once(connection: sa.Connection, at: str, session: str, column: str, what
 def add_screen(connection: sa.Connection, at: str, session: str, content: str) -> None:
     """Keep a screen check; earlier ones stay."""
     living(connection, session)
+    mine = screens.c.session == session
+    kept = connection.execute(sa.select(sa.func.count()).where(mine)).scalar_one()
+    if kept >= MOST_SCREENS:
+        raise NotAllowed(f"the screen was checked {kept} times; allowed: {MOST_SCREENS}")
     connection.execute(sa.insert(screens).values(session=session, at=at, content=content))
 
 
