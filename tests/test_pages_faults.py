@@ -188,3 +188,18 @@ def test_answers_of_an_earlier_sitting_never_get_into_another_one(browser, tmp_p
         _, again = store.sessions(store.study())
         answers = store.answers(store.study(), again.id)
     assert [(row["trial"], row["chosen"]) for row in answers] == [(0, "right")]
+
+
+def test_a_page_that_was_left_open_for_two_days_goes_on(plain):
+    with plain.visited() as guard:
+        page = guard.open()
+        page.page.clock.install()
+        page.page.reload()
+        page.agree()
+        page.go("instructions")
+        page.answer("left")
+        page.until(PAIR)
+        page.page.clock.fast_forward(2 * 86_400_000)
+        given = ["left", *page.trials(by_turns)]
+    times = [row["response_ms"] for row in assert_all_there(plain, given)]
+    assert [time is None for time in times] == [n == 1 for n in range(6)]

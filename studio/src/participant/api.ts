@@ -72,7 +72,8 @@ export type Chosen = "left" | "right" | "tie";
 export interface Answer {
   trial: number;
   chosen: Chosen;
-  response_ms: number;
+  /** Null where it is not known. */
+  response_ms: number | null;
   shown_at: string;
   answered_at: string;
   flags: Record<string, string | number | boolean>;
