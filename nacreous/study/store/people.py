@@ -28,9 +28,12 @@ _SESSIONS = (
     .outerjoin(screens, screens.c.seq == _LAST.correlate(sessions).scalar_subquery())
     .order_by(sessions.c.study, sessions.c.number)
 )
-#: What decides whether something may be added to a session.
-LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
-    sessions.c.id == sa.bindparam("session")
+#: What decides whether something may be added to a session. The row is locked, for another program
+#: may be about to erase the person; SQLite lets one write at a time anyhow.
+LIVING = (
+    sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at)
+    .where(sessions.c.id == sa.bindparam("session"))
+    .with_for_update(read=True, key_share=True, of=sessions)
 )
 
 
@@ -164,6 +167,10 @@ def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
     else, without trial numbers, response times, flags and clock times: what was chosen, and that
     one person chose it, is all that is left.
     """
+    # First, so that no answer that is on its way elsewhere is overlooked.
+    connection.execute(
+        sa.select(sessions.c.id).where(sessions.c.id == session).with_for_update(of=sessions)
+    )
     found = one(connection, session)
     if found.erased_at is not None:
         return
