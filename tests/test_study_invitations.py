@@ -219,3 +219,16 @@ def test_who_withdraws_is_left_out_for_good(store: Store) -> None:
         store.readmit(session.id, "lab")
     told = [(event.who, event.what) for event in store.events(STUDY)]
     assert told.count(("participant", "withdrew")) == 1
+
+
+def test_nobody_writes_over_a_withdrawal_or_makes_one_up(store: Store) -> None:
+    [token] = store.invite(STUDY, 1, "seat", "lab")
+    session, _ = store.enter(STUDY, "en", {}, token)
+    with pytest.raises(InputError, match="reason is 'withdrew'; wanted: another"):
+        store.exclude(session.id, "withdrew", "lab")
+    store.withdraw(session.id)
+    with pytest.raises(NotAllowed, match="the person withdrew"):
+        store.exclude(session.id, "too fast", "lab")
+    assert store.session(session.id).excluded_reason == "withdrew"
+    with pytest.raises(NotAllowed, match="the person withdrew"):
+        store.readmit(session.id, "lab")

@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 
+import type { Desk } from "../src/lab/desk";
 import { chart, numeral, ticks } from "../src/lab/views/chart";
+import { rowOf } from "../src/lab/views/person";
 import { en } from "../src/lab/words/en";
 import { ja } from "../src/lab/words/ja";
 import { Speech } from "../src/lab/words/words";
@@ -47,6 +49,20 @@ describe("words", () => {
     const speech = new Speech("en");
     expect(speech.ago("2026-11-25T12:00:30Z", now)).toBe("just now");
     expect(speech.ago("2026-11-25T11:48:00Z", now)).toBe("12 min ago");
+  });
+});
+
+describe("a person", () => {
+  const row = (excluded: string) => {
+    const desk = { speech: new Speech("ja"), kept: { explained: new Set() } } as unknown as Desk;
+    const person = { number: 4, groups: {}, answers: 2, trials: 9, flags: [], excluded };
+    const made = rowOf(desk, { ...person, last_at: null, seconds: null } as never, false, () => 0);
+    return [made.querySelector(".badge")?.textContent, made.querySelectorAll("button").length];
+  };
+
+  it("who was excluded may be readmitted, who withdrew may not", () => {
+    expect(row("too fast")).toEqual(["除外：too fast", 2]);
+    expect(row("withdrew")).toEqual(["本人が取りやめ", 1]);
   });
 });
 

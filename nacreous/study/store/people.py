@@ -88,6 +88,16 @@ def withdraw(connection: sa.Connection, at: str, session: str) -> None:
         change(connection, at, session, "participant", WITHDREW, values)
 
 
+def exclude(connection: sa.Connection, at: str, session: str, who: str, reason: str) -> None:
+    """Leave a person out; what a person wished themselves stays so, and nobody else can say it."""
+    if reason == WITHDREW:
+        raise InputError(f"reason is {reason!a}; wanted: another, for this is the person's own")
+    living(connection, session)
+    if one(connection, session).excluded_reason == WITHDREW:
+        raise NotAllowed("the person withdrew, and is left out by that; nothing was changed")
+    change(connection, at, session, who, "excluded", {"excluded_reason": reason}, reason=reason)
+
+
 def readmit(connection: sa.Connection, at: str, session: str, who: str) -> None:
     """Take an exclusion back, but not a person's own."""
     living(connection, session)
