@@ -32,12 +32,20 @@ class Outcomes:
     async def get(
         self, key: Hashable, state: Hashable, work: Callable[[], T], stale_s: float = 0.0
     ) -> T:
-        """The value for this state, or one that is `stale_s` old at most."""
+        """The value for this state, or one that is `stale_s` old at most.
+
+        Where something else is being worked out, as a report of a large study is for long, what may
+        be stale is not waited for, however old it is.
+        """
+        kept = self._kept.get(key)
+        if kept is not None and stale_s > 0 and self._one.locked():
+            value: T = kept[2]
+            return value
         async with self._one:
             kept = self._kept.get(key)
             now = time.monotonic()
             if kept is not None and (kept[0] == state or now - kept[1] < stale_s):
-                value: T = kept[2]
+                value = kept[2]
                 return value
             value = await run_in_threadpool(work)
             self._kept[key] = (state, time.monotonic(), value)
