@@ -13,7 +13,7 @@ from nacreous.scaling.check.response import MOST_FAST
 from nacreous.study.outcome.consistent import consistency_flags
 from nacreous.study.outcome.flag import LONGEST_PAUSE_S, Flag
 from nacreous.study.outcome.rows import Row, chosen_of
-from nacreous.study.store.export import COUNTED
+from nacreous.study.store.record import COUNTED
 
 if TYPE_CHECKING:
     from nacreous.study.design import Design
