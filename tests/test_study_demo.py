@@ -22,7 +22,6 @@ from nacreous.study.design import Design, open_frozen
 from nacreous.study.plan import trials
 from nacreous.study.store import Store
 
-
 #: With pages that say nothing where none are built.
 DEMO = [sys.executable, server_process.__file__, "study", "demo", "--no-browser"]
 
