@@ -86,7 +86,7 @@ async def report(
     asked = _known(service, question)
     work = partial(outcome.report, service.running, asked, language, simulated)
     key = ("report", asked, language, simulated)
-    page = await service.outcomes.get(key, await _state(service), work)
+    page = await service.outcomes.get(key, await _state(service), work, good_for=0)
     return Response(page, media_type="text/html", headers=_named("report.html"))
 
 
