@@ -10,6 +10,7 @@ the participants an experimenter's page asks for the progress every five seconds
 import argparse
 import asyncio
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -52,8 +53,9 @@ def main() -> None:
     if args.load:
         uvloop.run(Load(args.load, json.load(sys.stdin), args.seconds).run())
         return
-    print("| store | answers | a second | p50 | p95 | p99 | longest | errors | memory |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    columns = ("store", "answers", "a second", "p50", "p95", "p99", "longest", "errors")
+    print("|", *(f"{name} |" for name in (*columns, "processors an answer", "peak memory")))
+    print("|", "---|" * 10)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "load.toml").write_text(STUDY, encoding="utf-8")
         study = Path(folder) / "study"
@@ -82,11 +84,13 @@ def measure(name: str, study: Path, place: str, args: argparse.Namespace) -> Non
     ) as server:
         try:
             url = address(server)
+            before_s = processor_s(server.pid)
             command = [sys.executable, __file__, "--load", url, "--seconds", str(args.seconds)]
             done = subprocess.run(
                 command, input=json.dumps(tokens), stdout=subprocess.PIPE, text=True, check=True
             )
-            row(name, json.loads(done.stdout), peak_mb(server.pid))
+            found = json.loads(done.stdout)
+            row(name, found, processor_s(server.pid) - before_s, peak_mb(server.pid))
         finally:
             server.terminate()
 
@@ -110,19 +114,25 @@ def address(server: "subprocess.Popen[str]") -> str:
     raise SystemExit("the server did not start")
 
 
+def processor_s(process: int) -> float:
+    """Of all cores together, of the server alone."""
+    fields = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def peak_mb(process: int) -> float:
     status = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
     [line] = [line for line in status.splitlines() if line.startswith("VmHWM:")]
     return int(line.split()[1]) / 1024
 
 
-def row(name: str, found: dict, memory_mb: float) -> None:
+def row(name: str, found: dict, used_s: float, memory_mb: float) -> None:
     times_ms = np.array(found["times_s"]) * 1000
     p50, p95, p99 = np.percentile(times_ms, [50, 95, 99])
     print(
         f"| {name} | {len(times_ms)} | {len(times_ms) / found['wall_s']:.0f} | {p50:.0f} ms "
         f"| {p95:.0f} ms | {p99:.0f} ms | {times_ms.max():.0f} ms | {found['errors']} "
-        f"| {memory_mb:.0f} MB |",
+        f"| {used_s / len(times_ms) * 1000:.2f} ms | {memory_mb:.0f} MB |",
         flush=True,
     )
 
@@ -138,6 +148,7 @@ class Load:
         self.errors = 0
 
     async def run(self) -> None:
+        """Ask for so long, and print what was found."""
         begin = time.monotonic() + 1
         everyone = [
             self.participant(token, begin + EVERY_S * place / len(self.tokens))
@@ -148,6 +159,7 @@ class Load:
         print(json.dumps({"times_s": self.times_s, "errors": self.errors, "wall_s": wall_s}))
 
     async def participant(self, token: str, begin: float) -> None:
+        """Answer a trial every two seconds."""
         await asyncio.sleep(begin - 0.5 - time.monotonic())
         reader, writer = await asyncio.open_connection(self.host, self.port)
         for trial in range(int(self.seconds / EVERY_S)):
@@ -163,6 +175,7 @@ class Load:
         writer.close()
 
     async def experimenter(self, begin: float) -> None:
+        """Log in, and look every five seconds."""
         reader, writer = await asyncio.open_connection(self.host, self.port)
         body = json.dumps({"name": NAME, "password": PASSWORD})
         _, head, _ = await self.ask(reader, writer, "POST", "/lab/api/login", "", body)
@@ -175,6 +188,7 @@ class Load:
         writer.close()
 
     async def ask(self, reader, writer, method: str, path: str, head: str, body: str = ""):
+        """Status, head and body of one response."""
         length = (
             f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n" if body else ""
         )

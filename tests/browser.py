@@ -1,10 +1,12 @@
 """A browser for tests of the pages, and a participant who goes through a study in it."""
 
+import json
 import re
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,19 +16,22 @@ from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
 
 from nacreous.server.pages import FOLDER
 from nacreous.study.design import freeze
+from nacreous.study.store import Session, Store
 
-#: The experiment of 1996 in small, with every check: 21 pairs, 4 repeats, 3 for practice.
+#: The experiment of 1996 in small, with every check: 21 pairs, 2 more for practice.
 WHOLE = """\
 name = "whole"
 seed = 1996
 consent = { en = "Taking part is voluntary.", ja = "参加は任意です。" }
-instructions = { en = "Choose the one that looks more like a pearl.", ja = "真珠らしいほうを選んでください。" }
-questions = [{ id = "pearl-like", text = { en = "Which looks more like a pearl?", ja = "どちらがより真珠らしく見えますか。" } }]
+instructions = { en = "Choose one by touch, click or key.", ja = "一つを選んでください。" }
 stimuli = [{ pearl = "paper", scene = "paper", cut = "seven-crops" }]
 display = { size_px = 512, samples = 1, width_mm = 40 }
-pairs = { kind = "all", repeats = 4 }
-sitting = { training = 3, break_every = 15, minimum_viewing_ms = 120, ties = true }
+sitting = { training = 2, break_every = 15, minimum_viewing_ms = 120, ties = true }
 screen = { vision = ["contrast", "colour"] }
+
+[[questions]]
+id = "pearl-like"
+text = { en = "Which looks more like a pearl?", ja = "どちらがより真珠らしく見えますか。" }
 
 [[groups]]
 name = "trade"
@@ -39,12 +44,12 @@ choices = [{ en = "Yes", ja = "はい" }, { en = "No", ja = "いいえ" }]
 name = "real-pearl"
 values = ["shown", "not-shown"]
 notes = [
-    { en = "You are given a real pearl. Look at it as long as you like.", ja = "本物の真珠をお渡しします。ご自由にご覧ください。" },
+    { en = "You are given a real pearl to look at.", ja = "本物の真珠をお渡しします。" },
     { en = "You will see pictures alone.", ja = "画像だけをご覧いただきます。" },
 ]
 """
 
-#: Nothing but pairs: 10 trials, so that faults have time to happen.
+#: Nothing but pairs, 6 of them.
 PLAIN = """\
 name = "plain"
 purpose = "demo"
@@ -52,7 +57,6 @@ languages = ["en"]
 seed = 5
 questions = [{ id = "deeper", text = { en = "Which is deeper?" } }]
 display = { size_px = 64, samples = 1 }
-pairs = { kind = "all", repeats = 4 }
 sitting = { training = 0, minimum_viewing_ms = 0 }
 screen = { card = false, distance = false, levels = false, full_screen = false }
 
@@ -69,6 +73,13 @@ pearl = "akoya-rg"
 label = "thin"
 pearl = "akoya-thin"
 """
+
+#: Two pictures that can be chosen from; and where each answer is given.
+PAIR = ".pictures:not(.hidden):not(.over)"
+PLACES = {"left": ".picture >> nth=0", "right": ".picture >> nth=1", "tie": ".below .quiet"}
+
+#: What looks for obstacles to people who use a keyboard or a screen reader.
+AXE = Path(__file__).parent.parent / "studio/node_modules/axe-core/axe.min.js"
 
 _FLAGS = (
     "--no-sandbox",
@@ -144,6 +155,23 @@ class Guarded:
         return Participant(page)
 
 
+@dataclass
+class Site:
+    """A study that is served, and a browser for it."""
+
+    folder: Path
+    url: str
+    browser: Browser
+
+    def visited(self, **options: Any) -> AbstractContextManager[Guarded]:
+        """Somebody's own context."""
+        return guarded(self.browser, self.url, **options)
+
+    def stored(self) -> tuple[Session, list[dict[str, Any]]]:
+        """The last session in the store, and its answers."""
+        return stored(self.folder)
+
+
 @contextmanager
 def guarded(browser: Browser, url: str, expected: str = "$^", **options: Any) -> Iterator[Guarded]:
     """A context of its own; at its end nothing may have been complained of."""
@@ -165,7 +193,7 @@ class Participant:
 
     def at(self, name: str) -> None:
         """Wait for a page by its name."""
-        self.page.wait_for_selector(f".page-{name} .sheet")
+        self.until(f".page-{name} .sheet")
         self.seen(name)
 
     def go(self, name: str) -> None:
@@ -173,10 +201,9 @@ class Participant:
         self.at(name)
         self.page.click(f".page-{name} button.main")
 
-    def agree(self, language: str = "en") -> None:
-        """From the first page past consent."""
-        self.page.wait_for_selector(".page-language, .page-consent")
-        if self.page.query_selector(".page-language"):
+    def agree(self, language: str | None = None) -> None:
+        """From the first page past consent; language: where one is asked for."""
+        if language is not None:
             self.at("language")
             self.page.click(f"button[lang={language}]")
         self.at("consent")
@@ -184,14 +211,16 @@ class Participant:
         self.page.click(".page-consent button.main")
 
     def check_screen(self) -> None:
-        """Every step of the screen check, each as it is meant."""
+        """Every step of the screen check, each as it is meant; 4.5 px a millimetre."""
         self.go("screen")
         self.go("full")
-        self.go("card")
+        self.at("card")
+        self.page.fill("input[type=range]", str(4.5 * 85.6 // 0.5 * 0.5))
+        self.page.click("button.main")
         self.at("blind-spot")
         for _ in range(3):
             self.page.click("button.main")
-            self.page.wait_for_timeout(150)
+            self.page.wait_for_timeout(100)
             self.page.click("button.main")
         self.at("gamma")
         self.page.fill("input[type=range]", "186")
@@ -199,22 +228,63 @@ class Participant:
         self.at("dark")
         self.page.click(".patches button >> nth=2")
         self.at("contrast")
-        for gap in ("up", "right", "down", "left", "up", "up", "up", "up", "up", "up"):
-            self.page.click(f".rings .{gap}")
+        for _ in range(10):
+            self.page.click(".rings .up")
         self.at("colour")
         for _ in range(7):
             self.page.click(".digits .none")
 
-    def shown(self) -> str:
-        """Wait for a pair that can be answered; gives the words of its progress."""
-        self.page.wait_for_selector(".pictures:not(.hidden):not(.over)")
-        return self.page.inner_text(".pair .progress > span >> nth=0")
+    def trials(self, choose: Callable[[int], str]) -> list[str]:
+        """From where the pairs begin to the thanks; gives what was answered."""
+        given: list[str] = []
+        while (name := self.wait()) != "thanks":
+            if name == "pair":
+                given.append(choose(len(given)))
+                self.answer(given[-1])
+            else:
+                self.go(name)
+        return given
 
-    def answer(self, chosen: str, settle_ms: int = 130) -> None:
-        """Answer the pair that is shown by a click."""
+    def wait(self) -> str:
+        """Wait until there is a pair to answer or a page to leave; gives its name."""
+        names = ("instructions", "training-over", "break", "resumed", "thanks")
+        sheets = ", ".join(f".page-{name} .sheet" for name in names)
+        self.until(f"{PAIR}, {sheets}")
+        found = [name for name in names if self.page.query_selector(f".page-{name}")]
+        name = found[0] if found else "pair"
+        if name in ("pair", "thanks"):
+            self.seen(name)
+        return name
+
+    def until(self, selector: str) -> None:
+        """Wait for an element, looking at every frame: Playwright itself looks less often."""
+        look = "selector => document.querySelector(selector) !== null"
+        self.page.wait_for_function(look, arg=selector, timeout=60_000)
+
+    def answer(self, chosen: str, settle_ms: int = 125) -> None:
+        """Answer the pair that is shown by a click, and wait until it is gone."""
+        self.until(PAIR)
+        pair = self.page.query_selector(".pair")
+        assert pair is not None
         self.page.wait_for_timeout(settle_ms)
-        place = {"left": ".picture >> nth=0", "right": ".picture >> nth=1", "tie": ".below .quiet"}
-        progress = self.page.query_selector(".pair")
-        self.page.click(place[chosen])
-        if progress is not None:
-            progress.wait_for_element_state("hidden")
+        self.page.click(PLACES[chosen])
+        pair.wait_for_element_state("hidden")
+
+
+def violations(page: Page) -> list[str]:
+    """What axe says against a page."""
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    found = page.evaluate("axe.run({ resultTypes: ['violations'] })")
+    return [
+        f"{one['id']}: {one['help']}: {[node['html'][:120] for node in one['nodes']]}"
+        for one in found["violations"]
+    ]
+
+
+def stored(folder: Path) -> tuple[Session, list[dict[str, Any]]]:
+    """The last session in a study's store, and its answers."""
+    with Store.open(folder) as store:
+        study = store.study()
+        session = store.sessions(study)[-1]
+        rows = store.answers(study, session.id)
+    return session, [{**row, "flags": json.loads(row["flags"])} for row in rows]

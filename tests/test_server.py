@@ -9,6 +9,8 @@ import pytest
 from server_people import WINDOW, Experimenter, Person
 
 from nacreous.server.service import Service
+from nacreous.server.sessions import Sessions
+from nacreous.study.store import Session, StoreError
 
 
 def test_a_whole_sitting(server: httpx.Client, service: Service) -> None:
@@ -140,6 +142,59 @@ def test_who_withdraws_is_not_counted_and_not_readmitted(server: httpx.Client) -
     lab = Experimenter.login(server)
     assert lab.get("progress").json()["people"][0]["excluded"] == "withdrew"
     assert lab.post("people/0/readmit").status_code == 403
+
+
+def test_a_store_that_refuses_is_said_to_do_so(
+    server: httpx.Client, service: Service, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = Person.consented(server)
+    person.answer(0)
+
+    def full(*_: object, **__: object) -> None:
+        raise StoreError("the disk is full", "answers.sqlite")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(service.running, "hand_in", full)
+        told = person.answer(1)
+        assert (told.status_code, told.json()["kind"]) == (503, "store")
+        assert told.headers["retry-after"] == "2"
+        patch.setattr(service.store, "audit", full)  # nothing can be noted either
+        assert person.get("pictures/x").status_code == 400
+    assert person.answer(1).status_code == 200
+
+
+def test_a_change_is_known_at_once(server: httpx.Client) -> None:
+    person, lab = Person.consented(server), Experimenter.login(server)
+    assert person.answer(0).status_code == 200  # from here on it is remembered who answers
+    assert lab.post("people/0/revoke").status_code == 204
+    assert person.answer(1).status_code == 401
+    other = Person.consented(server)
+    assert other.answer(0).status_code == 200
+    assert other.post("withdraw").status_code == 204
+    assert other.answer(1).status_code == 403
+
+
+def test_what_was_changed_while_it_was_read_is_not_remembered(service: Service) -> None:
+    [token] = service.store.invite(service.running.study, 1, "x", "test")
+    session = service.running.enter(token, "en", {"trade": "yes"})
+
+    class Slow:
+        def session_of(self, token: str) -> Session:
+            read = service.running.session_of(token)
+            service.store.consent(session.id)
+            sessions.forget(token)
+            return read
+
+    sessions = Sessions(Slow())
+    assert sessions.read(token).consented_at is None
+    assert sessions.get(token) is None
+    now = [0.0]
+    sessions = Sessions(service.running, clock=lambda: now[0])
+    assert sessions.read(token).consented_at is not None
+    now[0] = 9.9
+    assert sessions.get(token) is not None
+    now[0] = 10.0
+    assert sessions.get(token) is None
 
 
 def test_pages_and_their_assets(server: httpx.Client) -> None:

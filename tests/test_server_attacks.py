@@ -1,55 +1,17 @@
 """Requests that no page of ours makes: refused, in the audit log, and nothing is changed."""
 
-import json
 import threading
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
-from typing import Any
 
 import httpx
 import pytest
+from server_attack import told, unchanged
 from server_people import WINDOW, Experimenter, Person
 
 from nacreous.server.rates import LIMITS
 from nacreous.server.service import Service
 
-JSON = {"Content-Type": "application/json"}
 SQL = "'; DROP TABLE answers; --"
-HTML = '<script>alert(1)</script><img src=x onerror="alert(1)">'
-
-
-def state(service: Service) -> tuple[Any, ...]:
-    """All that an attack could change."""
-    store, study = service.store, service.running.study
-    return (
-        store.progress(study),
-        store.answers(study),
-        store.registration(study),
-        store.invitations(study),
-        store.accounts(),
-        [event for event in store.events() if event.what not in ("refused", "answer refused")],
-    )
-
-
-def refusals(service: Service) -> int:
-    return sum(event.what in ("refused", "answer refused") for event in service.store.events())
-
-
-@contextmanager
-def unchanged(service: Service, logged: int) -> Iterator[None]:
-    """Nothing changes, and so many refusals are in the audit log."""
-    before, lines = state(service), refusals(service)
-    yield
-    assert state(service) == before
-    assert refusals(service) - lines == logged
-
-
-def told(response: httpx.Response) -> tuple[int, str]:
-    problem = response.json()
-    assert set(problem) == {"problem", "kind"}
-    assert "\n" not in problem["problem"]
-    return response.status_code, problem["kind"]
 
 
 @pytest.mark.parametrize("token", ["A" * 43, "A" * 201, "../../etc", SQL, "é" * 43, "x y"])
@@ -78,16 +40,25 @@ def test_nobody_enters_with_a_token_that_can_be_guessed(
             assert told(Person(server, token).enter()) == (401, "token")
 
 
-@pytest.mark.parametrize("how", ["revoked", "erased"])
-def test_a_token_that_was_taken_away(server: httpx.Client, service: Service, how: str) -> None:
-    person = Person.consented(server)
+def test_a_token_that_was_taken_away(server: httpx.Client, service: Service) -> None:
+    person, lab = Person.consented(server), Experimenter.login(server)
     person.answer(0)
-    session = service.running.session_of(person.token)
-    getattr(service.store, {"revoked": "revoke", "erased": "erase"}[how])(session.id, "lab")
+    assert lab.post("people/0/revoke").status_code == 204
     with unchanged(service, logged=3):
         assert told(person.answer(0)) == (401, "token")
         assert told(person.answer(1)) == (401, "token")
         assert told(person.get("sitting")) == (401, "token")
+
+
+def test_a_person_whom_another_program_erased(server: httpx.Client, service: Service) -> None:
+    person = Person.consented(server)
+    person.answer(0)
+    service.store.erase(service.running.session_of(person.token).id, "lab")
+    with unchanged(service, logged=2):
+        assert told(person.answer(1)) == (403, "not-allowed")
+        assert told(person.get("sitting")) == (401, "token")
+    service.sessions.forget()  # or some seconds later
+    assert told(person.answer(1)) == (401, "token")
 
 
 def test_answers_out_of_turn(server: httpx.Client, service: Service) -> None:
@@ -153,68 +124,6 @@ def test_what_a_client_claims_about_its_trial(server: httpx.Client, service: Ser
     with unchanged(service, logged=len(claims)):
         for claim in claims:
             assert told(person.answer(0, **claim)) == (400, "input"), claim
-
-
-BODIES = (
-    b"",
-    b"{",
-    b"null",
-    b"[]",
-    b'"left"',
-    b'{"chosen": "left", "response_ms": NaN}',
-    b'{"chosen": "left", "response_ms": Infinity}',
-    b'{"chosen": "left", "response_ms": 1e999}',
-    b'{"chosen": "left", "flags": {"x": NaN}}',
-    b'{"chosen": "left", "flags": {"x": -Infinity}}',
-    b'{"chosen": "left", "flags": {"\\ud800": 1}}',
-    b'{"chosen": "left", "flags": {"x": "\\udfff"}}',
-    b'{"chosen": "left\\u0000"}',
-    b'{"chosen": "left", "flags": {"x": "\xff\xfe"}}',
-    b'{"chosen": "left", "flags": ' + b'{"x":' * 5000 + b"1" + b"}" * 5001,
-    b'{"chosen": "left", "flags": {"x": ' + b"[" * 30_000 + b"]" * 30_000 + b"}}",
-    b"[" * 60_000,
-    b'{"chosen": "left", "response_ms": ' + b"9" * 60_000 + b"}",
-    '{"chosen": "left"}'.encode("utf-16"),
-)
-
-
-def test_json_that_is_none_or_too_much(server: httpx.Client, service: Service) -> None:
-    person = Person.consented(server)
-    with unchanged(service, logged=len(BODIES)):
-        for body in BODIES:
-            asked = server.put("/api/answers/0", content=body, headers={**person.headers, **JSON})
-            assert told(asked) == (400, "input"), body[:40]
-
-
-def test_text_that_means_something_elsewhere_is_only_text(
-    server: httpx.Client, service: Service
-) -> None:
-    person = Person.consented(server)
-    lab = Experimenter.login(server)
-    for trial, text in enumerate((SQL, HTML, "a\r\nSet-Cookie: b=c", "=cmd|' /C calc'!A0")):
-        assert person.answer(trial, flags={text: text}).status_code == 200
-        assert lab.post("people/0/exclude", {"reason": text}).status_code == 204
-        shown = lab.get("progress")
-        assert shown.json()["people"][0]["excluded"] == text
-        assert shown.headers["content-type"] == "application/json"
-        assert lab.post("invitations", {"count": 1, "label": text}).status_code == 200
-        assert lab.get("invitations").json()[-1]["label"] == text
-        assert "set-cookie" not in shown.headers
-    rows = service.store.answers(service.running.study)
-    assert [json.loads(row["flags"]) for row in rows][:2] == [{SQL: SQL}, {HTML: HTML}]
-    assert lab.get("answers.csv").status_code == 200
-
-
-def test_text_that_cannot_be_kept(server: httpx.Client, service: Service) -> None:
-    Person.consented(server)
-    person, lab = Person.new(server), Experimenter.login(server)
-    for text in ("a\0b", "", "x" * 1001):
-        with unchanged(service, logged=5):
-            for entry in ({"language": text}, {"groups": {"trade": text}}, {"groups": {text: ""}}):
-                assert told(person.enter(**entry)) == (400, "input")
-            assert told(lab.post("people/0/exclude", {"reason": text})) == (400, "input")
-            asked = lab.post("invitations", {"count": 1, "label": text})
-            assert told(asked) == (400, "input")
 
 
 def test_groups_that_are_drawn_cannot_be_chosen(server: httpx.Client, service: Service) -> None:

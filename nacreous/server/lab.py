@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Response
@@ -128,7 +130,8 @@ async def exclude(request: Request, who: Who, number: Number) -> None:
     wanted = await asked(request, Excluding)
 
     def work() -> None:
-        service.store.exclude(_person(service, number).id, wanted.reason, who)
+        with _changing(service, number) as session:
+            service.store.exclude(session.id, wanted.reason, who)
 
     await run_in_threadpool(work)
 
@@ -137,21 +140,28 @@ async def exclude(request: Request, who: Who, number: Number) -> None:
 def readmit(request: Request, who: Who, number: Number) -> None:
     """Count them after all."""
     service = service_of(request)
-    service.store.readmit(_person(service, number).id, who)
+    with _changing(service, number) as session:
+        service.store.readmit(session.id, who)
 
 
 @router.post("/people/{number}/revoke", status_code=204, responses=MISSING, openapi_extra=CHANGES)
 def revoke(request: Request, who: Who, number: Number) -> None:
     """Make somebody's token worthless."""
     service = service_of(request)
-    service.store.revoke(_person(service, number).id, who)
+    with _changing(service, number) as session:
+        service.store.revoke(session.id, who)
 
 
-def _person(service: Service, number: int) -> Session:
-    for session in service.store.sessions(service.running.study):
-        if session.number == number:
-            return session
-    raise HTTPException(404)
+@contextmanager
+def _changing(service: Service, number: int) -> Iterator[Session]:
+    """A person by number; after the change nothing is remembered of anybody."""
+    found = [one for one in service.store.sessions(service.running.study) if one.number == number]
+    if not found:
+        raise HTTPException(404)
+    try:
+        yield found[0]
+    finally:
+        service.sessions.forget()
 
 
 @router.get(

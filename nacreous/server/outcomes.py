@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable, Hashable
 from typing import Any, TypeVar
 
+# What marks and scales are worked out with takes a second to load; now, and not among answers.
+import scipy.stats  # noqa: F401
 from starlette.concurrency import run_in_threadpool
 
 T = TypeVar("T")

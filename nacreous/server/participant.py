@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import re
-from concurrent.futures import Future
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Response
@@ -16,7 +17,7 @@ from nacreous.server.refusal import BODIES, MISSING, PROBLEMS
 from nacreous.server.service import Service, address, service_of
 from nacreous.server.sitting import sitting_of
 from nacreous.server.told import ReceiptTold, ScreenTold, SittingTold, StudyTold
-from nacreous.study.store import NotAllowed, Receipt, Session, UnknownToken
+from nacreous.study.store import NotAllowed, Session, UnknownToken
 
 _BEARER: dict[str, Any] = {"security": [{"token": []}]}
 
@@ -40,6 +41,42 @@ def session_of(service: Service, request: Request) -> Session:
     session = service.running.session_of(token_of(request))
     request.state.session = session.id
     return session
+
+
+@contextmanager
+def changing(request: Request) -> Iterator[tuple[Service, Session]]:
+    """Who asks for a change of themselves; what is remembered of them is forgotten after it."""
+    service = service_of(request)
+    try:
+        yield service, session_of(service, request)
+    finally:
+        service.sessions.forget(token_of(request))
+
+
+# First of all routes, for it is asked the most, and routes are tried in turn.
+@router.put("/answers/{trial}", responses=BODIES, openapi_extra={**_BEARER, **asks(Answering)})
+async def answer(request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1)]) -> ReceiptTold:
+    """Answer a trial. The receipt says that it is on the disk; the same again is welcome."""
+    service = service_of(request)
+    token = token_of(request)
+    wanted = await asked(request, Answering)
+    session = service.sessions.get(token)
+    if session is None:
+        session = await run_in_threadpool(service.sessions.read, token)
+    request.state.session = session.id
+    # The plan is in memory since the session was read: nothing here waits but for the receipt.
+    waiting = service.running.hand_in(
+        session,
+        trial,
+        wanted.chosen,
+        response_ms=wanted.response_ms,
+        shown_at=wanted.shown_at,
+        answered_at=wanted.answered_at,
+        flags=wanted.flags,
+        simulated=wanted.simulated,
+    )
+    receipt = await asyncio.wrap_future(waiting)
+    return ReceiptTold(trial=trial, received_at=receipt.received_at, again=receipt.again)
 
 
 @router.get("/study")
@@ -87,65 +124,37 @@ def sitting(request: Request) -> SittingTold:
 @router.post("/consent", status_code=204, openapi_extra=_BEARER)
 def consent(request: Request) -> None:
     """The participant agrees; no answer is taken before."""
-    service = service_of(request)
-    service.store.consent(session_of(service, request).id)
+    with changing(request) as (service, session):
+        service.store.consent(session.id)
 
 
 @router.post("/screen", responses=BODIES, openapi_extra={**_BEARER, **asks(Checking)})
 async def screen(request: Request) -> ScreenTold:
     """What the screen is like; the last check counts."""
-    service = service_of(request)
     token_of(request)
     wanted = await asked(request, Checking)
 
     def work() -> ScreenTold:
-        session = session_of(service, request)
-        flags = service.running.screen(session, wanted.content)
-        refused = service.running.refused(session_of(service, request))
-        return ScreenTold(flags=list(flags), refused=refused)
+        with changing(request) as (service, session):
+            flags = service.running.screen(session, wanted.content)
+            refused = service.running.refused(session_of(service, request))
+            return ScreenTold(flags=list(flags), refused=refused)
 
     return await run_in_threadpool(work)
-
-
-@router.put("/answers/{trial}", responses=BODIES, openapi_extra={**_BEARER, **asks(Answering)})
-async def answer(request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1)]) -> ReceiptTold:
-    """Answer a trial. The receipt says that it is on the disk; the same again is welcome."""
-    service = service_of(request)
-    token_of(request)
-    wanted = await asked(request, Answering)
-    waiting = await run_in_threadpool(_handed_in, service, request, trial, wanted)
-    receipt = await asyncio.wrap_future(waiting)
-    return ReceiptTold(trial=trial, received_at=receipt.received_at, again=receipt.again)
-
-
-def _handed_in(
-    service: Service, request: Request, trial: int, wanted: Answering
-) -> Future[Receipt]:
-    session = session_of(service, request)
-    return service.running.hand_in(
-        session,
-        trial,
-        wanted.chosen,
-        response_ms=wanted.response_ms,
-        shown_at=wanted.shown_at,
-        answered_at=wanted.answered_at,
-        flags=wanted.flags,
-        simulated=wanted.simulated,
-    )
 
 
 @router.post("/finish", status_code=204, openapi_extra=_BEARER)
 def finish(request: Request) -> None:
     """The participant saw the last page; every trial is answered."""
-    service = service_of(request)
-    service.running.finish(session_of(service, request))
+    with changing(request) as (service, session):
+        service.running.finish(session)
 
 
 @router.post("/withdraw", status_code=204, openapi_extra=_BEARER)
 def withdraw(request: Request) -> None:
     """The participant does not want their answers to be counted."""
-    service = service_of(request)
-    service.store.withdraw(session_of(service, request).id)
+    with changing(request) as (service, session):
+        service.store.withdraw(session.id)
 
 
 @router.get(

@@ -17,6 +17,7 @@ from nacreous.server.person import People
 from nacreous.server.pictures import Pictures
 from nacreous.server.rates import Rates, address_of
 from nacreous.server.refusal import Refusal
+from nacreous.server.sessions import Sessions
 from nacreous.server.told import StudyTold
 from nacreous.study.running import Running
 from nacreous.study.store import Store, StoreError, tokens
@@ -31,6 +32,7 @@ class Service:
     def __init__(self, running: Running, url: str | None = None) -> None:
         self.running = running
         self.rates = Rates()
+        self.sessions = Sessions(running)
         self.outcomes = Outcomes()
         self.people = People(running)
         self.pictures = Pictures(running.frozen)

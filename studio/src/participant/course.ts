@@ -1,7 +1,7 @@
 /** A whole sitting, from the first page to the last. */
 
 import { Problem } from "../shared/http";
-import { fill, said } from "../shared/language";
+import { fill, preferred, said } from "../shared/language";
 import type { Language } from "../shared/language";
 import { Answers } from "./answers";
 import { Api, study as studyOf } from "./api";
@@ -31,14 +31,16 @@ import { WORDS } from "./words/words";
 import type { Words } from "./words/words";
 
 export class Course {
-  language: Language = "en";
+  private language: Language = "en";
 
   constructor(
     private readonly stage: Stage,
     private readonly notice: Notice,
     private readonly kept: Kept,
     private readonly study: Study,
-  ) {}
+  ) {
+    this.speak(preferred(study.languages, navigator.languages));
+  }
 
   get words(): Words {
     return WORDS[this.language];
@@ -47,9 +49,11 @@ export class Course {
   /** Go through all of it; throws `Ended` or `Problem` where it ends before its end. */
   async run(): Promise<void> {
     const own = linked(location.hash) ?? (await this.kept.token(this.study.name));
-    const api = new Api(own ?? this.study.token);
-    let sitting = own === null ? null : await this.reach(() => sittingOf(api));
-    sitting = await this.entered(api, sitting, own !== null);
+    let api = new Api(own ?? this.study.token);
+    const found = own === null ? null : await this.reach(() => sittingOf(api));
+    const left = found === null && linked(location.hash) === null; // by another study, perhaps
+    if (left && this.study.registration === "open") api = new Api(this.study.token);
+    let sitting = await this.entered(api, found, own !== null);
     if (sitting.finished) throw new Ended("thanks");
     const screen = await this.screened(api, sitting);
     if (sitting.trials.length === 0) sitting = await this.reach(() => api.sitting());
@@ -65,15 +69,16 @@ export class Course {
     else this.notice.show(this.words.offline);
   };
 
-  private readonly speak = (language: Language): void => {
+  private speak(language: Language): void {
     this.language = language;
     document.documentElement.lang = language;
     document.title = this.words.consent_title;
-  };
+  }
 
   private async entered(api: Api, found: Sitting | null, own: boolean): Promise<Sitting> {
-    const entering = new Entering(this.stage, this.study, api, this.reach, this.speak);
+    const speak = (language: Language) => this.speak(language);
     const keep = () => this.kept.keepToken(this.study.name, api.token);
+    const entering = new Entering(this.stage, this.study, api, this.reach, speak);
     if (found === null) {
       const bar = barred(this.study, own);
       if (bar !== null) throw new Ended(bar);
@@ -86,7 +91,9 @@ export class Course {
 
   /** Why somebody was not let in: the study was paused meanwhile, or the link is no good. */
   private async barredNow(reason: unknown): Promise<never> {
-    if (!(reason instanceof Problem) || reason.kind !== "not-allowed") throw reason;
+    if (!(reason instanceof Problem && ["not-allowed", "token"].includes(reason.kind)))
+      throw reason;
+    await this.kept.forgetToken(this.study.name);
     const { state } = await this.reach(studyOf);
     throw new Ended(state === "open" ? "unknown" : state);
   }

@@ -46,7 +46,6 @@ export class Entering {
   private async language(): Promise<Language> {
     const offered = this.study.languages;
     const first = preferred(offered, navigator.languages);
-    this.speak(first);
     if (offered.length < 2) return first;
     const chosen = await this.stage.show(languagePage(offered, first));
     this.speak(chosen);

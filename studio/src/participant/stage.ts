@@ -12,8 +12,8 @@ export interface Page<T> {
   name: string;
   /** Draw into an empty element and call `done` once. What it returns is called when it is left. */
   draw(into: HTMLElement, done: (result: T) => void): (() => void) | void;
-  /** Do what a participant would, for a simulation. */
-  play(into: HTMLElement): void;
+  /** Do what a participant would, for a simulation; pages without it are shown even then. */
+  play?: (into: HTMLElement) => void;
 }
 
 const info = {
@@ -21,7 +21,7 @@ const info = {
   version: "1.0.0",
   parameters: {
     draw: { type: ParameterType.FUNCTION, default: undefined },
-    play: { type: ParameterType.FUNCTION, default: undefined },
+    play: { type: ParameterType.FUNCTION, default: null },
   },
   data: {},
 } as const;
@@ -50,7 +50,7 @@ class PagePlugin implements JsPsychPlugin<Info> {
     const seen = mode === "visual";
     const display = seen ? this.jsPsych.getDisplayElement() : element("div");
     const finished = this.trial(display, trial, loaded);
-    setTimeout(() => trial.play(display), seen ? 300 : 0);
+    setTimeout(() => trial.play?.(display), seen ? 300 : 0);
     return finished;
   }
 }
@@ -83,7 +83,8 @@ export class Stage {
           done();
         });
       },
-      play: page.play,
+      play: page.play ?? null,
+      simulation_options: { simulate: page.play !== undefined },
       on_finish: () => leave?.(),
     };
   }

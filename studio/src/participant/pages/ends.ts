@@ -50,7 +50,6 @@ export function endPage(words: Words, end: End, next = false): Page<"again" | "n
       if (next) actions.push(button(words.thanks_next, () => done("next")));
       sheet(into, words[`${end}_title`], [element("p", {}, words[end])], actions);
     },
-    play: () => undefined,
   };
 }
 

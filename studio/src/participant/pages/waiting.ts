@@ -25,7 +25,6 @@ export function loadingPage(
         (problem: unknown) => done({ problem }),
       );
     },
-    play: () => undefined,
   };
 }
 
@@ -47,6 +46,5 @@ export function sendingPage(words: Words, waiting: () => number, all: Promise<vo
       void all.then(() => done(null));
       return () => clearInterval(clock);
     },
-    play: () => undefined,
   };
 }
