@@ -82,7 +82,11 @@ def _pauses(rows: Sequence[Row]) -> Iterator[Flag]:
 def _noticed(rows: Sequence[Row]) -> Iterator[Flag]:
     """What the participant's page noticed while answers were given."""
     counts = Counter(
-        name for row in rows for name, value in json.loads(row["flags"]).items() if value
+        name
+        for row in rows
+        if row["flags"] != "{}"  # as nearly all are
+        for name, value in json.loads(row["flags"]).items()
+        if value
     )
     for name, count in sorted(counts.items()):
         if name in _OFTEN and count <= _OFTEN[name] * len(rows):

@@ -31,6 +31,7 @@ class Laboratory {
   private page: Page | null = null;
   private timer = 0;
   private looking = false;
+  private again = false;
   private lastAt: Date | null = null;
   private last: Progress | null = null;
 
@@ -85,11 +86,16 @@ class Laboratory {
     this.page = new Page(desk, {
       logOut: () => void this.logOut(),
       speak: (language) => this.speak(language, () => this.makePage()),
-      look: () => this.look(),
+      look: () => this.show(),
     });
     put(this.page.node);
-    if (this.last !== null) void this.page.update(this.last).catch(() => undefined);
     this.page.open(location.hash.slice(1));
+  }
+
+  /** Show at once what is known, and look what is new. */
+  private show(): void {
+    if (this.last !== null) void this.page?.update(this.last).catch(() => undefined);
+    this.look();
   }
 
   private speak(language: Language, again: () => void): void {
@@ -125,11 +131,13 @@ class Laboratory {
   /** Ask how far the study is, now and from now on every few seconds. */
   private look(): void {
     clearTimeout(this.timer);
+    this.again = this.looking;
     if (this.looking || this.page === null) return;
     this.looking = true;
     void this.lookOnce().then((wait_ms) => {
       this.looking = false;
       clearTimeout(this.timer);
+      if (this.again) return this.look();
       if (this.page !== null && !document.hidden && wait_ms > 0) {
         this.timer = window.setTimeout(() => this.look(), wait_ms);
       }

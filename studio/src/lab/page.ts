@@ -93,7 +93,6 @@ export class Page {
     this.badge.textContent = words.state[progress.state];
     this.badge.className = `badge ${progress.state}`;
     document.title = fill(words.title, { study: progress.name });
-    this.node.classList.toggle("demo", progress.purpose === "demo");
     await this.view.update(progress);
   }
 

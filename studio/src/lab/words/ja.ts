@@ -9,7 +9,6 @@ export const ja: Words = {
   logged_in_as: "{name}としてログイン中",
   log_out: "ログアウト",
   skip: "本文へ移動",
-  demo: "デモンストレーション",
   demo_note: "これはデモンストレーションです。ここにあるものは研究データではありません。",
 
   login: {
@@ -69,7 +68,7 @@ export const ja: Words = {
     median: "所要時間の中央値",
     excluded: "除外",
     erased: "消去",
-    simulated: "シミュレーション {count}",
+    simulated: "ほかにシミュレーション {count}",
     none: "–",
     flagged: "注意あり",
   },
@@ -100,13 +99,11 @@ export const ja: Words = {
     actions: "操作",
     finished: "完了",
     simulated: "シミュレーション",
-    excluded: "除外",
     excluded_because: "除外：{reason}",
     erased: "消去済み",
     of: "{answers} / {trials}",
     just_now: "たった今",
     ago: "{duration}前",
-    more: "参加者{number}の操作",
     exclude: "除外…",
     exclude_short: "除外する",
     readmit: "除外を取り消す",
@@ -186,7 +183,10 @@ export const ja: Words = {
     simulated_note: "これは人の回答ではありません。人の判断については何も示しません。",
     none: "尺度はまだ求められません。",
     none_answers: "この設問には、集計できる回答がまだありません。",
-    reason: "理由：{problem}",
+    always:
+      "ほかの対象に対して常に選ばれている、または一度も選ばれていない対象があるため、間隔がまだ定まりません。回答が増えれば求められます。",
+    apart: "ほかの対象とまだ比べられていない対象があります（間接的な比較も含みます）。",
+    reason: "サーバーからの説明：{problem}",
     from: "{people}人、{answers}件の回答",
     from_simulated: "シミュレーション{people}人分、{answers}件の回答",
     interval:
@@ -241,6 +241,7 @@ export const ja: Words = {
     person: "参加者",
     detail: "詳細",
     none: "記録はありません。",
+    people: { participant: "参加者", somebody: "不明", store: "保存先" },
     events: {
       "study added": "調査を登録",
       "study open": "調査を再開",
