@@ -80,8 +80,14 @@ export class Presenter {
       tie: words.tie,
       progress: fill(trial.training ? words.training_of : words.pair_of, { n, all }),
       early: words.pair_early,
-      keys: this.study.sitting.ties ? words.pair_keys_tie : words.pair_keys,
+      keys: this.keys(),
     };
+  }
+
+  /** What keys there are, where there may be a keyboard. */
+  private keys(): string {
+    if (!matchMedia("(any-hover: hover)").matches) return "";
+    return this.study.sitting.ties ? this.words.pair_keys_tie : this.words.pair_keys;
   }
 
   private sizes(trial: Trial, room: Room): Sizes {

@@ -49,9 +49,11 @@ export class Course {
   /** Go through all of it; throws `Ended` or `Problem` where it ends before its end. */
   async run(): Promise<void> {
     const own = linked(location.hash) ?? (await this.kept.token(this.study.name));
-    const api = new Api(own ?? this.study.token);
-    let sitting = own === null ? null : await this.reach(() => sittingOf(api));
-    sitting = await this.entered(api, sitting, own !== null);
+    let api = new Api(own ?? this.study.token);
+    const found = own === null ? null : await this.reach(() => sittingOf(api));
+    const left = found === null && linked(location.hash) === null; // by another study, perhaps
+    if (left && this.study.registration === "open") api = new Api(this.study.token);
+    let sitting = await this.entered(api, found, own !== null);
     if (sitting.finished) throw new Ended("thanks");
     const screen = await this.screened(api, sitting);
     if (sitting.trials.length === 0) sitting = await this.reach(() => api.sitting());
@@ -89,7 +91,8 @@ export class Course {
 
   /** Why somebody was not let in: the study was paused meanwhile, or the link is no good. */
   private async barredNow(reason: unknown): Promise<never> {
-    if (!(reason instanceof Problem) || reason.kind !== "not-allowed") throw reason;
+    if (!(reason instanceof Problem && ["not-allowed", "token"].includes(reason.kind)))
+      throw reason;
     await this.kept.forgetToken(this.study.name);
     const { state } = await this.reach(studyOf);
     throw new Ended(state === "open" ? "unknown" : state);

@@ -8,9 +8,14 @@ export class Watch {
   /** `fit` is called whenever the window has another size. */
   constructor(fit: () => void) {
     const { signal } = this.over;
-    const leave = () => (this.away += 1);
-    window.addEventListener("blur", leave, { signal });
-    document.addEventListener("visibilitychange", () => document.hidden && leave(), { signal });
+    let out = false; // a tab that is left both loses the focus and is hidden
+    const look = (leaves: boolean) => {
+      if (leaves && !out) this.away += 1;
+      out = leaves;
+    };
+    window.addEventListener("blur", () => look(true), { signal });
+    window.addEventListener("focus", () => look(false), { signal });
+    document.addEventListener("visibilitychange", () => look(document.hidden), { signal });
     window.addEventListener(
       "resize",
       () => {

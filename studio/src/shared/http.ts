@@ -13,7 +13,7 @@ export class Problem extends Error {
 
   /** Whether the same request may yet succeed: no network, a busy server, or one that failed. */
   get passes(): boolean {
-    return this.status === 0 || this.status === 429 || this.status >= 500;
+    return [0, 408, 429].includes(this.status) || this.status >= 500;
   }
 }
 

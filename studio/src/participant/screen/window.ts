@@ -28,7 +28,7 @@ export function windowPage(words: Words, rules: ScreenRules): Page<null> {
         const enough = largeEnough(rules);
         now.textContent = enough ? words.window_large : fill(words.window_now, sizes());
         go.textContent = enough ? words.go_on : words.window_anyway;
-        go.className = enough ? "main" : "quiet";
+        go.className = enough ? "main" : "";
       };
       const explained = element("p", {}, fill(words.window_small, sizes()));
       sheet(into, words.window_title, [explained, now], [go]);
