@@ -32,6 +32,7 @@ examples:
   nacreous paper out             the paper's figures again, measured, on one page
   nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous study new paper       the paper's experiment, ready for participants
+  nacreous study demo            a whole study on this computer, to look at
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them
   nacreous schema pearl          every key of a pearl file, for editors

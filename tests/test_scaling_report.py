@@ -208,6 +208,19 @@ def test_only_the_papers_report_is_marked_as_reconstructed(answered):
     assert "復元" not in answered.text("a.html", "ja")
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_simulated_answers_are_said_to_be_so_first_and_people_s_are_not(answered, language):
+    words = Words(language)
+    found = nc.scaling.study(survey(), question="Which?", simulated=True, bootstrap=0)
+    page = found.text("report.html", language)
+    title = words("page.simulated", title=words("page.asked", question="Which?"))
+    assert f"<title>{title}</title>" in page
+    assert page.index(words("head.simulated")) < page.index("<main>")
+    assert "--simulated" in page
+    assert json.loads(found.text("scale.json"))["settings"]["simulated"] is True
+    assert words("head.simulated") not in answered.text("report.html", language)
+
+
 def test_neighbours_told_apart_are_those_whose_interval_is_beyond_chance(paper):
     for pair in paper.neighbours:
         assert pair.low < pair.difference < pair.high

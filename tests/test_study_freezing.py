@@ -110,13 +110,29 @@ def test_a_picture_that_is_brought_keeps_its_pixels(desk: Path) -> None:
 def test_no_stimulus_tells_a_participant_what_it_is(desk: Path) -> None:
     frozen = freeze(desk / "small.toml", "out")
     for stimulus in frozen.stimuli:
-        assert nc.file.read_png_text(frozen.path(stimulus.label)) == {}
+        text = nc.file.read_png_text(frozen.path(stimulus.label))
+        assert text == {"width_mm": str(stimulus.width_mm)}
 
 
 def test_a_frozen_study_opens_as_it_was_made(desk: Path) -> None:
     frozen = freeze(desk / "small.toml", "out")
     assert open_frozen("out") == frozen
     assert frozen.design.labels == tuple(stimulus.label for stimulus in frozen.stimuli)
+
+
+def test_one_picture_in_two_widths_is_two_stimuli(desk: Path) -> None:
+    twice = SMALL.replace(
+        'label = "photograph"',
+        'label = "larger"\npicture = "photograph.png"\n'
+        'width_mm = 66\n\n[[stimuli]]\nlabel = "photograph"',
+    )
+    (desk / "twice.toml").write_text(twice, encoding="utf-8")
+    frozen = freeze(desk / "twice.toml", "twice")
+    larger, smaller = frozen.stimuli[1:3]
+    assert (larger.width_mm, smaller.width_mm) == (66.0, 33.0)
+    assert larger.sha256 != smaller.sha256
+    with Pillow.open(frozen.path("larger")) as one, Pillow.open(frozen.path("photograph")) as two:
+        assert one.tobytes() == two.tobytes()
 
 
 @pytest.mark.parametrize(

@@ -271,6 +271,17 @@ def test_a_study_is_known_by_the_hash_of_all_that_is_frozen(store: Store) -> Non
         store.study()
 
 
+def test_who_reads_sees_one_state_throughout(store: Store) -> None:
+    session = entered(store)
+    store.answer(session.id, answer(0))
+    count = sa.text("SELECT count(*) FROM answers")
+    with store.reading() as connection:
+        before = connection.execute(count).scalar_one()
+        store.answer(session.id, answer(1))
+        assert connection.execute(count).scalar_one() == before == 1
+    assert len(store.answers(STUDY)) == 2
+
+
 def test_two_stores_open_the_same_place(place: str) -> None:
     with Store.open(place) as one, Store.open(place) as two:
         one.add_study(MANIFEST)

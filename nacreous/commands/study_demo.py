@@ -136,7 +136,7 @@ def _serve(frozen: Frozen, listening: socket.socket, browser: bool) -> None:
     import secrets
 
     from nacreous.server import create_app
-    from nacreous.server.listening import address_of, serve
+    from nacreous.server.listening import address_of, serve, until_stopped
     from nacreous.study.running import Running
     from nacreous.study.store import Store
 
@@ -154,7 +154,8 @@ def _serve(frozen: Frozen, listening: socket.socket, browser: bool) -> None:
         app = create_app(running)
         beside.start()
         try:
-            serve(app, listening)
+            with until_stopped():
+                serve(app, listening)
         finally:
             stopping.set()
             beside.join()

@@ -15,15 +15,14 @@ class Pictures:
 
     def __init__(self, frozen: Frozen) -> None:
         self.of_label = {stimulus.label: stimulus.sha256 for stimulus in frozen.stimuli}
-        # Two labels can have the same picture, in two widths; then the first one's is told.
-        self.sizes: dict[str, PictureTold] = {}
-        for stimulus in frozen.stimuli:
-            size = PictureTold(
+        self.sizes = {
+            stimulus.sha256: PictureTold(
                 width_px=stimulus.width_px,
                 height_px=stimulus.height_px,
                 width_mm=stimulus.width_mm,
             )
-            self.sizes.setdefault(stimulus.sha256, size)
+            for stimulus in frozen.stimuli
+        }
         self._paths = {
             stimulus.sha256: frozen.folder / stimulus.file for stimulus in frozen.stimuli
         }

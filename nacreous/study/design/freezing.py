@@ -42,7 +42,7 @@ def freeze(
     study is never frozen over another. progress: called with the finished share, 0 to 1.
 
     The folder holds study.json, the manifest, and stimuli/, PNG files by their own hash, without
-    any text inside that could tell a participant what is shown. Same file, same bytes, on the same
+    any text inside but their width, so that none tells a participant what is shown. Same file, same bytes, on the same
     versions. Raises `InputError` for a study or a folder that cannot be used.
 
     >>> from tempfile import TemporaryDirectory
@@ -96,7 +96,8 @@ def _pictures(
 def _written(out: Path, picture: Picture) -> dict[str, Any]:
     """Write a picture under its hash, and give its entry in the manifest."""
     draft = out / STIMULI / "draft.png"
-    _core.write_png(draft, picture.codes, "srgb", [])
+    # The width makes one picture in two widths two files, which people are to tell apart.
+    _core.write_png(draft, picture.codes, "srgb", [("width_mm", f"{picture.width_mm!r}")])
     sha256 = hashlib.sha256(draft.read_bytes()).hexdigest()
     draft.replace(draft.with_name(f"{sha256}.png"))
     height_px, width_px = picture.codes.shape[:2]

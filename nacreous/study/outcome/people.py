@@ -13,7 +13,7 @@ from nacreous.scaling.check.response import MOST_FAST
 from nacreous.study.outcome.consistent import consistency_flags
 from nacreous.study.outcome.flag import LONGEST_PAUSE_S, Flag
 from nacreous.study.outcome.rows import Row, chosen_of
-from nacreous.study.store.export import COUNTED
+from nacreous.study.store.record import COUNTED
 
 if TYPE_CHECKING:
     from nacreous.study.design import Design
@@ -82,7 +82,11 @@ def _pauses(rows: Sequence[Row]) -> Iterator[Flag]:
 def _noticed(rows: Sequence[Row]) -> Iterator[Flag]:
     """What the participant's page noticed while answers were given."""
     counts = Counter(
-        name for row in rows for name, value in json.loads(row["flags"]).items() if value
+        name
+        for row in rows
+        if row["flags"] != "{}"  # as nearly all are
+        for name, value in json.loads(row["flags"]).items()
+        if value
     )
     for name, count in sorted(counts.items()):
         if name in _OFTEN and count <= _OFTEN[name] * len(rows):

@@ -20,6 +20,13 @@ _INSERT = {
     .returning(answers.c.seq)
     for name, make in (("sqlite", sqlite.insert), ("postgresql", postgresql.insert))
 }
+# And how many trials before one are answered, in the same question to the database.
+_WITH_TURN = people.LIVING.add_columns(
+    sa.select(sa.func.count())
+    .where(answers.c.session == sa.bindparam("session"), answers.c.trial < sa.bindparam("trial"))
+    .scalar_subquery()
+    .label("before")
+)
 
 
 def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_turn: bool) -> Receipt:
@@ -28,11 +35,17 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_tur
     What was refused is kept in the audit log, whole. `in_turn`: only where all trials before it
     are answered.
     """
-    person = people.living(connection, session)
+    if in_turn:
+        person = people.living(connection, session, _WITH_TURN, trial=answer.trial)
+    else:
+        person = people.living(connection, session)
     if person.consented_at is None:
         raise NotAllowed(f"session {session} has not consented; wanted: consent before answers")
-    if in_turn:
-        _check_turn(connection, session, answer.trial)
+    if in_turn and person.before < answer.trial:
+        raise OutOfTurn(
+            f"trial is {answer.trial} while {person.before} trials before it are answered; "
+            "allowed: the next one, or one that is answered"
+        )
     row = dict(answer.row, study=person.study, session=session, received_at=at)
     insert = _INSERT[connection.dialect.name]
     stored = connection.execute(insert, {**row, "digest": answer.digest}).scalar_one_or_none()
@@ -54,21 +67,10 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_tur
     )
 
 
-def count(connection: sa.Connection, session: str, below: int | None = None) -> int:
-    """How many answers of a session are stored, of all trials or of those `below` one."""
+def count(connection: sa.Connection, session: str) -> int:
+    """How many answers of a session are stored."""
     query = sa.select(sa.func.count()).where(answers.c.session == session)
-    if below is not None:
-        query = query.where(answers.c.trial < below)
     return int(connection.execute(query).scalar_one())
-
-
-def _check_turn(connection: sa.Connection, session: str, trial: int) -> None:
-    before = count(connection, session, trial)
-    if before < trial:
-        raise OutOfTurn(
-            f"trial is {trial} while {before} trials before it are answered; "
-            "allowed: the next one, or one that is answered"
-        )
 
 
 def _receipt(session: str, answer: Answer, at: str, *, again: bool) -> Receipt:

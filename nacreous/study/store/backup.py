@@ -117,10 +117,9 @@ def _copy_rows_to_file(source: sa.Engine, target: Path) -> None:
     try:
         upgrade(engine)
         place = place_of(source)
-        snapshot = source.execution_options(isolation_level="REPEATABLE READ")
         with (
             translated(place),
-            snapshot.connect() as rows,
+            source.connect() as rows,
             writing(engine).begin() as connection,
         ):
             _copy_rows(rows, connection)

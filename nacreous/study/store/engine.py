@@ -115,6 +115,7 @@ def _postgresql(given: str) -> sa.Engine:
         pool_size=8,
         max_overflow=24,
         pool_pre_ping=True,  # a server that was restarted costs no answer
+        isolation_level="REPEATABLE READ",  # whoever reads sees one state, as with SQLite
         connect_args={
             "connect_timeout": 10,
             "options": "-c synchronous_commit=on -c timezone=UTC -c lock_timeout=10000",
@@ -124,5 +125,7 @@ def _postgresql(given: str) -> sa.Engine:
 
 
 def writing(engine: sa.Engine) -> sa.Engine:
-    """The same engine for transactions that write."""
-    return engine.execution_options(writes=True)
+    """The same engine for transactions that write; each statement sees what others wrote."""
+    if engine.dialect.name == "sqlite":
+        return engine.execution_options(writes=True)
+    return engine.execution_options(isolation_level="READ COMMITTED")

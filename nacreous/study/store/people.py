@@ -18,7 +18,15 @@ from nacreous.study.store.schema import answers, screens, sessions
 #: Why a person is left out who no longer consents.
 WITHDREW = "withdrew"
 
-_LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
+_LAST = sa.select(sa.func.max(screens.c.seq)).where(screens.c.session == sessions.c.id)
+# Without the plan, which is long; made once, for making it takes as long as running it.
+_SESSIONS = (
+    sa.select(*(column for column in sessions.c if column.name != "plan"), screens.c.content)
+    .outerjoin(screens, screens.c.seq == _LAST.correlate(sessions).scalar_subquery())
+    .order_by(sessions.c.study, sessions.c.number)
+)
+#: What decides whether something may be added to a session.
+LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
     sessions.c.id == sa.bindparam("session")
 )
 
@@ -84,15 +92,7 @@ def readmit(connection: sa.Connection, at: str, session: str, who: str) -> None:
 
 def find(connection: sa.Connection, where: sa.ColumnElement[bool]) -> list[Session]:
     """Sessions in the order of their numbers, each with its last screen check."""
-    brief = [column for column in sessions.c if column.name != "plan"]  # which is long
-    last = sa.select(sa.func.max(screens.c.seq)).where(screens.c.session == sessions.c.id)
-    query = (
-        sa.select(*brief, screens.c.content)
-        .outerjoin(screens, screens.c.seq == last.correlate(sessions).scalar_subquery())
-        .where(where)
-        .order_by(sessions.c.study, sessions.c.number)
-    )
-    return [_session(row) for row in connection.execute(query).mappings()]
+    return [_session(row) for row in connection.execute(_SESSIONS.where(where)).mappings()]
 
 
 def one(connection: sa.Connection, session: str) -> Session:
@@ -118,9 +118,11 @@ def change(
     journal.note(connection, at, who, what, study, session, **detail)
 
 
-def living(connection: sa.Connection, session: str) -> Any:
-    """What decides whether something may be added to a session."""
-    row = connection.execute(_LIVING, {"session": session}).one_or_none()
+def living(
+    connection: sa.Connection, session: str, query: sa.Select[Any] = LIVING, **bound: Any
+) -> Any:
+    """The columns of `LIVING`, or of it and more, of a session that something may be added to."""
+    row = connection.execute(query, {"session": session, **bound}).one_or_none()
     if row is None:
         raise _unknown(session)
     if row.erased_at is not None:

@@ -6,7 +6,7 @@ import "./lab.css";
 import { element } from "../shared/dom";
 import { Problem } from "../shared/http";
 import { fill, type Language } from "../shared/language";
-import { Lab, type Progress, type Question } from "./api";
+import { Lab, type Progress, type Study } from "./api";
 import type { Desk, Kept } from "./desk";
 import { loginAgain, loginForm } from "./login";
 import { languages, Page } from "./page";
@@ -27,10 +27,11 @@ class Laboratory {
     links: [],
   };
   private speech = new Speech(rememberedLanguage());
-  private questions: Question[] = [];
+  private study: Study | null = null;
   private page: Page | null = null;
   private timer = 0;
   private looking = false;
+  private again = false;
   private lastAt: Date | null = null;
   private last: Progress | null = null;
 
@@ -73,23 +74,29 @@ class Laboratory {
   }
 
   private async showPage(): Promise<void> {
-    this.questions = await this.lab.questions();
-    this.kept.question ||= this.questions[0]?.id ?? "";
+    this.study = await this.lab.study();
+    this.kept.question ||= this.study.questions[0]?.id ?? "";
     this.makePage();
   }
 
   private makePage(): void {
-    const { speech, lab, questions, kept } = this;
+    const { speech, lab, study, kept } = this;
+    if (study === null) return;
     document.documentElement.lang = speech.language;
-    const desk: Desk = { lab, speech, questions, kept, act: (work) => this.act(work) };
+    const desk: Desk = { lab, speech, study, kept, act: (work) => this.act(work) };
     this.page = new Page(desk, {
       logOut: () => void this.logOut(),
       speak: (language) => this.speak(language, () => this.makePage()),
-      look: () => this.look(),
+      look: () => this.show(),
     });
     put(this.page.node);
-    if (this.last !== null) void this.page.update(this.last).catch(() => undefined);
     this.page.open(location.hash.slice(1));
+  }
+
+  /** Show at once what is known, and look what is new. */
+  private show(): void {
+    if (this.last !== null) void this.page?.update(this.last).catch(() => undefined);
+    this.look();
   }
 
   private speak(language: Language, again: () => void): void {
@@ -125,11 +132,13 @@ class Laboratory {
   /** Ask how far the study is, now and from now on every few seconds. */
   private look(): void {
     clearTimeout(this.timer);
+    this.again = this.looking;
     if (this.looking || this.page === null) return;
     this.looking = true;
     void this.lookOnce().then((wait_ms) => {
       this.looking = false;
       clearTimeout(this.timer);
+      if (this.again) return this.look();
       if (this.page !== null && !document.hidden && wait_ms > 0) {
         this.timer = window.setTimeout(() => this.look(), wait_ms);
       }

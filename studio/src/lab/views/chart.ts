@@ -10,7 +10,7 @@ const DENSE = 13;
 const AXIS = 54;
 const TOP = 12;
 const VALUE = 64;
-const RIGHT = 16;
+const RIGHT = 4;
 
 type Attributes = Record<string, string | number>;
 

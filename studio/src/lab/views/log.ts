@@ -33,18 +33,19 @@ function table(desk: Desk, events: Event[]): HTMLElement {
   const { speech } = desk;
   const words = speech.words.log;
   const heads = [words.at, words.who, words.what, words.person, words.detail];
-  const newest = [...events].sort((one, other) => other.at.localeCompare(one.at));
-  const rows = newest.map((event) =>
-    element(
-      "tr",
-      {},
-      element("td", { class: "nowrap" }, speech.moment(event.at)),
-      element("td", {}, event.who),
-      element("td", {}, words.events[event.what] ?? event.what),
-      element("td", {}, event.number === null ? "" : String(event.number)),
-      element("td", { class: "detail" }, detail(event.detail)),
-    ),
-  );
+  const rows = [...events]
+    .reverse()
+    .map((event) =>
+      element(
+        "tr",
+        {},
+        element("td", { class: "nowrap" }, speech.moment(event.at)),
+        element("td", { class: "nowrap" }, words.people[event.who] ?? event.who),
+        element("td", {}, words.events[event.what] ?? event.what),
+        element("td", {}, event.number === null ? "" : String(event.number)),
+        element("td", { class: "detail" }, detail(event.detail)),
+      ),
+    );
   return element(
     "div",
     { class: "scroll", role: "region", "aria-label": words.title, tabindex: 0 },

@@ -2,13 +2,15 @@
 
 import { button, element } from "../../shared/dom";
 import { fill, said } from "../../shared/language";
-import { ANSWERS_AT, reportAt, type Progress, type State } from "../api";
+import { ANSWERS_AT, reportAt, type Person, type Progress, type State } from "../api";
 import { askBefore } from "../dialog";
 import type { Desk, View } from "../desk";
+import { codeButton } from "./code";
 import { copyButton } from "./copy";
 import { downloadButton } from "./download";
 
 export function overview(desk: Desk): View {
+  const demo = element("p", { class: "note" }, desk.speech.words.demo_note);
   const figures = element("div", { class: "figures" });
   const state = element("section", { class: "card", "aria-labelledby": "state-title" });
   const registration = element("section", { class: "card", "aria-labelledby": "entry-title" });
@@ -16,6 +18,7 @@ export function overview(desk: Desk): View {
     "div",
     { class: "overview" },
     element("h2", { class: "sr-only" }, desk.speech.words.tabs.overview),
+    demo,
     figures,
     element("div", { class: "pair" }, state, registration),
     results(desk),
@@ -24,13 +27,14 @@ export function overview(desk: Desk): View {
   return {
     node,
     update(progress) {
-      const { people, ...rest } = progress;
-      const flagged = people.filter((person) => person.flags.length > 0).length;
-      const now = JSON.stringify([rest, flagged]);
+      const counted = count(progress);
+      const { people: _, ...rest } = progress;
+      const now = JSON.stringify([rest, counted]);
       if (now === before) return;
       before = now;
+      demo.hidden = progress.purpose !== "demo";
       const held = document.activeElement?.id ?? "";
-      fillFigures(desk, figures, progress, flagged);
+      fillFigures(desk, figures, progress, counted);
       fillState(desk, state, progress);
       fillRegistration(desk, registration, progress);
       if (held !== "") document.getElementById(held)?.focus();
@@ -38,31 +42,72 @@ export function overview(desk: Desk): View {
   };
 }
 
-function fillFigures(desk: Desk, node: HTMLElement, progress: Progress, flagged: number): void {
-  const words = desk.speech.words.figures;
-  const { median_s, simulated } = progress;
-  const figure = (value: string, name: string, note = "") =>
+interface Count {
+  entered: number;
+  finished: number;
+  flagged: number;
+  excluded: number;
+  /** The median time of those who have finished; null without any. */
+  median_s: number | null;
+}
+
+/** People's figures and simulated observers', apart. */
+function count({ people }: Progress): { people: Count; simulated: Count } {
+  const of = (some: Person[]): Count => {
+    const finished = some.filter((person) => person.finished);
+    return {
+      entered: some.length,
+      finished: finished.length,
+      flagged: some.filter((person) => person.flags.length > 0).length,
+      excluded: some.filter((person) => person.excluded !== null).length,
+      median_s: median(finished.flatMap((person) => person.seconds ?? [])),
+    };
+  };
+  return {
+    people: of(people.filter((person) => !person.simulated)),
+    simulated: of(people.filter((person) => person.simulated)),
+  };
+}
+
+function median(values: number[]): number | null {
+  const sorted = [...values].sort((one, other) => one - other);
+  const [low, high] = [sorted[(sorted.length - 1) >> 1], sorted[sorted.length >> 1]];
+  return low === undefined || high === undefined ? null : (low + high) / 2;
+}
+
+function fillFigures(
+  desk: Desk,
+  node: HTMLElement,
+  progress: Progress,
+  { people, simulated }: { people: Count; simulated: Count },
+): void {
+  const { speech } = desk;
+  const words = speech.words.figures;
+  const figure = (name: string, value: string, beside = 0) =>
     element(
       "div",
       { class: "figure" },
-      element("dd", {}, value, ...(note ? [element("small", {}, note)] : [])),
+      element(
+        "dd",
+        {},
+        value,
+        ...(beside > 0
+          ? [element("small", {}, fill(words.simulated, { count: number(beside) }))]
+          : []),
+      ),
       element("dt", {}, name),
     );
+  const number = (value: number) => value.toLocaleString(speech.language);
+  const pair = (name: string, value: number, beside: number) => figure(name, number(value), beside);
   const shown = [
-    figure(String(progress.entered), words.entered),
-    figure(String(progress.finished), words.finished),
-    figure(
-      progress.answers.toLocaleString(desk.speech.language),
-      words.answers,
-      simulated > 0
-        ? fill(words.simulated, { count: simulated.toLocaleString(desk.speech.language) })
-        : "",
-    ),
-    figure(median_s === null ? words.none : desk.speech.duration(median_s), words.median),
-    figure(String(flagged), words.flagged),
-    figure(String(progress.excluded), words.excluded),
+    pair(words.entered, people.entered, simulated.entered),
+    pair(words.finished, people.finished, simulated.finished),
+    pair(words.answers, progress.answers - progress.simulated, progress.simulated),
+    figure(words.median, people.median_s === null ? words.none : speech.duration(people.median_s)),
+    pair(words.flagged, people.flagged, simulated.flagged),
+    pair(words.excluded, people.excluded, simulated.excluded),
   ];
-  if (progress.erased > 0) shown.push(figure(String(progress.erased), words.erased));
+  if (progress.erased > 0) shown.push(figure(words.erased, number(progress.erased)));
   node.replaceChildren(element("dl", {}, ...shown));
 }
 
@@ -122,7 +167,13 @@ function fillRegistration(desk: Desk, node: HTMLElement, progress: Progress): vo
     progress.registration === "open"
       ? [
           element("p", { class: "soft" }, words.open_note),
-          element("p", { class: "row" }, element("code", {}, address), copyButton(desk, address)),
+          element(
+            "p",
+            { class: "row" },
+            element("code", {}, address),
+            copyButton(desk, address),
+            codeButton(desk, address),
+          ),
         ]
       : [element("p", { class: "soft" }, words.invited_note)];
   node.replaceChildren(
@@ -141,7 +192,7 @@ function fillRegistration(desk: Desk, node: HTMLElement, progress: Progress): vo
 function results(desk: Desk): HTMLElement {
   const words = desk.speech.words.results;
   const reports = (simulated: boolean) =>
-    desk.questions.map((question) =>
+    desk.study.questions.map((question) =>
       element(
         "div",
         { class: "take" },

@@ -48,7 +48,9 @@ export function rowOf(
 
 function marks(desk: Desk, person: Person): (Node | string)[] {
   const words = desk.speech.words.people;
-  const shown: (Node | string)[] = [Object.values(person.groups).join(", "), " "];
+  const groups = Object.entries(person.groups);
+  const named = groups.map(([name, value]) => (groups.length > 1 ? `${name}: ${value}` : value));
+  const shown: (Node | string)[] = [named.join(", "), " "];
   if (person.simulated) shown.push(element("span", { class: "badge simulated" }, words.simulated));
   if (person.excluded !== null) {
     const reason = fill(words.excluded_because, { reason: person.excluded });

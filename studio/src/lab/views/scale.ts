@@ -50,7 +50,8 @@ export function scale(desk: Desk): View {
 }
 
 function choices(desk: Desk, changed: () => void): HTMLElement[] {
-  const { kept, questions } = desk;
+  const { kept } = desk;
+  const { questions } = desk.study;
   const words = desk.speech.words.scale;
   const question = element(
     "select",
@@ -105,6 +106,7 @@ class Drawing {
       this.found = null;
       this.node.replaceChildren(
         element("p", { class: "empty" }, words.none),
+        ...why(found.problem, words).map((said) => element("p", {}, said)),
         element("p", { class: "soft" }, fill(words.reason, { problem: found.problem })),
       );
       return;
@@ -142,6 +144,13 @@ class Drawing {
     });
     if (before?.outerHTML !== drawn.outerHTML) this.place.replaceChildren(drawn);
   }
+}
+
+/** In our own words why there is no scale, where the server's reason is one that is known. */
+function why(problem: string, words: ScaleWords): string[] {
+  if (problem.startsWith("no answers")) return [words.none_answers];
+  if (problem.startsWith("no scale holds")) return [words.always];
+  return problem.startsWith("no scale joins") ? [words.apart] : [];
 }
 
 type ScaleWords = Desk["speech"]["words"]["scale"];

@@ -7,7 +7,6 @@ export const en = {
   logged_in_as: "Logged in as {name}",
   log_out: "Log out",
   skip: "To the content",
-  demo: "Demonstration",
   demo_note: "This is a demonstration. Nothing here is research data.",
 
   login: {
@@ -61,13 +60,13 @@ export const en = {
 
   figures: {
     title: "So far",
-    entered: "entered",
+    entered: "people entered",
     finished: "finished",
     answers: "answers",
     median: "median time",
     excluded: "excluded",
     erased: "erased",
-    simulated: "{count} simulated",
+    simulated: "and {count} simulated",
     none: "–",
     flagged: "with flags",
   },
@@ -98,13 +97,11 @@ export const en = {
     actions: "Actions",
     finished: "finished",
     simulated: "simulated",
-    excluded: "excluded",
     excluded_because: "Excluded: {reason}",
     erased: "erased",
     of: "{answers} of {trials}",
     just_now: "just now",
     ago: "{duration} ago",
-    more: "Actions for person {number}",
     exclude: "Exclude …",
     exclude_short: "Exclude",
     readmit: "Readmit",
@@ -184,7 +181,11 @@ export const en = {
     simulated_note: "No person gave these answers. They say nothing about how people judge.",
     none: "There is no scale yet.",
     none_answers: "Nobody’s answers to this question count yet.",
-    reason: "The reason: {problem}",
+    always:
+      "A stimulus, or some together, have always been chosen over the others, or never: how far they stand apart has no end yet. More answers help.",
+    apart:
+      "Some stimuli have not been compared with the others yet, neither directly nor by way of a third.",
+    reason: "What the server says: {problem}",
     from: "{answers} answers of {people} people",
     from_simulated: "{answers} answers of {people} simulated observers",
     interval:
@@ -214,6 +215,9 @@ export const en = {
     copy_all: "Copy all",
     copied: "Copied",
     not_copied: "Could not copy: select the text and copy it yourself.",
+    code: "QR code",
+    code_of: "The link as a QR code",
+    close: "Close",
     hide: "I have them: hide",
     none: "No invitations have been made.",
     for: "For",
@@ -240,6 +244,7 @@ export const en = {
     detail: "Details",
     none: "The log is empty.",
     events: {} as Record<string, string>,
+    people: {} as Record<string, string>,
   },
 
   units: { s: "{n} s", min: "{n} min", h: "{n} h", d: "{n} d", min_s: "{min} min {s} s" },
