@@ -95,12 +95,11 @@ def test_an_invitation_lets_one_person_in(browser, tmp_path):
     assert (session.number, answers) == (1, [])
 
 
-def test_a_person_who_is_excluded_by_hand_or_revoked_is_told(plain):
+def test_a_person_whose_token_is_revoked_is_told(plain):
     with plain.visited(expected=FAILING) as guard:
         person = guard.open()
         person.agree()
         person.go("instructions")
-        person.answer("left")
         session, _ = plain.stored()
         with Store.open(plain.folder) as store:
             store.revoke(session.id, "test")

@@ -1,8 +1,11 @@
 import { describe, expect, it } from "vitest";
 
+import type { Progress } from "../src/lab/api";
 import type { Desk } from "../src/lab/desk";
 import { chart, numeral, ticks } from "../src/lab/views/chart";
+import { code } from "../src/lab/views/code";
 import { rowOf } from "../src/lab/views/person";
+import { scale } from "../src/lab/views/scale";
 import { en } from "../src/lab/words/en";
 import { ja } from "../src/lab/words/ja";
 import { Speech } from "../src/lab/words/words";
@@ -63,6 +66,64 @@ describe("a person", () => {
   it("who was excluded may be readmitted, who withdrew may not", () => {
     expect(row("too fast")).toEqual(["除外：too fast", 2]);
     expect(row("withdrew")).toEqual(["本人が取りやめ", 1]);
+  });
+});
+
+describe("the scale", () => {
+  it("is asked for each time, for what is told may be of a moment ago", async () => {
+    let answers = 20;
+    const told = () => ({ text: {}, stimuli: [], answers, people: 2, level: 0.95, unit: "sigma" });
+    const asked = { scale: () => Promise.resolve(told()) };
+    const kept = { question: "deeper", simulated: false };
+    const desk = {
+      speech: new Speech("en"),
+      kept,
+      study: { questions: [] },
+      lab: asked,
+    } as unknown as Desk;
+    const view = scale(desk);
+    await view.update({} as Progress);
+    expect(view.node.textContent).toContain("20 answers");
+    answers = 21;
+    await view.update({} as Progress);
+    expect(view.node.textContent).toContain("21 answers");
+  });
+});
+
+describe("the code of a link", () => {
+  /** Which modules are dark, by their place. */
+  function modules(text: string) {
+    const drawn = code(text, "alt");
+    const size = Number(drawn.getAttribute("viewBox")?.split(" ")[2]);
+    const path = drawn.querySelector("path")?.getAttribute("d") ?? "";
+    const dark = new Set([...path.matchAll(/M(\d+ \d+)h1v1h-1z/g)].map((one) => one[1]));
+    return { size, dark };
+  }
+
+  it("has its three marks and four modules of quiet around it", () => {
+    const { size, dark } = modules("http://127.0.0.1:8000/#" + "a".repeat(43));
+    const far = size - 4 - 7;
+    for (const [left, top] of [
+      [4, 4],
+      [far, 4],
+      [4, far],
+    ] as const) {
+      for (let at = 0; at < 7; at += 1) {
+        expect(dark.has(`${left + at} ${top}`)).toBe(true);
+        expect(dark.has(`${left} ${top + at}`)).toBe(true);
+      }
+      expect(dark.has(`${left + 1} ${top + 1}`)).toBe(false);
+      expect(dark.has(`${left + 3} ${top + 3}`)).toBe(true);
+    }
+    for (const place of dark) {
+      const [x = 0, y = 0] = (place ?? "").split(" ").map(Number);
+      expect(Math.min(x, y)).toBeGreaterThanOrEqual(4);
+      expect(Math.max(x, y)).toBeLessThan(size - 4);
+    }
+  });
+
+  it("is another one for another link", () => {
+    expect(modules("http://lab/#a").dark).not.toEqual(modules("http://lab/#b").dark);
   });
 });
 
