@@ -232,3 +232,19 @@ def test_nobody_writes_over_a_withdrawal_or_makes_one_up(store: Store) -> None:
     assert store.session(session.id).excluded_reason == "withdrew"
     with pytest.raises(NotAllowed, match="the person withdrew"):
         store.readmit(session.id, "lab")
+
+
+def test_who_is_revoked_or_withdrew_meanwhile_answers_no_more(store: Store) -> None:
+    store.set_registration(STUDY, "open", "lab")
+    revoked, _ = store.enter(STUDY, "en", {})
+    withdrawn, _ = store.enter(STUDY, "en", {})
+    for session in (revoked, withdrawn):
+        store.consent(session.id)
+        store.hand_in(session.id, answer(0), in_turn=True).result()
+    store.revoke(revoked.id, "lab")
+    store.withdraw(withdrawn.id)
+    with pytest.raises(UnknownToken, match="not revoked"):
+        store.hand_in(revoked.id, answer(1), in_turn=True).result()
+    with pytest.raises(NotAllowed, match="withdrew"):
+        store.hand_in(withdrawn.id, answer(1), in_turn=True).result()
+    assert store.progress(STUDY).answers == 2

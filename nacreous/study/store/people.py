@@ -31,7 +31,10 @@ _SESSIONS = (
 #: What decides whether something may be added to a session. The row is locked, for another program
 #: may be about to erase the person; SQLite lets one write at a time anyhow.
 LIVING = (
-    sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at)
+    sa.select(
+        *(sessions.c[name] for name in ("study", "token_hash", "consented_at", "erased_at")),
+        sessions.c.excluded_reason,
+    )
     .where(sessions.c.id == sa.bindparam("session"))
     .with_for_update(read=True, key_share=True, of=sessions)
 )
