@@ -214,6 +214,12 @@ def test_invitations_are_made_copied_used_and_revoked(guard: Guarded, frozen: Pa
     page.locator(".links button").first.click()
     expect(page.locator(".links button").first).to_have_text("Copied")
     assert page.evaluate("navigator.clipboard.readText()") == first
+    page.locator(".links button", has_text="QR code").first.click()
+    expect(page.locator("dialog svg.code")).to_be_visible()
+    expect(page.locator("dialog code")).to_have_text(first)
+    assert violations(page) == []
+    page.keyboard.press("Escape")
+    expect(page.locator("dialog")).to_have_count(0)
     page.click("text=Copy all")
     page.wait_for_timeout(100)
     assert page.evaluate("navigator.clipboard.readText()").split("\n") == links.all_inner_texts()

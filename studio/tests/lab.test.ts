@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { chart, numeral, ticks } from "../src/lab/views/chart";
+import { code } from "../src/lab/views/code";
 import { en } from "../src/lab/words/en";
 import { ja } from "../src/lab/words/ja";
 import { Speech } from "../src/lab/words/words";
@@ -47,6 +48,43 @@ describe("words", () => {
     const speech = new Speech("en");
     expect(speech.ago("2026-11-25T12:00:30Z", now)).toBe("just now");
     expect(speech.ago("2026-11-25T11:48:00Z", now)).toBe("12 min ago");
+  });
+});
+
+describe("the code of a link", () => {
+  /** Which modules are dark, by their place. */
+  function modules(text: string) {
+    const drawn = code(text, "alt");
+    const size = Number(drawn.getAttribute("viewBox")?.split(" ")[2]);
+    const path = drawn.querySelector("path")?.getAttribute("d") ?? "";
+    const dark = new Set([...path.matchAll(/M(\d+ \d+)h1v1h-1z/g)].map((one) => one[1]));
+    return { size, dark };
+  }
+
+  it("has its three marks and four modules of quiet around it", () => {
+    const { size, dark } = modules("http://127.0.0.1:8000/#" + "a".repeat(43));
+    const far = size - 4 - 7;
+    for (const [left, top] of [
+      [4, 4],
+      [far, 4],
+      [4, far],
+    ] as const) {
+      for (let at = 0; at < 7; at += 1) {
+        expect(dark.has(`${left + at} ${top}`)).toBe(true);
+        expect(dark.has(`${left} ${top + at}`)).toBe(true);
+      }
+      expect(dark.has(`${left + 1} ${top + 1}`)).toBe(false);
+      expect(dark.has(`${left + 3} ${top + 3}`)).toBe(true);
+    }
+    for (const place of dark) {
+      const [x = 0, y = 0] = (place ?? "").split(" ").map(Number);
+      expect(Math.min(x, y)).toBeGreaterThanOrEqual(4);
+      expect(Math.max(x, y)).toBeLessThan(size - 4);
+    }
+  });
+
+  it("is another one for another link", () => {
+    expect(modules("http://lab/#a").dark).not.toEqual(modules("http://lab/#b").dark);
   });
 });
 

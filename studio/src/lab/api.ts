@@ -88,6 +88,13 @@ export interface Question {
   text: Said;
 }
 
+/** What everybody may know of the study. */
+export interface Study {
+  name: string;
+  state: State;
+  questions: Question[];
+}
+
 export interface Me {
   name: string;
   csrf: string;
@@ -129,7 +136,7 @@ export class Lab {
   progress = () => this.get<Progress>("/progress");
   invitations = () => this.get<Invitation[]>("/invitations");
   events = () => this.get<Event[]>("/events?last=200");
-  questions = async () => (await ask<{ questions: Question[] }>("/api/study")).questions;
+  study = () => ask<Study>("/api/study");
 
   scale(question: string, simulated: boolean) {
     const query = new URLSearchParams({ question, simulated: String(simulated) });

@@ -1,6 +1,6 @@
 /** What all views of the laboratory share. */
 
-import type { Lab, Progress, Question } from "./api";
+import type { Lab, Progress, Study } from "./api";
 import type { Speech } from "./words/words";
 
 /** What a person has opened or typed, kept when the language changes. */
@@ -18,7 +18,7 @@ export interface Kept {
 export interface Desk {
   lab: Lab;
   speech: Speech;
-  questions: Question[];
+  study: Study;
   kept: Kept;
   /** Do something that may fail; says so where it does, and looks again afterwards. */
   act(work: () => Promise<unknown>): Promise<boolean>;

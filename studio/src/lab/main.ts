@@ -2,11 +2,14 @@
 
 import "../shared/style.css";
 import "./lab.css";
+import "./forms.css";
+import "./tables.css";
+import "./scale.css";
 
 import { element } from "../shared/dom";
 import { Problem } from "../shared/http";
 import { fill, type Language } from "../shared/language";
-import { Lab, type Progress, type Question } from "./api";
+import { Lab, type Progress, type Study } from "./api";
 import type { Desk, Kept } from "./desk";
 import { loginAgain, loginForm } from "./login";
 import { languages, Page } from "./page";
@@ -27,7 +30,7 @@ class Laboratory {
     links: [],
   };
   private speech = new Speech(rememberedLanguage());
-  private questions: Question[] = [];
+  private study: Study | null = null;
   private page: Page | null = null;
   private timer = 0;
   private looking = false;
@@ -74,15 +77,16 @@ class Laboratory {
   }
 
   private async showPage(): Promise<void> {
-    this.questions = await this.lab.questions();
-    this.kept.question ||= this.questions[0]?.id ?? "";
+    this.study = await this.lab.study();
+    this.kept.question ||= this.study.questions[0]?.id ?? "";
     this.makePage();
   }
 
   private makePage(): void {
-    const { speech, lab, questions, kept } = this;
+    const { speech, lab, study, kept } = this;
+    if (study === null) return;
     document.documentElement.lang = speech.language;
-    const desk: Desk = { lab, speech, questions, kept, act: (work) => this.act(work) };
+    const desk: Desk = { lab, speech, study, kept, act: (work) => this.act(work) };
     this.page = new Page(desk, {
       logOut: () => void this.logOut(),
       speak: (language) => this.speak(language, () => this.makePage()),

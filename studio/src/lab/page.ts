@@ -2,7 +2,7 @@
 
 import { button, element } from "../shared/dom";
 import { fill, NAMES } from "../shared/language";
-import type { Progress } from "./api";
+import type { Progress, State } from "./api";
 import type { Desk, View } from "./desk";
 import { invitations } from "./views/invitations";
 import { log } from "./views/log";
@@ -65,6 +65,7 @@ export class Page {
       this.banner,
       this.main,
     );
+    this.head(desk.study);
     this.node.querySelector(".skip")?.addEventListener("click", (event) => {
       event.preventDefault();
       this.main.focus();
@@ -88,12 +89,16 @@ export class Page {
 
   /** The newest figures. */
   async update(progress: Progress): Promise<void> {
-    const { words } = this.desk.speech;
-    this.heading.textContent = progress.name;
-    this.badge.textContent = words.state[progress.state];
-    this.badge.className = `badge ${progress.state}`;
-    document.title = fill(words.title, { study: progress.name });
+    this.head(progress);
     await this.view.update(progress);
+  }
+
+  private head({ name, state }: { name: string; state: State }): void {
+    const { words } = this.desk.speech;
+    this.heading.textContent = name;
+    this.badge.textContent = words.state[state];
+    this.badge.className = `badge ${state}`;
+    document.title = fill(words.title, { study: name });
   }
 
   /** What went wrong, until it is closed or passes; "" for nothing. */

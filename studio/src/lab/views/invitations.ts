@@ -5,6 +5,7 @@ import { fill } from "../../shared/language";
 import type { Invitation } from "../api";
 import { askBefore } from "../dialog";
 import type { Desk, View } from "../desk";
+import { codeButton } from "./code";
 import { copyButton } from "./copy";
 
 const MOST = 1000;
@@ -98,7 +99,14 @@ function showLinks(desk: Desk, node: HTMLElement): void {
     element(
       "ul",
       { class: "links" },
-      ...links.map((link) => element("li", {}, element("code", {}, link), copyButton(desk, link))),
+      ...links.map((link) =>
+        element(
+          "li",
+          {},
+          element("code", {}, link),
+          element("span", { class: "row" }, copyButton(desk, link), codeButton(desk, link)),
+        ),
+      ),
     ),
   );
 }

@@ -5,6 +5,7 @@ import { fill, said } from "../../shared/language";
 import { ANSWERS_AT, reportAt, type Person, type Progress, type State } from "../api";
 import { askBefore } from "../dialog";
 import type { Desk, View } from "../desk";
+import { codeButton } from "./code";
 import { copyButton } from "./copy";
 import { downloadButton } from "./download";
 
@@ -166,7 +167,13 @@ function fillRegistration(desk: Desk, node: HTMLElement, progress: Progress): vo
     progress.registration === "open"
       ? [
           element("p", { class: "soft" }, words.open_note),
-          element("p", { class: "row" }, element("code", {}, address), copyButton(desk, address)),
+          element(
+            "p",
+            { class: "row" },
+            element("code", {}, address),
+            copyButton(desk, address),
+            codeButton(desk, address),
+          ),
         ]
       : [element("p", { class: "soft" }, words.invited_note)];
   node.replaceChildren(
@@ -185,7 +192,7 @@ function fillRegistration(desk: Desk, node: HTMLElement, progress: Progress): vo
 function results(desk: Desk): HTMLElement {
   const words = desk.speech.words.results;
   const reports = (simulated: boolean) =>
-    desk.questions.map((question) =>
+    desk.study.questions.map((question) =>
       element(
         "div",
         { class: "take" },

@@ -50,7 +50,8 @@ export function scale(desk: Desk): View {
 }
 
 function choices(desk: Desk, changed: () => void): HTMLElement[] {
-  const { kept, questions } = desk;
+  const { kept } = desk;
+  const { questions } = desk.study;
   const words = desk.speech.words.scale;
   const question = element(
     "select",
