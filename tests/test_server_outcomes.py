@@ -15,9 +15,9 @@ class Work:
         self.times = 0
         self.one = threading.Lock()
 
-    def __call__(self) -> int:
+    async def __call__(self) -> int:
         assert self.one.acquire(blocking=False)
-        time.sleep(self.lasting_s)
+        await asyncio.sleep(self.lasting_s)
         self.times += 1
         self.one.release()
         return self.times
@@ -63,10 +63,13 @@ def test_a_report_is_of_the_answers_that_are_there() -> None:
 
 
 def test_what_fails_is_tried_again() -> None:
+    async def fail() -> int:
+        return 1 // 0
+
     async def twice() -> int:
         outcomes, work = Outcomes(), Work()
         try:
-            await outcomes.get("scale", 1, lambda: 1 / 0)
+            await outcomes.get("scale", 1, fail)
         except ZeroDivisionError:
             return await outcomes.get("scale", 1, work)
         raise AssertionError("it must be told")

@@ -36,7 +36,7 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
     service = service_of(request)
     running = service.running
     found = await run_in_threadpool(service.store.progress, running.study)
-    mark = partial(outcome.people_flags, running)
+    mark = partial(service.works_out, outcome.people_flags)
     flags = await service.outcomes.get("flags", state_of(found), mark)
 
     def work() -> ProgressTold:

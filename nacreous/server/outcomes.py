@@ -1,16 +1,12 @@
-"""What takes seconds to work out: in a thread, one at a time, and kept while nothing changes."""
+"""What takes seconds to work out: one thing at a time, and kept while nothing changes."""
 
 from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Callable, Hashable
+from collections.abc import Awaitable, Callable, Hashable
 from dataclasses import dataclass
 from typing import Any, TypeVar
-
-# What marks and scales are worked out with takes a second to load; now, and not among answers.
-import scipy.stats  # noqa: F401
-from starlette.concurrency import run_in_threadpool
 
 T = TypeVar("T")
 
@@ -31,10 +27,12 @@ class _Kept:
 class Outcomes:
     """Values by a key, for the pages that look at them.
 
+    >>> async def scale():
+    ...     return ["a scale"]
     >>> async def twice():
     ...     outcomes = Outcomes()
-    ...     first = await outcomes.get("scale", 12, lambda: ["a scale of 12 answers"])
-    ...     return first is await outcomes.get("scale", 12, lambda: ["worked out again"])
+    ...     first = await outcomes.get("scale", 12, scale)
+    ...     return first is await outcomes.get("scale", 12, scale)
     >>> asyncio.run(twice())
     True
     """
@@ -44,7 +42,11 @@ class Outcomes:
         self._kept: dict[Hashable, _Kept] = {}
 
     async def get(
-        self, key: Hashable, state: Hashable, work: Callable[[], T], good_for: int = _GOOD_FOR
+        self,
+        key: Hashable,
+        state: Hashable,
+        work: Callable[[], Awaitable[T]],
+        good_for: int = _GOOD_FOR,
     ) -> T:
         """The value for this state, or for one that was a moment ago; of this with good_for 0.
 
@@ -59,7 +61,7 @@ class Outcomes:
             kept = self._kept.get(key)
             begin = time.monotonic()
             if kept is None or (kept.state != state and begin >= kept.until):
-                made = await run_in_threadpool(work)
+                made = await work()
                 end = time.monotonic()
                 kept = self._kept[key] = _Kept(made, state, end + good_for * (end - begin))
             value: T = kept.value
