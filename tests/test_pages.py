@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import pytest
-from browser import AXE, PAIR, PLAIN, WHOLE, frozen, guarded, stored, violations
+from browser import AXE, PAIR, PLAIN, frozen, guarded, stored, violations
 from server_process import served
 
 from nacreous.study.store import Session
@@ -25,6 +25,7 @@ class Walk:
     given: list[str]
     pages: list[str]
     obstacles: dict[str, list[str]]
+    sizes: list[dict[str, float]]
     last: str
     session: Session
     answers: list[dict[str, Any]]
@@ -33,11 +34,14 @@ class Walk:
 @pytest.fixture(scope="module", params=["en", "ja"])
 def walk(whole, request):
     """By clicks, in each language, from a Japanese browser; axe looks at each page."""
-    pages, obstacles = [], {}
+    pages, obstacles, sizes = [], {}, []
 
     def seen(name):
         if name not in pages and AXE.is_file():
             obstacles[name] = violations(person.page)
+        if name == "pair":
+            images = person.page.query_selector_all(".picture img")
+            sizes[:] = [image.bounding_box() for image in images]
         pages.append(name)
 
     with whole.visited(locale="ja-JP") as guard:
@@ -52,7 +56,7 @@ def walk(whole, request):
         given = person.trials(by_turns)
         last = person.page.inner_text("main")
         assert person.page.evaluate("document.documentElement.lang") == request.param
-    return Walk(request.param, given, pages, obstacles, last, *whole.stored())
+    return Walk(request.param, given, pages, obstacles, sizes, last, *whole.stored())
 
 
 def test_the_answers_stored_are_the_clicks_made(walk):
@@ -96,30 +100,29 @@ def test_axe_finds_no_obstacle_on_any_page(walk):
     assert {name: found for name, found in walk.obstacles.items() if found} == {}
 
 
-def test_pictures_have_the_size_that_the_card_gave(browser, tmp_path):
-    study = WHOLE.replace('vision = ["contrast", "colour"]', "levels = false, distance = false")
-    folder = frozen(study, tmp_path / "study")
-    with served(folder) as server, guarded(browser, server.url) as guard:
+def test_pictures_have_the_size_that_the_card_gave(walk):
+    wanted = pytest.approx(40 * walk.session.screen["card"]["px_per_mm"], abs=0.2)
+    assert [(size["width"], size["height"]) for size in walk.sizes] == [(wanted, wanted)] * 2
+    assert walk.sizes[0]["y"] == walk.sizes[1]["y"]
+
+
+def test_the_card_is_dragged_by_its_corner(whole):
+    with whole.visited() as guard:
         person = guard.open()
         person.agree("en")
+        person.at("groups")
         person.page.click("label >> nth=0")
         for name in ("groups", "notes", "screen", "full"):
             person.go(name)
         person.at("card")
         handle = person.page.locator(".handle").bounding_box()
-        person.page.mouse.move(handle["x"] + 20, handle["y"] + 20)
+        x, y = handle["x"] + 20, handle["y"] + 20
+        person.page.mouse.move(x, y)
         person.page.mouse.down()
-        person.page.mouse.move(handle["x"] + 60, handle["y"] + 20, steps=4)
+        person.page.mouse.move(x + 40, y, steps=4)
         person.page.mouse.up()
         width = person.page.locator(".card").bounding_box()["width"]
-        assert width == pytest.approx(85.6 * 96 / 25.4 + 40, abs=1)
-        person.page.click("button.main")
-        person.go("instructions")
-        person.until(PAIR)
-        sizes = [image.bounding_box() for image in person.page.query_selector_all(".picture img")]
-    wanted = pytest.approx(40 * width / 85.6, abs=0.2)
-    assert [(size["width"], size["height"]) for size in sizes] == [(wanted, wanted)] * 2
-    assert sizes[0]["y"] == sizes[1]["y"]
+    assert width == pytest.approx(85.6 * 96 / 25.4 + 40, abs=1)
 
 
 def test_what_happens_around_an_answer_is_marked(browser, tmp_path):

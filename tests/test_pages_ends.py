@@ -68,39 +68,44 @@ def test_who_declines_leaves_nothing_behind(whole, locale):
         person.at("language")
 
 
-def test_an_invitation_lets_one_person_in(browser, tmp_path):
-    folder = frozen(PLAIN, tmp_path / "study")
-    with served(folder) as server, guarded(browser, server.url, FAILING) as guard:
-        with Store.open(folder) as store:
-            study = store.study()
-            store.set_registration(study, "invited", "test")
-            token, other = store.invite(study, 2, "two people", "test")
+@pytest.fixture
+def invitations(plain):
+    """Two of them, to a study that lets nobody else in."""
+    with Store.open(plain.folder) as store:
+        store.set_registration(store.study(), "invited", "test")
+        yield store.invite(store.study(), 2, "two people", "test")
+        store.set_registration(store.study(), "open", "test")
+
+
+def test_an_invitation_lets_one_person_in(plain, invitations):
+    token, other = invitations
+    with plain.visited(expected=FAILING) as guard:
         cut = guard.open(f"/#{token[:-4]}")
         cut.agree()
         cut.at("unknown")
         assert_kind(cut)
-        cut.page.goto(f"{server.url}/#{token}")  # only what is behind the # changes
+        cut.page.goto(f"{plain.url}/#{token}")  # only what is behind the # changes
         cut.agree()
         cut.go("instructions")
-        assert cut.page.url == f"{server.url}/"  # the token is in no address that is sent on
+        assert cut.page.url == f"{plain.url}/"  # the token is in no address that is sent on
         cut.answer("left")
         cut.page.reload()
         assert cut.wait() == "resumed"
+        first, _ = plain.stored()
         cut.page.close()
         second = guard.open(f"/#{other}")
         second.agree()
         second.go("instructions")
         second.until(PAIR)
-    session, answers = stored(folder)
-    assert (session.number, answers) == (1, [])
+    session, answers = plain.stored()
+    assert (session.number, answers) == (first.number + 1, [])
 
 
-def test_a_person_who_is_excluded_by_hand_or_revoked_is_told(plain):
+def test_a_person_whose_token_is_revoked_is_told(plain):
     with plain.visited(expected=FAILING) as guard:
         person = guard.open()
         person.agree()
         person.go("instructions")
-        person.answer("left")
         session, _ = plain.stored()
         with Store.open(plain.folder) as store:
             store.revoke(session.id, "test")

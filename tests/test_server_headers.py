@@ -1,5 +1,7 @@
 """What every response tells a browser not to do."""
 
+from pathlib import Path
+
 import httpx
 import pytest
 from server_people import Experimenter, Person
@@ -19,6 +21,11 @@ ALWAYS = {
     "cross-origin-resource-policy": "same-origin",
     "permissions-policy": "camera=(), microphone=(), geolocation=()",
 }
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> str:  # nothing here depends on the database
+    return str(tmp_path / "answers.sqlite")
 
 
 def responses(server: httpx.Client) -> list[httpx.Response]:

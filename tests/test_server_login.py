@@ -1,6 +1,7 @@
 """Experimenters' logins: the cookie, the second word, guessing names and passwords."""
 
 import time
+from pathlib import Path
 
 import httpx
 import pytest
@@ -23,6 +24,11 @@ CHANGES = (
     ("people/0/revoke", None),
 )
 READS = ("me", "progress", "scale", "report", "answers.csv", "invitations", "events")
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> str:  # nothing here depends on the database
+    return str(tmp_path / "answers.sqlite")
 
 
 def attempt(server: httpx.Client, name: str = NAME, password: str = PASSWORD) -> httpx.Response:
@@ -130,17 +136,16 @@ def test_neither_time_nor_words_tell_whether_there_is_such_a_name(
     for limit in ("logins of an address", "logins of a name", "refusals"):
         monkeypatch.setitem(LIMITS, limit, (1000, 60.0))
 
-    def least_s(name: str) -> tuple[float, str]:
-        times, told = [], ""
-        for _ in range(8):
+    times: dict[str, list[float]] = {NAME: [], "nobody": []}
+    told = set()
+    for _ in range(12):  # by turns, for other programs take their share of the machine
+        for name, taken_s in times.items():
             begin = time.perf_counter()
-            told = attempt(server, name, "not the password").text
-            times.append(time.perf_counter() - begin)
-        return min(times), told
-
-    known, unknown = least_s(NAME), least_s("nobody")
-    assert known[1] == unknown[1]
-    assert 0.5 < known[0] / unknown[0] < 2
+            told.add(attempt(server, name, "not the password").text)
+            taken_s.append(time.perf_counter() - begin)
+    assert len(told) == 1
+    # Without a password to compare with, it would be a tenth.
+    assert 1 / 3 < min(times[NAME]) / min(times["nobody"]) < 3
 
 
 def test_no_password_and_no_token_is_in_the_audit_log(

@@ -5,6 +5,7 @@ import socket
 import time
 from collections.abc import Iterator
 from contextlib import closing, suppress
+from pathlib import Path
 
 import httpx
 import pytest
@@ -65,7 +66,7 @@ def wire(server: httpx.Client) -> Iterator[Wire]:
 
 
 @pytest.fixture
-def place(tmp_path) -> str:  # nothing here depends on the database
+def place(tmp_path: Path) -> str:  # nothing here depends on the database
     return str(tmp_path / "answers.sqlite")
 
 
