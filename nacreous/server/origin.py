@@ -23,9 +23,10 @@ def origin_of(url: str) -> str:
 
 
 def check_origin(headers: Headers, scheme: str, public: str | None) -> None:
-    """Refuse a change that another site's page asks for; `public` is the server's own origin.
+    """Refuse a change that another site's page asks for.
 
-    A program that is no browser says nothing of its origin, and carries nobody's cookie unasked.
+    scheme: of this request. public: the server's own origin, where people reach it elsewhere too. A
+    program that is no browser says nothing of its origin, and carries nobody's cookie unasked.
     """
     if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
         raise Refusal(403, "not-allowed", "asked by another site's page; wanted: this server's own")

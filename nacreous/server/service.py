@@ -68,15 +68,9 @@ class Service:
             return await self._worker(work, *args, **kwargs)
         return await run_in_threadpool(work, self.running, *args, **kwargs)
 
-    def scheme(self, scope: Scope) -> str:
-        """How people's browsers speak to the server: "http" or "https"."""
-        if self.origin is not None:
-            return self.origin.partition(":")[0]
-        return str(scope["scheme"])
-
     def is_https(self, scope: Scope) -> bool:
-        """Whether nobody on the way can listen."""
-        return self.scheme(scope) == "https"
+        """Whether people's browsers speak HTTPS, with us or with the proxy before us."""
+        return (self.origin or f"{scope['scheme']}:").startswith("https:")
 
     async def refuse(self, scope: Scope, refusal: Refusal) -> JSONResponse:
         """Tell a refusal, and note it in the audit log; too many are neither told nor noted.
