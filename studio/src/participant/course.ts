@@ -119,7 +119,7 @@ export class Course {
 
   /** All trials that are left, their pages in between, and the end. */
   private async answered(api: Api, sitting: Sitting, content: ScreenContent): Promise<void> {
-    const answers = new Answers(api, this.kept.log(api.token), this.connected);
+    const answers = new Answers(api, this.kept.log(sitting.sitting), this.connected);
     const next = await answers.resume(sitting.answered);
     const fetched = await this.fetched(api, sitting, answers);
     const scale = {
