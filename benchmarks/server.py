@@ -4,7 +4,7 @@
 
 The server is a process of its own, and so is who asks; both share this machine. A time runs from
 when an answer is due to when its receipt is there, so one that waits for another counts too. Beside
-the participants an experimenter's page asks for the progress every five seconds.
+the participants an experimenter's page asks for the progress every three seconds.
 """
 
 import argparse
@@ -29,7 +29,7 @@ from nacreous.study.store import Store
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 
 EVERY_S = 2.0
-LAB_EVERY_S = 5.0
+LAB_EVERY_S = 3.0
 NAME, PASSWORD = "lab", "correct horse battery staple"
 
 #: Ten stimuli: 45 pairs and 3 for training.
@@ -175,7 +175,7 @@ class Load:
         writer.close()
 
     async def experimenter(self, begin: float) -> None:
-        """Log in, and look every five seconds."""
+        """Log in, and look every three seconds."""
         reader, writer = await asyncio.open_connection(self.host, self.port)
         body = json.dumps({"name": NAME, "password": PASSWORD})
         _, head, _ = await self.ask(reader, writer, "POST", "/lab/api/login", "", body)

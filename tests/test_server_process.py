@@ -73,10 +73,26 @@ def test_behind_a_proxy_it_goes_by_the_public_address(folder: Path) -> None:
             cookie = told.headers["set-cookie"].partition(";")[0]
             links = client.post(
                 "/lab/api/invitations",
-                json={"count": 1, "label": "x"},
+                json={"count": 3, "label": "x"},
                 headers={"Cookie": cookie, "X-CSRF-Token": told.json()["csrf"]},
             ).json()["links"]
-        assert links[0].startswith("https://pearls.example/#")
+            assert links[0].startswith("https://pearls.example/#")
+            entered = [
+                client.post(
+                    "/api/enter",
+                    json={"language": "en", "groups": {"trade": "yes"}},
+                    headers={
+                        "Origin": origin,
+                        "Authorization": f"Bearer {link.partition('#')[2]}",
+                    },
+                ).status_code
+                for link, origin in zip(
+                    links,
+                    ("https://pearls.example", server.url, "http://pearls.example"),
+                    strict=True,
+                )
+            ]
+            assert entered == [201, 201, 403]
         assert server.stop() == 0
 
 

@@ -40,12 +40,13 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
 def serve(args: argparse.Namespace) -> int:
     """Serve until Ctrl-C."""
     from nacreous.server import create_app, listening
+    from nacreous.server.worker import Worker
     from nacreous.study.running import Running
 
     url = None if args.url is None else listening.check_url(args.url)
     frozen, store = _opened(args)
-    with store:
-        app = create_app(Running(store, frozen), url=url)
+    with store, Worker(frozen.folder, _place(args)) as worker:
+        app = create_app(Running(store, frozen), url=url, worker=worker)
         with listening.listen(args.host, args.port) as opened, listening.until_stopped():
             address = listening.address_of(opened)
             for line in _told(args.study, frozen, store, address, url):
@@ -91,10 +92,15 @@ def _add(
 def _opened(args: argparse.Namespace) -> tuple[Frozen, Store]:
     from nacreous.study.design import open_frozen
     from nacreous.study.store import Store
+
+    return open_frozen(args.study), Store.open(_place(args))
+
+
+def _place(args: argparse.Namespace) -> str:
+    """Where the answers are."""
     from nacreous.study.store.engine import VARIABLE
 
-    frozen = open_frozen(args.study)
-    return frozen, Store.open(args.store or os.environ.get(VARIABLE) or frozen.folder)
+    return args.store or os.environ.get(VARIABLE) or args.study
 
 
 def _told(study: str, frozen: Frozen, store: Store, address: str, url: str | None) -> list[str]:

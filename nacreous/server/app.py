@@ -15,14 +15,21 @@ from nacreous.server import lab, login, pages, participant, results
 from nacreous.server.description import Described
 from nacreous.server.door import Door
 from nacreous.server.service import Service
+from nacreous.server.worker import Worker
 from nacreous.study.running import Running
 
 
-def create_app(running: Running, *, url: str | None = None, built: Path | None = None) -> FastAPI:
+def create_app(
+    running: Running,
+    *,
+    url: str | None = None,
+    built: Path | None = None,
+    worker: Worker | None = None,
+) -> FastAPI:
     """The application that serves a running study.
 
     url: where people reach it, if not where it listens. built: where the pages are, if
-    not where `./just pages` builds them. Raises
+    not where `./just pages` builds them. worker: a process for what takes seconds. Raises
     `InputError` where they are not.
     """
     app = Described(
@@ -34,7 +41,7 @@ def create_app(running: Running, *, url: str | None = None, built: Path | None =
         redirect_slashes=False,
         exception_handlers={HTTPException: _raised, RequestValidationError: _raised},
     )
-    service = Service(running, url)
+    service = Service(running, url, worker)
     app.state.service = service
     app.state.pages = pages.Pages(built or pages.FOLDER)
     for part in (participant, login, lab, results, pages):

@@ -54,7 +54,7 @@ class Door:
     async def _checked(self, scope: Scope, receive: Receive) -> Receive:
         """A change: from our own pages, of a bearable size, and JSON."""
         headers = Headers(scope=scope)
-        check_origin(headers, self._service.scheme(scope), self._service.origin)
+        check_origin(headers, scope["scheme"], self._service.origin)
         body = await read_body(headers, receive)
         check_content(headers, body)
         unread = [body]

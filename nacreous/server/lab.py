@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Response
@@ -23,8 +24,6 @@ from nacreous.study.store import Session
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
 
 Number = Annotated[int, Path(ge=0, le=2**31 - 1)]
-#: How old marks on people may be, in seconds, while answers come in.
-_STALE_S = 30.0
 _COUNTS = (
     *("state", "entered", "consented", "finished", "excluded", "erased"),
     *("answers", "simulated", "median_s"),
@@ -37,9 +36,8 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
     service = service_of(request)
     running = service.running
     found = await run_in_threadpool(service.store.progress, running.study)
-    flags = await service.outcomes.get(
-        "flags", state_of(found), lambda: outcome.people_flags(running), _STALE_S
-    )
+    mark = partial(service.works_out, outcome.people_flags)
+    flags = await service.outcomes.get("flags", state_of(found), mark)
 
     def work() -> ProgressTold:
         return ProgressTold(
@@ -196,5 +194,5 @@ def events(
             number=None if event.session is None else numbers.get(event.session),
             detail=dict(event.detail),
         )
-        for event in service.store.events(study)[-last:]
+        for event in service.store.events(study, last)
     ]

@@ -1,44 +1,68 @@
-"""What takes seconds to work out: in a thread, one at a time, and kept while nothing changes."""
+"""What takes seconds to work out: one thing at a time, and kept while nothing changes."""
 
 from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Callable, Hashable
+from collections.abc import Awaitable, Callable, Hashable
+from dataclasses import dataclass
 from typing import Any, TypeVar
-
-# What marks and scales are worked out with takes a second to load; now, and not among answers.
-import scipy.stats  # noqa: F401
-from starlette.concurrency import run_in_threadpool
 
 T = TypeVar("T")
 
+#: So many times as long as it took to work out is a value good for, while answers come in: pages
+#: that look every few seconds take a sixth of a processor at most.
+_GOOD_FOR = 5
+
+
+@dataclass(frozen=True)
+class _Kept:
+    """A value, the state of the store for which it was worked out, and until when it is good."""
+
+    value: Any
+    state: Hashable
+    until: float
+
 
 class Outcomes:
-    """Values by a key, each with the state of the store for which it was worked out.
+    """Values by a key, for the pages that look at them.
 
+    >>> async def scale():
+    ...     return ["a scale"]
     >>> async def twice():
     ...     outcomes = Outcomes()
-    ...     first = await outcomes.get("scale", 12, lambda: ["a scale of 12 answers"])
-    ...     return first is await outcomes.get("scale", 12, lambda: ["worked out again"])
+    ...     first = await outcomes.get("scale", 12, scale)
+    ...     return first is await outcomes.get("scale", 12, scale)
     >>> asyncio.run(twice())
     True
     """
 
     def __init__(self) -> None:
         self._one = asyncio.Lock()
-        self._kept: dict[Hashable, tuple[Hashable, float, Any]] = {}
+        self._kept: dict[Hashable, _Kept] = {}
 
     async def get(
-        self, key: Hashable, state: Hashable, work: Callable[[], T], stale_s: float = 0.0
+        self,
+        key: Hashable,
+        state: Hashable,
+        work: Callable[[], Awaitable[T]],
+        good_for: int = _GOOD_FOR,
     ) -> T:
-        """The value for this state, or one that is `stale_s` old at most."""
+        """The value for this state, or for one that was a moment ago; of this with good_for 0.
+
+        Where something else is being worked out, as a report of a large study is for long, what may
+        be of a moment ago is not waited for.
+        """
+        kept = self._kept.get(key)
+        if kept is not None and good_for and self._one.locked():
+            last: T = kept.value
+            return last
         async with self._one:
             kept = self._kept.get(key)
-            now = time.monotonic()
-            if kept is not None and (kept[0] == state or now - kept[1] < stale_s):
-                value: T = kept[2]
-                return value
-            value = await run_in_threadpool(work)
-            self._kept[key] = (state, time.monotonic(), value)
+            begin = time.monotonic()
+            if kept is None or (kept.state != state and begin >= kept.until):
+                made = await work()
+                end = time.monotonic()
+                kept = self._kept[key] = _Kept(made, state, end + good_for * (end - begin))
+            value: T = kept.value
             return value

@@ -60,9 +60,9 @@ async def scale(
     return await service.outcomes.get(("scale", asked, simulated), await _state(service), work)
 
 
-def _scale(service: Service, question: str, simulated: bool) -> ScaleTold | TooFew:
+async def _scale(service: Service, question: str, simulated: bool) -> ScaleTold | TooFew:
     try:
-        found = outcome.scale_so_far(service.running, question, simulated)
+        found = await service.works_out(outcome.scale_so_far, question, simulated)
     except InputError as problem:
         return TooFew(problem=str(problem))
     return ScaleTold.model_validate(found, from_attributes=True)
@@ -84,9 +84,9 @@ async def report(
     """The report as one page, to be kept."""
     service = service_of(request)
     asked = _known(service, question)
-    work = partial(outcome.report, service.running, asked, language, simulated)
+    work = partial(service.works_out, outcome.report, asked, language, simulated)
     key = ("report", asked, language, simulated)
-    page = await service.outcomes.get(key, await _state(service), work)
+    page = await service.outcomes.get(key, await _state(service), work, good_for=0)
     return Response(page, media_type="text/html", headers=_named("report.html"))
 
 

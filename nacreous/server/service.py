@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Any, cast
+from collections.abc import Callable
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -19,21 +20,29 @@ from nacreous.server.rates import Rates, address_of
 from nacreous.server.refusal import Refusal
 from nacreous.server.sessions import Sessions
 from nacreous.server.told import StudyTold
+from nacreous.server.worker import Worker
 from nacreous.study.running import Running
 from nacreous.study.store import Store, StoreError, tokens
+
+T = TypeVar("T")
+P = ParamSpec("P")
 
 
 class Service:
     """A study that runs, and what the server remembers beside it.
 
-    url: where people reach the server, if it is not where it listens, as behind a proxy.
+    url: where people reach the server, if it is not where it listens, as behind a proxy. worker:
+    what works out in a process of its own what takes seconds.
     """
 
-    def __init__(self, running: Running, url: str | None = None) -> None:
+    def __init__(
+        self, running: Running, url: str | None = None, worker: Worker | None = None
+    ) -> None:
         self.running = running
         self.rates = Rates()
         self.sessions = Sessions(running)
         self.outcomes = Outcomes()
+        self._worker = worker
         self.people = People(running)
         self.pictures = Pictures(running.frozen)
         self._facts = Facts(running.frozen.design)
@@ -51,15 +60,17 @@ class Service:
         state = self.store.studies()[study]
         return self._facts.told(state, self.store.registration(study), tokens.draw())
 
-    def scheme(self, scope: Scope) -> str:
-        """How people's browsers speak to the server: "http" or "https"."""
-        if self.origin is not None:
-            return self.origin.partition(":")[0]
-        return str(scope["scheme"])
+    async def works_out(
+        self, work: Callable[Concatenate[Running, P], T], *args: P.args, **kwargs: P.kwargs
+    ) -> T:
+        """What takes seconds, `work(running, ...)`: in the worker, or on a thread without one."""
+        if self._worker is not None:
+            return await self._worker(work, *args, **kwargs)
+        return await run_in_threadpool(work, self.running, *args, **kwargs)
 
     def is_https(self, scope: Scope) -> bool:
-        """Whether nobody on the way can listen."""
-        return self.scheme(scope) == "https"
+        """Whether people's browsers speak HTTPS, with us or with the proxy before us."""
+        return (self.origin or f"{scope['scheme']}:").startswith("https:")
 
     async def refuse(self, scope: Scope, refusal: Refusal) -> JSONResponse:
         """Tell a refusal, and note it in the audit log; too many are neither told nor noted.

@@ -11,8 +11,8 @@ from threading import Lock
 from nacreous.study.running import Running
 from nacreous.study.store import Session
 
-#: How long, in seconds: as late does a change by another program, such as an erasure, reach us
-#: here. What this server changes is forgotten at once.
+#: How long, in seconds. What this server changes is forgotten at once; whether somebody may still
+#: answer whom another program erased is asked again where the answer is stored.
 _FRESH_S = 10.0
 _MOST = 8192
 

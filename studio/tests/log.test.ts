@@ -52,7 +52,7 @@ test("a browser that keeps nothing is no obstacle, and the address holds the tok
   await kept.keepToken("a study", "token-of-22-characters");
   expect(location.hash).toBe("#token-of-22-characters");
   expect(await kept.token("a study")).toBeNull();
-  expect(kept.log("token-of-22-characters").lasting).toBe(false);
+  expect(kept.log("a sitting").lasting).toBe(false);
   await kept.forgetToken("a study");
   expect(location.hash).toBe("");
 });

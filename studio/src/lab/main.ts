@@ -2,6 +2,9 @@
 
 import "../shared/style.css";
 import "./lab.css";
+import "./forms.css";
+import "./tables.css";
+import "./scale.css";
 
 import { element } from "../shared/dom";
 import { Problem } from "../shared/http";

@@ -69,7 +69,8 @@ export class Course {
       const api = new Api(token);
       const sitting = await sittingOf(api).catch(() => null);
       if (sitting === null) continue;
-      await new Answers(api, this.kept.log(token), () => undefined).resume(sitting.answered);
+      const log = this.kept.log(sitting.sitting);
+      await new Answers(api, log, () => undefined).resume(sitting.answered);
     }
   }
 
@@ -131,7 +132,7 @@ export class Course {
 
   /** All trials that are left, their pages in between, and the end. */
   private async answered(api: Api, sitting: Sitting, content: ScreenContent): Promise<void> {
-    const answers = new Answers(api, this.kept.log(api.token), this.connected);
+    const answers = new Answers(api, this.kept.log(sitting.sitting), this.connected);
     const next = await answers.resume(sitting.answered);
     const fetched = await this.fetched(api, sitting, answers);
     const scale = {

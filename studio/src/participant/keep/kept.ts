@@ -67,7 +67,12 @@ export class Kept {
     if (database !== null) await write(database, "screens", (store) => store.delete(token));
   }
 
-  log(token: string): Log {
-    return this.database === null ? new PassingLog() : new LastingLog(this.database, token);
+  /**
+   * The log of a sitting, by the name that the server gives it. Not by the token: a store that went
+   * back to a backup, or an erased person's link, makes another sitting of the same one, in which
+   * other pictures stand left and right, and to which no earlier answer belongs.
+   */
+  log(sitting: string): Log {
+    return this.database === null ? new PassingLog() : new LastingLog(this.database, sitting);
   }
 }
