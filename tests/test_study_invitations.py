@@ -219,3 +219,19 @@ def test_who_withdraws_is_left_out_for_good(store: Store) -> None:
         store.readmit(session.id, "lab")
     told = [(event.who, event.what) for event in store.events(STUDY)]
     assert told.count(("participant", "withdrew")) == 1
+
+
+def test_who_is_revoked_or_withdrew_meanwhile_answers_no_more(store: Store) -> None:
+    store.set_registration(STUDY, "open", "lab")
+    revoked, _ = store.enter(STUDY, "en", {})
+    withdrawn, _ = store.enter(STUDY, "en", {})
+    for session in (revoked, withdrawn):
+        store.consent(session.id)
+        store.hand_in(session.id, answer(0), in_turn=True).result()
+    store.revoke(revoked.id, "lab")
+    store.withdraw(withdrawn.id)
+    with pytest.raises(UnknownToken, match="not revoked"):
+        store.hand_in(revoked.id, answer(1), in_turn=True).result()
+    with pytest.raises(NotAllowed, match="withdrew"):
+        store.hand_in(withdrawn.id, answer(1), in_turn=True).result()
+    assert store.progress(STUDY).answers == 2

@@ -42,8 +42,9 @@ def freeze(
     study is never frozen over another. progress: called with the finished share, 0 to 1.
 
     The folder holds study.json, the manifest, and stimuli/, PNG files by their own hash, without
-    any text inside but their width, so that none tells a participant what is shown. Same file, same bytes, on the same
-    versions. Raises `InputError` for a study or a folder that cannot be used.
+    any text inside but their width, so that none tells a participant what is shown. Same file,
+    same bytes, on the same versions. Raises `InputError` for a study or a folder that cannot be
+    used.
 
     >>> from tempfile import TemporaryDirectory
     >>> file = '''purpose = "demo"

@@ -8,7 +8,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
-from nacreous.study.store import check, journal, people
+from nacreous.study.store import check, journal, people, tokens
 from nacreous.study.store.record import COUNTED, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
@@ -32,20 +32,16 @@ _WITH_TURN = people.LIVING.add_columns(
 def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_turn: bool) -> Receipt:
     """Store an answer, or find that it is stored; refuse another under the same key.
 
-    What was refused is kept in the audit log, whole. `in_turn`: only where all trials before it
-    are answered.
+    What was refused is kept in the audit log, whole. `in_turn`: from the participant, whose token
+    is not revoked, who did not withdraw, and who has answered all trials before it.
     """
     if in_turn:
         person = people.living(connection, session, _WITH_TURN, trial=answer.trial)
+        _check_turn(person, answer.trial)
     else:
         person = people.living(connection, session)
     if person.consented_at is None:
         raise NotAllowed(f"session {session} has not consented; wanted: consent before answers")
-    if in_turn and person.before < answer.trial:
-        raise OutOfTurn(
-            f"trial is {answer.trial} while {person.before} trials before it are answered; "
-            "allowed: the next one, or one that is answered"
-        )
     row = dict(answer.row, study=person.study, session=session, received_at=at)
     insert = _INSERT[connection.dialect.name]
     stored = connection.execute(insert, {**row, "digest": answer.digest}).scalar_one_or_none()
@@ -65,6 +61,19 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_tur
         f"trial {answer.trial} of session {session} is answered already, and otherwise; "
         "allowed: the same answer again"
     )
+
+
+def _check_turn(person: Any, trial: int) -> None:
+    """What may have changed since the participant was last looked at, in this very transaction."""
+    if person.token_hash is None:
+        raise tokens.unknown()
+    if person.excluded_reason == people.WITHDREW:
+        raise NotAllowed("the participant withdrew; nothing more is taken")
+    if person.before < trial:
+        raise OutOfTurn(
+            f"trial is {trial} while {person.before} trials before it are answered; "
+            "allowed: the next one, or one that is answered"
+        )
 
 
 def count(connection: sa.Connection, session: str) -> int:

@@ -26,9 +26,10 @@ _SESSIONS = (
     .order_by(sessions.c.study, sessions.c.number)
 )
 #: What decides whether something may be added to a session.
-LIVING = sa.select(sessions.c.study, sessions.c.consented_at, sessions.c.erased_at).where(
-    sessions.c.id == sa.bindparam("session")
-)
+LIVING = sa.select(
+    *(sessions.c[name] for name in ("study", "token_hash", "consented_at", "erased_at")),
+    sessions.c.excluded_reason,
+).where(sessions.c.id == sa.bindparam("session"))
 
 
 def enter(

@@ -122,7 +122,7 @@ class Drawing {
         "p",
         { class: "soft" },
         fill(from, { answers: found.answers, people: found.people }),
-        ". ",
+        " ",
         fill(words.interval, { level: 100 * found.level }),
       ),
       element("p", {}, verdict(found, words)),

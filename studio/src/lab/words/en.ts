@@ -186,8 +186,8 @@ export const en = {
     apart:
       "Some stimuli have not been compared with the others yet, neither directly nor by way of a third.",
     reason: "What the server says: {problem}",
-    from: "{answers} answers of {people} people",
-    from_simulated: "{answers} answers of {people} simulated observers",
+    from: "{answers} answers of {people} people.",
+    from_simulated: "{answers} answers of {people} simulated observers.",
     interval:
       "Bars: {level} % intervals, one person’s answers taken together. The middle of the scale is 0.",
     describes: "One scale describes these answers.",

@@ -187,8 +187,8 @@ export const ja: Words = {
       "ほかの対象に対して常に選ばれている、または一度も選ばれていない対象があるため、間隔がまだ定まりません。回答が増えれば求められます。",
     apart: "ほかの対象とまだ比べられていない対象があります（間接的な比較も含みます）。",
     reason: "サーバーからの説明：{problem}",
-    from: "{people}人、{answers}件の回答",
-    from_simulated: "シミュレーション{people}人分、{answers}件の回答",
+    from: "{people}人、{answers}件の回答。",
+    from_simulated: "シミュレーション{people}人分、{answers}件の回答。",
     interval:
       "横棒：{level} %信頼区間（同じ人の回答をまとまりとして計算）。尺度の中央を0としています。",
     describes: "回答は一つの尺度でよく表せます。",
