@@ -6,6 +6,8 @@ import pytest
 from browser import PAIR, PLAIN, Site, frozen, guarded
 from server_process import served
 
+from nacreous.study.store import Store
+
 #: What Chromium says of requests that a test makes fail.
 FAILING = "Failed to load resource|net::ERR_"
 
@@ -79,6 +81,26 @@ def test_a_receipt_that_is_lost_and_a_tab_that_is_closed(plain):
         assert "pair 5 of 6" in again.page.inner_text("main")
         given += again.trials(lambda trial: by_turns(trial + 4))
     assert_all_there(plain, given)
+
+
+def test_answers_left_behind_go_with_the_next_person(plain):
+    with plain.visited(expected=FAILING) as guard:
+        first = begun(guard)
+        first.answer("left")
+        guard.context.route("**/api/answers/*", lambda route: route.abort())
+        first.answer("right")
+        first.answer("right")
+        first.until(PAIR)
+        left, answers = plain.stored()
+        assert len(answers) == 1
+        first.page.close()
+        guard.context.unroute("**/api/answers/*")
+        with Store.open(plain.folder) as store:
+            [token] = store.invite(store.study(), 1, "the next", "test")
+            begun(guard, f"/#{token}").trials(by_turns)
+            rows = store.answers(store.study(), left.id)
+    assert [row["chosen"] for row in rows] == ["left", "right", "right"]
+    assert_all_there(plain, [by_turns(trial) for trial in range(6)])
 
 
 def test_a_server_that_is_killed_and_started_again(browser, tmp_path):
@@ -163,3 +185,41 @@ def test_a_browser_that_keeps_nothing_is_served_all_the_same(plain, broken):
         given += person.trials(by_turns)
     answers = assert_all_there(plain, given)
     assert all(row["flags"] == {"not_kept": True} for row in answers)
+
+
+def test_answers_of_an_earlier_sitting_never_get_into_another_one(browser, tmp_path):
+    folder = frozen(PLAIN, tmp_path / "study")
+    with served(folder) as server, guarded(browser, server.url, FAILING) as guard:
+        with Store.open(folder) as store:
+            [token] = store.invite(store.study(), 1, "somebody", "test")
+        first = begun(guard, f"/#{token}")
+        for _ in range(2):
+            first.answer("left")
+        first.until(PAIR)
+        with Store.open(folder) as store:
+            [session] = store.sessions(store.study())
+            store.erase(session.id, "test")
+        first.page.goto(f"{server.url}/#{token}")  # it makes another sitting, with another plan
+        first.agree()
+        first.go("instructions")
+        first.answer("right")
+        first.until(PAIR)
+    with Store.open(folder) as store:
+        _, again = store.sessions(store.study())
+        answers = store.answers(store.study(), again.id)
+    assert [(row["trial"], row["chosen"]) for row in answers] == [(0, "right")]
+
+
+def test_a_page_that_was_left_open_for_two_days_goes_on(plain):
+    with plain.visited() as guard:
+        page = guard.open()
+        page.page.clock.install()
+        page.page.reload()
+        page.agree()
+        page.go("instructions")
+        page.answer("left")
+        page.until(PAIR)
+        page.page.clock.fast_forward(2 * 86_400_000)
+        given = ["left", *page.trials(by_turns)]
+    times = [row["response_ms"] for row in assert_all_there(plain, given)]
+    assert [time is None for time in times] == [n == 1 for n in range(6)]

@@ -45,6 +45,29 @@ def test_the_cookie_is_for_this_server_and_no_script(server: httpx.Client) -> No
     assert told.json()["name"] == NAME
 
 
+SECRET = "the quick brown fox jumps over"
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        {"name": NAME, "password": 9 * SECRET},
+        {"name": NAME, "password": [SECRET]},
+        [NAME, SECRET],
+        SECRET,
+    ],
+)
+def test_a_password_that_cannot_be_read_is_in_no_answer_and_no_log(
+    server: httpx.Client, service: Service, body: object
+) -> None:
+    told = server.post(LOGIN, json=body)
+    assert told.status_code == 400
+    assert SECRET[:10] not in told.text
+    [*_, noted] = service.store.events(service.running.study)
+    assert noted.what == "refused"
+    assert SECRET[:10] not in str(noted.detail)
+
+
 def test_me_tells_the_same_word_after_a_page_was_loaded_again(server: httpx.Client) -> None:
     lab = Experimenter.login(server)
     assert lab.get("me").json() == {"name": NAME, "csrf": lab.csrf}

@@ -75,3 +75,19 @@ def test_what_fails_is_tried_again() -> None:
         raise AssertionError("it must be told")
 
     assert asyncio.run(twice()) == 1
+
+
+def test_what_was_known_a_moment_ago_does_not_wait_for_a_report() -> None:
+    written = threading.Event()
+
+    async def look() -> list[str]:
+        outcomes = Outcomes()
+        first = await outcomes.get("flags", 1, lambda: "of 1 answer")
+        report = asyncio.create_task(outcomes.get("report", 1, written.wait, good_for=0))
+        await asyncio.sleep(0.05)
+        during = await asyncio.wait_for(outcomes.get("flags", 2, lambda: "of 2"), 5)
+        written.set()
+        await report
+        return [first, during, await outcomes.get("flags", 2, lambda: "of 2")]
+
+    assert asyncio.run(look()) == ["of 1 answer", "of 1 answer", "of 2"]

@@ -1,12 +1,18 @@
 """Erasing a person: nothing leads to them any more, and the counts stay true."""
 
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import TimeoutError as LateError
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
+import sqlalchemy as sa
 
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, Store
+from nacreous.study.store import Answer, NotAllowed, Store, answers, people
+from nacreous.study.store.engine import writing
 
 STUDY = "5e" * 32
 AT = datetime(2026, 3, 1, 9, 30, 17, tzinfo=UTC)
@@ -102,3 +108,39 @@ def test_no_byte_of_it_is_left_in_the_file(tmp_path: Path) -> None:
         kept = b"".join(path.read_bytes() for path in tmp_path.iterdir())
     for word in (b"unmistakable", b"0.31415", b"squint"):
         assert word not in kept
+
+
+@contextmanager
+def by_another_program(store: Store) -> Iterator[sa.Connection]:
+    """A transaction that is on its way to the disk while the block goes on."""
+    with writing(store.engine).connect() as connection, connection.begin():
+        yield connection
+
+
+def waits(future: Future[object]) -> None:
+    with pytest.raises(LateError):
+        future.result(timeout=0.5)
+
+
+def test_an_answer_on_its_way_by_another_server_is_unlinked_too(place: str) -> None:
+    at = "2026-03-01T09:30:00.000000Z"
+    with Store.open(place) as store, ThreadPoolExecutor(1) as elsewhere:
+        one, _, _ = fill(store)
+        with by_another_program(store) as connection:
+            answers.put(connection, at, one, Answer(10, "q", "s10", "z", "left"), in_turn=True)
+            erased = elsewhere.submit(store.erase, one, "lab")
+            waits(erased)
+        erased.result()
+        assert store.answers(STUDY, one) == []
+        assert sum(row["erased_as"] is not None for row in store.answers(STUDY)) == 11
+
+
+def test_no_answer_comes_after_erasing_by_another_program(place: str) -> None:
+    with Store.open(place) as store:
+        one, _, _ = fill(store)
+        with by_another_program(store) as connection:
+            people.erase(connection, "2026-03-01T09:30:00.000000Z", one, "lab")
+            late = store.hand_in(one, Answer(10, "q", "s10", "z", "left"), in_turn=True)
+            waits(late)
+        assert isinstance(late.exception(), NotAllowed)
+        assert store.answers(STUDY, one) == []

@@ -221,6 +221,19 @@ def test_who_withdraws_is_left_out_for_good(store: Store) -> None:
     assert told.count(("participant", "withdrew")) == 1
 
 
+def test_nobody_writes_over_a_withdrawal_or_makes_one_up(store: Store) -> None:
+    [token] = store.invite(STUDY, 1, "seat", "lab")
+    session, _ = store.enter(STUDY, "en", {}, token)
+    with pytest.raises(InputError, match="reason is 'withdrew'; wanted: another"):
+        store.exclude(session.id, "withdrew", "lab")
+    store.withdraw(session.id)
+    with pytest.raises(NotAllowed, match="the person withdrew"):
+        store.exclude(session.id, "too fast", "lab")
+    assert store.session(session.id).excluded_reason == "withdrew"
+    with pytest.raises(NotAllowed, match="the person withdrew"):
+        store.readmit(session.id, "lab")
+
+
 def test_who_is_revoked_or_withdrew_meanwhile_answers_no_more(store: Store) -> None:
     store.set_registration(STUDY, "open", "lab")
     revoked, _ = store.enter(STUDY, "en", {})

@@ -194,5 +194,5 @@ def events(
             number=None if event.session is None else numbers.get(event.session),
             detail=dict(event.detail),
         )
-        for event in service.store.events(study)[-last:]
+        for event in service.store.events(study, last)
     ]

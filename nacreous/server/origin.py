@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers
@@ -10,16 +11,24 @@ from nacreous.server.refusal import Refusal
 
 #: Methods that change nothing.
 SAFE = frozenset(("GET", "HEAD", "OPTIONS", "TRACE"))
+#: Ports that browsers leave out.
+_USUAL = {"http": 80, "https": 443}
 
 
 def origin_of(url: str) -> str:
-    """Scheme, host and port, as browsers write them.
+    """Scheme, host and port, as browsers write them: no port that goes without saying, ASCII alone.
 
-    >>> origin_of("https://pearls.example/study/")
-    'https://pearls.example'
+    >>> origin_of("https://pearls.example:443/study/"), origin_of("http://真珠.example:8000")
+    ('https://pearls.example', 'http://xn--5dy32e.example:8000')
     """
-    parts = urlsplit(url)
-    return f"{parts.scheme}://{parts.netloc}".lower()
+    parts = urlsplit(url.lower())
+    host = parts.hostname or ""
+    if not host.isascii():
+        with contextlib.suppress(UnicodeError):  # no name that anybody has
+            host = host.encode("idna").decode()
+    host = f"[{host}]" if ":" in host else host
+    port = "" if parts.port in (None, _USUAL.get(parts.scheme)) else f":{parts.port}"
+    return f"{parts.scheme}://{host}{port}"
 
 
 def check_origin(headers: Headers, scheme: str, public: str | None) -> None:

@@ -48,7 +48,15 @@ class Outcomes:
         work: Callable[[], Awaitable[T]],
         good_for: int = _GOOD_FOR,
     ) -> T:
-        """The value for this state, or for one that was a moment ago; of this with good_for 0."""
+        """The value for this state, or for one that was a moment ago; of this with good_for 0.
+
+        Where something else is being worked out, as a report of a large study is for long, what may
+        be of a moment ago is not waited for.
+        """
+        kept = self._kept.get(key)
+        if kept is not None and good_for and self._one.locked():
+            last: T = kept.value
+            return last
         async with self._one:
             kept = self._kept.get(key)
             begin = time.monotonic()

@@ -87,9 +87,10 @@ def _of_starlette(problem: HTTPException) -> Refusal:
 
 
 def _first(errors: Sequence[Any]) -> str:
-    """The first of pydantic's complaints, in one line."""
+    """The first of pydantic's complaints, in one line; no password in it, for it is logged."""
     error = errors[0]
     where = ".".join(str(part) for part in error["loc"]) or "body"
-    if error["type"] in ("missing", "extra_forbidden", "json_invalid"):
+    secret = where in ("body", "password")
+    if secret or error["type"] in ("missing", "extra_forbidden", "json_invalid"):
         return f"{where}: {error['msg']}"[:_LONGEST]
     return f"{where} is {ascii(error['input'])[:60]}; wanted: {error['msg']}"[:_LONGEST]

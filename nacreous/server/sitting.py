@@ -17,6 +17,7 @@ def sitting_of(service: Service, session: Session) -> SittingTold:
     consented = session.consented_at is not None
     trials = running.plan(session) if consented else ()
     return SittingTold(
+        sitting=session.id,
         number=session.number,
         language=session.language or running.frozen.design.languages[0],
         consented=consented,

@@ -79,8 +79,12 @@ class PictureTold(BaseModel):
 
 
 class SittingTold(BaseModel):
-    """Where one participant is. Trials and pictures are there once they have consented."""
+    """Where one participant is. Trials and pictures are there once they have consented.
 
+    sitting: its name, which no other sitting gets, whatever becomes of token or number.
+    """
+
+    sitting: str
     number: int
     language: str
     consented: bool

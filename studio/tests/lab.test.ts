@@ -1,7 +1,11 @@
 import { describe, expect, it } from "vitest";
 
+import type { Progress } from "../src/lab/api";
+import type { Desk } from "../src/lab/desk";
 import { chart, numeral, ticks } from "../src/lab/views/chart";
 import { code } from "../src/lab/views/code";
+import { rowOf } from "../src/lab/views/person";
+import { scale } from "../src/lab/views/scale";
 import { en } from "../src/lab/words/en";
 import { ja } from "../src/lab/words/ja";
 import { Speech } from "../src/lab/words/words";
@@ -48,6 +52,41 @@ describe("words", () => {
     const speech = new Speech("en");
     expect(speech.ago("2026-11-25T12:00:30Z", now)).toBe("just now");
     expect(speech.ago("2026-11-25T11:48:00Z", now)).toBe("12 min ago");
+  });
+});
+
+describe("a person", () => {
+  const row = (excluded: string) => {
+    const desk = { speech: new Speech("ja"), kept: { explained: new Set() } } as unknown as Desk;
+    const person = { number: 4, groups: {}, answers: 2, trials: 9, flags: [], excluded };
+    const made = rowOf(desk, { ...person, last_at: null, seconds: null } as never, false, () => 0);
+    return [made.querySelector(".badge")?.textContent, made.querySelectorAll("button").length];
+  };
+
+  it("who was excluded may be readmitted, who withdrew may not", () => {
+    expect(row("too fast")).toEqual(["除外：too fast", 2]);
+    expect(row("withdrew")).toEqual(["本人が取りやめ", 1]);
+  });
+});
+
+describe("the scale", () => {
+  it("is asked for each time, for what is told may be of a moment ago", async () => {
+    let answers = 20;
+    const told = () => ({ text: {}, stimuli: [], answers, people: 2, level: 0.95, unit: "sigma" });
+    const asked = { scale: () => Promise.resolve(told()) };
+    const kept = { question: "deeper", simulated: false };
+    const desk = {
+      speech: new Speech("en"),
+      kept,
+      study: { questions: [] },
+      lab: asked,
+    } as unknown as Desk;
+    const view = scale(desk);
+    await view.update({} as Progress);
+    expect(view.node.textContent).toContain("20 answers");
+    answers = 21;
+    await view.update({} as Progress);
+    expect(view.node.textContent).toContain("21 answers");
   });
 });
 

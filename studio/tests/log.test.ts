@@ -52,7 +52,7 @@ test("a browser that keeps nothing is no obstacle, and the address holds the tok
   await kept.keepToken("a study", "token-of-22-characters");
   expect(location.hash).toBe("#token-of-22-characters");
   expect(await kept.token("a study")).toBeNull();
-  expect(kept.log("token-of-22-characters").lasting).toBe(false);
+  expect(kept.log("a sitting").lasting).toBe(false);
   await kept.forgetToken("a study");
   expect(location.hash).toBe("");
 });
@@ -64,6 +64,14 @@ test("a token is kept by study and leaves the address", async () => {
   expect(location.hash).toBe("");
   expect(await (await Kept.open()).token("a study")).toBe("token-of-22-characters");
   expect(await kept.token("another")).toBeNull();
+});
+
+test("a sitting is unfinished from its screen check to its end", async () => {
+  const kept = await Kept.open();
+  await kept.keepScreen("one", {} as never);
+  await kept.keepScreen("other", {} as never);
+  await kept.finish("one");
+  expect(await kept.unfinished()).toEqual(["other"]);
 });
 
 test("a sitting goes on after the last answer that anybody has", () => {

@@ -13,6 +13,11 @@ from nacreous.study.store.record import COUNTED, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
 
+REFUSED = "answer refused"
+#: Answers of one session that are kept after they were refused. A second tab or device gives a few;
+#: more only a program that would fill the disk.
+MOST_REFUSED = 200
+
 # Made once, for making a statement takes longer than running it.
 _INSERT = {
     name: make(answers)
@@ -32,8 +37,9 @@ _WITH_TURN = people.LIVING.add_columns(
 def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_turn: bool) -> Receipt:
     """Store an answer, or find that it is stored; refuse another under the same key.
 
-    What was refused is kept in the audit log, whole. `in_turn`: from the participant, whose token
-    is not revoked, who did not withdraw, and who has answered all trials before it.
+    What was refused is kept in the audit log, whole, up to `MOST_REFUSED` of a session. `in_turn`:
+    from the participant, whose token is not revoked, who did not withdraw, and who has answered all
+    trials before it.
     """
     if in_turn:
         person = people.living(connection, session, _WITH_TURN, trial=answer.trial)
@@ -55,7 +61,14 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_tur
     if kept.digest == answer.digest:
         return _receipt(session, answer, kept.received_at, again=True)
     journal.note(
-        connection, at, "participant", "answer refused", person.study, session, answer=answer.row
+        connection,
+        at,
+        "participant",
+        REFUSED,
+        person.study,
+        session,
+        most=MOST_REFUSED,
+        answer=answer.row,
     )
     raise Conflict(
         f"trial {answer.trial} of session {session} is answered already, and otherwise; "

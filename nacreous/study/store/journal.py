@@ -22,9 +22,16 @@ def note(
     what: str,
     study: str | None,
     session: str | None,
+    *,
+    most: int | None = None,
     **detail: Any,
 ) -> None:
-    """Add a line."""
+    """Add a line. most: nothing happens where there are so many that say the same of a session."""
+    if most is not None:
+        alike = audit.c.session == session, audit.c.what == what
+        query = sa.select(sa.func.count()).where(*alike)
+        if connection.execute(query).scalar_one() >= most:
+            return
     connection.execute(
         sa.insert(audit).values(
             at=at,
@@ -45,12 +52,12 @@ def forget(connection: sa.Connection, session: str) -> None:
     )
 
 
-def events(connection: sa.Connection, study: str | None) -> list[Event]:
-    """The lines about a study, or all, in order."""
-    query = sa.select(audit).order_by(audit.c.seq)
+def events(connection: sa.Connection, study: str | None, last: int | None) -> list[Event]:
+    """The lines about a study, or all, in order; only the `last` of them, if it is given."""
+    query = sa.select(audit).order_by(audit.c.seq.desc()).limit(last)
     if study is not None:
         query = query.where(audit.c.study == study)
-    return [_event(row) for row in connection.execute(query).mappings()]
+    return [_event(row) for row in connection.execute(query).mappings()][::-1]
 
 
 def _event(row: sa.RowMapping) -> Event:

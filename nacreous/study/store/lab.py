@@ -133,7 +133,7 @@ class Lab(Base):
             lambda connection: journal.note(connection, at, who, what, study, session, **detail)
         )
 
-    def events(self, study: str | None = None) -> list[Event]:
-        """The audit log of a study, or all of it."""
+    def events(self, study: str | None = None, last: int | None = None) -> list[Event]:
+        """The audit log of a study, or all of it; only its `last` lines, if that is given."""
         with self.reading() as connection:
-            return journal.events(connection, study)
+            return journal.events(connection, study, last)

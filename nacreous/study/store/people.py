@@ -17,6 +17,9 @@ from nacreous.study.store.schema import answers, screens, sessions
 
 #: Why a person is left out who no longer consents.
 WITHDREW = "withdrew"
+#: Screen checks of one session. Somebody tries again a few times; more only a program that would
+#: fill the disk.
+MOST_SCREENS = 100
 
 _LAST = sa.select(sa.func.max(screens.c.seq)).where(screens.c.session == sessions.c.id)
 # Without the plan, which is long; made once, for making it takes as long as running it.
@@ -25,11 +28,16 @@ _SESSIONS = (
     .outerjoin(screens, screens.c.seq == _LAST.correlate(sessions).scalar_subquery())
     .order_by(sessions.c.study, sessions.c.number)
 )
-#: What decides whether something may be added to a session.
-LIVING = sa.select(
-    *(sessions.c[name] for name in ("study", "token_hash", "consented_at", "erased_at")),
-    sessions.c.excluded_reason,
-).where(sessions.c.id == sa.bindparam("session"))
+#: What decides whether something may be added to a session. The row is locked, for another program
+#: may be about to erase the person; SQLite lets one write at a time anyhow.
+LIVING = (
+    sa.select(
+        *(sessions.c[name] for name in ("study", "token_hash", "consented_at", "erased_at")),
+        sessions.c.excluded_reason,
+    )
+    .where(sessions.c.id == sa.bindparam("session"))
+    .with_for_update(read=True, key_share=True, of=sessions)
+)
 
 
 def enter(
@@ -81,6 +89,16 @@ def withdraw(connection: sa.Connection, at: str, session: str) -> None:
     if one(connection, session).excluded_reason != WITHDREW:
         values = {"excluded_reason": WITHDREW}
         change(connection, at, session, "participant", WITHDREW, values)
+
+
+def exclude(connection: sa.Connection, at: str, session: str, who: str, reason: str) -> None:
+    """Leave a person out; what a person wished themselves stays so, and nobody else can say it."""
+    if reason == WITHDREW:
+        raise InputError(f"reason is {reason!a}; wanted: another, for this is the person's own")
+    living(connection, session)
+    if one(connection, session).excluded_reason == WITHDREW:
+        raise NotAllowed("the person withdrew, and is left out by that; nothing was changed")
+    change(connection, at, session, who, "excluded", {"excluded_reason": reason}, reason=reason)
 
 
 def readmit(connection: sa.Connection, at: str, session: str, who: str) -> None:
@@ -147,6 +165,10 @@ def set_once(connection: sa.Connection, at: str, session: str, column: str, what
 def add_screen(connection: sa.Connection, at: str, session: str, content: str) -> None:
     """Keep a screen check; earlier ones stay."""
     living(connection, session)
+    mine = screens.c.session == session
+    kept = connection.execute(sa.select(sa.func.count()).where(mine)).scalar_one()
+    if kept >= MOST_SCREENS:
+        raise NotAllowed(f"the screen was checked {kept} times; allowed: {MOST_SCREENS}")
     connection.execute(sa.insert(screens).values(session=session, at=at, content=content))
 
 
@@ -158,6 +180,10 @@ def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
     else, without trial numbers, response times, flags and clock times: what was chosen, and that
     one person chose it, is all that is left.
     """
+    # First, so that no answer that is on its way elsewhere is overlooked.
+    connection.execute(
+        sa.select(sessions.c.id).where(sessions.c.id == session).with_for_update(of=sessions)
+    )
     found = one(connection, session)
     if found.erased_at is not None:
         return

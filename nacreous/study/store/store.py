@@ -197,9 +197,14 @@ class Store(Lab):
             return counting.progress(connection, study, state)
 
     def exclude(self, session: str, reason: str, who: str) -> None:
-        """Mark a person's answers as not to be counted. They stay, and so does the reason."""
-        values = {"excluded_reason": check.text("reason", reason)}
-        self._change(session, who, "excluded", values, reason=reason)
+        """Mark a person's answers as not to be counted. They stay, and so does the reason.
+
+        Raises `NotAllowed` where the person withdrew, which is never written over.
+        """
+        work = partial(
+            people.exclude, session=session, who=who, reason=check.text("reason", reason)
+        )
+        self._do(partial(work, at=self._at()))
 
     def readmit(self, session: str, who: str) -> None:
         """Take an exclusion back, unless the person withdrew; the audit log keeps both."""
@@ -211,7 +216,8 @@ class Store(Lab):
 
     def revoke(self, session: str, who: str) -> None:
         """Make a participant's token worthless."""
-        self._change(session, who, "token revoked", {"token_hash": None})
+        change = partial(people.change, at=self._at(), session=session, who=who)
+        self._do(partial(change, what="token revoked", values={"token_hash": None}))
 
     def erase(self, session: str, who: str) -> None:
         """Take away what leads from answers to a person; what was chosen stays, and is counted."""
@@ -227,11 +233,3 @@ class Store(Lab):
     def _set_once(self, session: str, column: str, what: str) -> None:
         at = self._at()
         self._do(partial(people.set_once, at=at, session=session, column=column, what=what))
-
-    def _change(
-        self, session: str, who: str, what: str, values: Mapping[str, Any], **detail: Any
-    ) -> None:
-        at = self._at()
-        self._do(
-            lambda connection: people.change(connection, at, session, who, what, values, **detail)
-        )

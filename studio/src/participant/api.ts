@@ -52,6 +52,8 @@ export interface Picture {
 }
 
 export interface Sitting {
+  /** Its name, which no other sitting gets, whatever becomes of token or number. */
+  sitting: string;
   number: number;
   language: Language;
   consented: boolean;
@@ -70,7 +72,8 @@ export type Chosen = "left" | "right" | "tie";
 export interface Answer {
   trial: number;
   chosen: Chosen;
-  response_ms: number;
+  /** Null where it is not known. */
+  response_ms: number | null;
   shown_at: string;
   answered_at: string;
   flags: Record<string, string | number | boolean>;

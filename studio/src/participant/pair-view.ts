@@ -26,7 +26,7 @@ export interface Sizes {
 
 interface Response {
   chosen: Chosen;
-  response_ms: number;
+  took_ms: number;
   /** How often an answer came before the least time of viewing. */
   early: number;
 }
@@ -106,15 +106,15 @@ export class PairView {
     return new Promise((resolve) => {
       this.respond = (chosen, at_ms) => {
         if (!this.root.isConnected || over.signal.aborted) return;
-        const response_ms = at_ms - shown_ms;
-        if (response_ms < minimum_ms) {
+        const took_ms = at_ms - shown_ms;
+        if (took_ms < minimum_ms) {
           early += 1;
           this.hint.textContent = this.words.early;
           return;
         }
         over.abort();
         this.room.classList.add("over");
-        resolve({ chosen, response_ms, early });
+        resolve({ chosen, took_ms, early });
       };
       document.addEventListener("keydown", (event) => this.press(event), { signal: over.signal });
     });

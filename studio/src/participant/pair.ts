@@ -10,6 +10,8 @@ import type { Simulation } from "./stage";
 import { Watch } from "./watch";
 
 const CROSS_MS = 500;
+/** A day: the longest time that is kept. A page left open for longer has measured none. */
+const LONGEST_MS = 86_400_000;
 
 const info = {
   name: "nacreous-pair",
@@ -109,7 +111,8 @@ export class PairPlugin implements JsPsychPlugin<Info> {
     const shown_ms = await view.reveal();
     const shown_at = new Date().toISOString();
     seen?.(view);
-    const { chosen, response_ms, early } = await view.answer(shown_ms, pair.minimum_viewing_ms);
+    const { chosen, took_ms, early } = await view.answer(shown_ms, pair.minimum_viewing_ms);
+    const response_ms = took_ms > LONGEST_MS ? null : took_ms;
     const flags = watch.end();
     if (early > 0) flags["early"] = early;
     if (shrunk < 1) flags["shrunk"] = Math.round(shrunk * 1000) / 1000;

@@ -46,6 +46,11 @@ export function rowOf(
   );
 }
 
+/** Whether somebody is left out at their own wish, which no experimenter takes back. */
+function withdrew(person: Person): boolean {
+  return person.excluded === "withdrew";
+}
+
 function marks(desk: Desk, person: Person): (Node | string)[] {
   const words = desk.speech.words.people;
   const groups = Object.entries(person.groups);
@@ -53,7 +58,9 @@ function marks(desk: Desk, person: Person): (Node | string)[] {
   const shown: (Node | string)[] = [named.join(", "), " "];
   if (person.simulated) shown.push(element("span", { class: "badge simulated" }, words.simulated));
   if (person.excluded !== null) {
-    const reason = fill(words.excluded_because, { reason: person.excluded });
+    const reason = withdrew(person)
+      ? words.withdrew
+      : fill(words.excluded_because, { reason: person.excluded });
     shown.push(element("span", { class: "badge excluded" }, reason));
   }
   return shown;
@@ -161,5 +168,6 @@ function actions(desk: Desk, person: Person): Node[] {
           () => void desk.act(() => desk.lab.readmit(number)),
           small("readmit"),
         );
-  return [named(first), named(button(words.revoke, revoke, small("revoke")))];
+  const own = withdrew(person) ? [] : [named(first)];
+  return [...own, named(button(words.revoke, revoke, small("revoke")))];
 }

@@ -3,7 +3,7 @@
 import { element } from "../../shared/dom";
 import { Problem } from "../../shared/http";
 import { fill, said } from "../../shared/language";
-import type { Progress, Scale } from "../api";
+import type { Scale } from "../api";
 import type { Desk, View } from "../desk";
 import { chart, numeral } from "./chart";
 
@@ -11,21 +11,23 @@ export function scale(desk: Desk): View {
   const { words } = desk.speech;
   const shown = element("div", { class: "card", "aria-live": "off" });
   const drawn = new Drawing(desk, shown);
-  let key = "";
-  let latest: Progress | null = null;
+  let wanted = "";
+  let before = "";
+  const show = (found: Scale | { problem: string }) => {
+    const now = wanted + JSON.stringify(found);
+    if (now !== before) drawn.show(found);
+    before = now;
+  };
+  // Asked each time, though nothing has changed: what the server tells may be of a moment ago.
   const look = async () => {
-    if (latest === null) return;
     const { question, simulated } = desk.kept;
-    const wanted = JSON.stringify([question, simulated, latest.answers, latest.excluded]);
-    if (wanted === key) return;
-    key = wanted;
+    const asked = (wanted = JSON.stringify([question, simulated]));
     try {
       const found = await desk.lab.scale(question, simulated);
-      if (key === wanted) drawn.show(found);
+      if (asked === wanted) show(found);
     } catch (problem) {
-      key = "";
       if (!(problem instanceof Problem && problem.status === 400)) throw problem;
-      drawn.show({ problem: problem.message });
+      if (asked === wanted) show({ problem: problem.message });
     }
   };
   const changed = () => void desk.act(look);
@@ -42,10 +44,7 @@ export function scale(desk: Desk): View {
   );
   return {
     node,
-    async update(progress) {
-      latest = progress;
-      await look();
-    },
+    update: look,
   };
 }
 

@@ -98,6 +98,7 @@ export const en = {
     finished: "finished",
     simulated: "simulated",
     excluded_because: "Excluded: {reason}",
+    withdrew: "withdrew",
     erased: "erased",
     of: "{answers} of {trials}",
     just_now: "just now",

@@ -100,6 +100,7 @@ export const ja: Words = {
     finished: "完了",
     simulated: "シミュレーション",
     excluded_because: "除外：{reason}",
+    withdrew: "本人が取りやめ",
     erased: "消去済み",
     of: "{answers} / {trials}",
     just_now: "たった今",
