@@ -83,6 +83,26 @@ def test_a_receipt_that_is_lost_and_a_tab_that_is_closed(plain):
     assert_all_there(plain, given)
 
 
+def test_answers_left_behind_go_with_the_next_person(plain):
+    with plain.visited(expected=FAILING) as guard:
+        first = begun(guard)
+        first.answer("left")
+        guard.context.route("**/api/answers/*", lambda route: route.abort())
+        first.answer("right")
+        first.answer("right")
+        first.until(PAIR)
+        left, answers = plain.stored()
+        assert len(answers) == 1
+        first.page.close()
+        guard.context.unroute("**/api/answers/*")
+        with Store.open(plain.folder) as store:
+            [token] = store.invite(store.study(), 1, "the next", "test")
+            begun(guard, f"/#{token}").trials(by_turns)
+            rows = store.answers(store.study(), left.id)
+    assert [row["chosen"] for row in rows] == ["left", "right", "right"]
+    assert_all_there(plain, [by_turns(trial) for trial in range(6)])
+
+
 def test_a_server_that_is_killed_and_started_again(browser, tmp_path):
     folder = frozen(PLAIN, tmp_path / "study")
     with served(folder) as server, guarded(browser, server.url, FAILING) as guard:

@@ -66,6 +66,14 @@ test("a token is kept by study and leaves the address", async () => {
   expect(await kept.token("another")).toBeNull();
 });
 
+test("a sitting is unfinished from its screen check to its end", async () => {
+  const kept = await Kept.open();
+  await kept.keepScreen("one", {} as never);
+  await kept.keepScreen("other", {} as never);
+  await kept.finish("one");
+  expect(await kept.unfinished()).toEqual(["other"]);
+});
+
 test("a sitting goes on after the last answer that anybody has", () => {
   const kept = [0, 1, 2, 3].map((trial) => answer(trial));
   expect(resume(0, [])).toEqual({ next: 0, unsent: [] });

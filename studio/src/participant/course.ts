@@ -53,12 +53,25 @@ export class Course {
     const found = own === null ? null : await this.reach(() => sittingOf(api));
     const left = found === null && linked(location.hash) === null; // by another study, perhaps
     if (left && this.study.registration === "open") api = new Api(this.study.token);
+    void this.sendLeftBehind(api.token);
     let sitting = await this.entered(api, found, own !== null);
     if (sitting.finished) throw new Ended("thanks");
     const screen = await this.screened(api, sitting);
     if (sitting.trials.length === 0) sitting = await this.reach(() => api.sitting());
     await this.answered(api, sitting, screen);
     throw new Ended("thanks");
+  }
+
+  /** Send what others, who left this browser without a network, have answered. */
+  private async sendLeftBehind(own: string): Promise<void> {
+    for (const token of await this.kept.unfinished()) {
+      if (token === own) continue;
+      const api = new Api(token);
+      const sitting = await sittingOf(api).catch(() => null);
+      if (sitting === null) continue;
+      const log = this.kept.log(sitting.sitting);
+      await new Answers(api, log, () => undefined).resume(sitting.answered);
+    }
   }
 
   /** A request, made until the server answers, with a notice as long as it does not. */
@@ -138,6 +151,7 @@ export class Course {
       await Promise.race([this.stage.show(page), answers.refused]);
     }
     await this.reach(() => api.finish());
+    await this.kept.finish(api.token).catch(() => undefined);
     if (document.fullscreenElement !== null) await document.exitFullscreen().catch(() => undefined);
   }
 

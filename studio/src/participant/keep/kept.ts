@@ -54,6 +54,19 @@ export class Kept {
     if (database !== null) await write(database, "screens", (store) => store.put(content, token));
   }
 
+  /** The tokens of sittings that were begun in this browser and not seen to their end. */
+  async unfinished(): Promise<string[]> {
+    if (this.database === null) return [];
+    const tokens = await read(this.database, "screens", (store) => store.getAllKeys());
+    return tokens.map(String);
+  }
+
+  /** Everything is at the server; nothing more is asked of this sitting's screen. */
+  async finish(token: string): Promise<void> {
+    const { database } = this;
+    if (database !== null) await write(database, "screens", (store) => store.delete(token));
+  }
+
   /**
    * The log of a sitting, by the name that the server gives it. Not by the token: a store that went
    * back to a backup, or an erased person's link, makes another sitting of the same one, in which

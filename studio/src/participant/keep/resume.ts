@@ -2,7 +2,7 @@
 
 import type { Answer } from "../api";
 
-export interface Resumption {
+interface Resumption {
   /** The first trial without an answer. */
   next: number;
   /** Answers that only the browser has, in order. */

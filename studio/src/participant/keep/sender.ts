@@ -6,7 +6,7 @@ import type { Answer } from "../api";
 const FIRST_WAIT_MS = 500;
 const LONGEST_WAIT_MS = 8_000;
 
-export interface Way {
+interface Way {
   /** Hand one answer in; throws `Problem`. */
   put(answer: Answer): Promise<void>;
   /** The answers that the server lacks, told when it says that one comes before its turn. */

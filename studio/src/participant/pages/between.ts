@@ -8,7 +8,7 @@ import { reading } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
 
-export type Next = "go" | "stop";
+type Next = "go" | "stop";
 
 export function instructionsPage(words: Words, text: string, rules: Study["sitting"]): Page<Next> {
   const training = fill(words.instructions_training, { n: rules.training });

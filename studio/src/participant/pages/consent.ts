@@ -7,7 +7,7 @@ import { press, sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
 
-export type Consent = "agree" | "decline" | Language;
+type Consent = "agree" | "decline" | Language;
 
 /** `others`: the languages that one can change to. */
 export function consentPage(
@@ -38,19 +38,25 @@ export function consentPage(
       );
       const decline = button(words.consent_decline, () => done("decline"), { class: "quiet" });
       const label = element("label", { class: "tick", for: "agreed" }, box, words.consent_box);
-      const switches = others.map((language) =>
-        button(NAMES[language], () => done(language), { lang: language, class: "small" }),
-      );
-      const above = [
-        ...(demo ? [element("span", { class: "demo" }, words.demo)] : []),
-        ...switches,
-      ];
       const body = [...paragraphs(text), label, missing];
-      sheet(into, words.consent_title, body, [agree, decline], above);
+      sheet(into, words.consent_title, body, [agree, decline], above(words, others, demo, done));
     },
     play(into) {
       press(into, "#agreed");
       press(into, "button.main");
     },
   };
+}
+
+/** Over the title: that this is a demonstration, where it is, and the other languages. */
+function above(
+  words: Words,
+  others: readonly Language[],
+  demo: boolean,
+  change: (to: Language) => void,
+): HTMLElement[] {
+  const switches = others.map((language) =>
+    button(NAMES[language], () => change(language), { lang: language, class: "small" }),
+  );
+  return demo ? [element("span", { class: "demo" }, words.demo), ...switches] : switches;
 }

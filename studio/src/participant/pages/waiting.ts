@@ -11,7 +11,7 @@ import type { Words } from "../words/words";
 export function loadingPage(
   words: Words,
   fetching: (told: (here: number, all: number) => void) => Promise<void>,
-): Page<Problemless> {
+): Page<Loaded> {
   return {
     name: "loading",
     draw(into, done) {
@@ -29,7 +29,7 @@ export function loadingPage(
 }
 
 /** How it went; a reason is thrown by whoever shows the page. */
-export interface Problemless {
+interface Loaded {
   problem: unknown;
 }
 

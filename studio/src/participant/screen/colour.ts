@@ -7,6 +7,7 @@ import type { Page } from "../stage";
 import type { Words } from "../words/words";
 import type { Share } from "./content";
 import { plate, platesOf } from "./plates";
+import { listen, Series } from "./series";
 
 const DIGITS = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
 
@@ -15,41 +16,27 @@ export function colourPage(words: Words, step: string, seed: number): Page<Share
   return {
     name: "colour",
     draw(into, done) {
-      let at = 0;
-      let right = 0;
       const place = element("div", { role: "img", "aria-label": words.colour_question });
       const count = element("p", { class: "now", role: "status" });
-      const show = () => {
+      const take = (digit: number | null) => series.take(digit);
+      const digits = DIGITS.map((digit) => button(String(digit), () => take(digit)));
+      const none = button(words.colour_none, () => take(null), { class: "none" });
+      const choices = element("div", { class: "digits" }, ...digits, none);
+      const body = [
+        element("p", {}, words.colour),
+        element("p", { class: "soft" }, words.no_medical),
+        element("div", { class: "plates" }, place, choices),
+        count,
+      ];
+      sheet(into, words.colour_title, body, [], [step]);
+      const show = (at: number) => {
         const shown = plates[at];
         if (shown !== undefined) place.replaceChildren(plate(shown));
         count.textContent = fill(words.colour_of, { n: at + 1, all: plates.length });
       };
-      const take = (digit: number | null) => {
-        if (digit === plates[at]?.digit) right += 1;
-        at += 1;
-        if (at === plates.length) done({ right, of: plates.length });
-        else show();
-      };
-      const press = (event: KeyboardEvent) => {
-        if (/^\d$/.test(event.key) && !event.repeat) take(Number(event.key));
-      };
-      const digits = DIGITS.map((digit) => button(String(digit), () => take(digit)));
-      const none = button(words.colour_none, () => take(null), { class: "none" });
-      const body = [
-        element("p", {}, words.colour),
-        element("p", { class: "soft" }, words.no_medical),
-        element(
-          "div",
-          { class: "plates" },
-          place,
-          element("div", { class: "digits" }, ...digits, none),
-        ),
-        count,
-      ];
-      sheet(into, words.colour_title, body, [], [step]);
-      show();
-      document.addEventListener("keydown", press);
-      return () => document.removeEventListener("keydown", press);
+      const wanted = plates.map(({ digit }) => digit);
+      const series = new Series(wanted, show, done);
+      return listen((key) => (/^\d$/.test(key) ? Number(key) : undefined), take);
     },
     play(into) {
       const digits = into.querySelectorAll<HTMLElement>(".digits button");

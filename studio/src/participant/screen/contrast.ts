@@ -7,6 +7,7 @@ import type { Page } from "../stage";
 import type { Words } from "../words/words";
 import { chance, oneOf } from "./chance";
 import type { Share } from "./content";
+import { listen, Series } from "./series";
 
 /** How much darker than the grey around it a ring is, as a share of its luminance (Weber). */
 export const CONTRASTS = [0.5, 0.25, 0.25, 0.12, 0.12, 0.06, 0.06, 0.04, 0.04, 0.04] as const;
@@ -37,27 +38,10 @@ export function contrastPage(words: Words, step: string, seed: number, gamma: nu
   return {
     name: "contrast",
     draw(into, done) {
-      let at = 0;
-      let right = 0;
       const canvas = element("canvas", { class: "ring", role: "img" });
       canvas.setAttribute("aria-label", words.contrast_question);
       const count = element("p", { class: "now", role: "status" });
-      const show = () => {
-        draw(canvas, gaps[at] ?? "up", codeOf(CONTRASTS[at] ?? 1, gamma));
-        count.textContent = fill(words.contrast_of, { n: at + 1, all: gaps.length });
-      };
-      const take = (gap: Gap) => {
-        if (gap === gaps[at]) right += 1;
-        at += 1;
-        if (at === gaps.length) done({ right, of: gaps.length });
-        else show();
-      };
-      const press = (event: KeyboardEvent) => {
-        const gap = KEYS[event.key];
-        if (gap === undefined || event.repeat) return;
-        event.preventDefault();
-        take(gap);
-      };
+      const take = (gap: Gap) => rings.take(gap);
       const choices = GAPS.map((gap) => button(words[gap], () => take(gap), { class: gap }));
       const body = [
         element("p", {}, words.contrast),
@@ -66,9 +50,12 @@ export function contrastPage(words: Words, step: string, seed: number, gamma: nu
         count,
       ];
       sheet(into, words.contrast_title, body, [], [step]);
-      show();
-      document.addEventListener("keydown", press);
-      return () => document.removeEventListener("keydown", press);
+      const show = (at: number) => {
+        draw(canvas, gaps[at] ?? "up", codeOf(CONTRASTS[at] ?? 1, gamma));
+        count.textContent = fill(words.contrast_of, { n: at + 1, all: gaps.length });
+      };
+      const rings = new Series(gaps, show, done);
+      return listen((key) => KEYS[key], take);
     },
     play(into) {
       for (const gap of gaps) into.querySelector<HTMLElement>(`.rings .${gap}`)?.click();

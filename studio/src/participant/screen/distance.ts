@@ -5,15 +5,12 @@ import { fill } from "../../shared/language";
 import { press, sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
+import { MARGIN_PX, Track } from "./track";
 
 /** From the line of sight to the blind spot's near edge, degrees (Li et al. 2020, Virtual Chinrest). */
-export const BLIND_SPOT_DEG = 13.5;
+const BLIND_SPOT_DEG = 13.5;
 /** How often the dot is followed. */
-export const TRIES = 3;
-/** The dot starts this near the square. */
-const START_MM = 30;
-const SPEED_MM_PER_S = 16;
-const MARGIN_PX = 24;
+const TRIES = 3;
 /** The least distance that a window must be able to measure. */
 const NEAREST_MM = 300;
 
@@ -38,7 +35,7 @@ export function median(values: readonly number[]): number {
 
 /** Whether a window is wide enough for the dot to reach the blind spot from near by. */
 export function wideEnough(window_px: number, px_per_mm: number): boolean {
-  return (window_px - 2 * MARGIN_PX) / px_per_mm > NEAREST_MM * Math.tan(0.2356);
+  return distance_mm((window_px - 2 * MARGIN_PX) / px_per_mm) > NEAREST_MM;
 }
 
 /** The test; ends with null where somebody would rather type. */
@@ -52,86 +49,31 @@ export function blindSpotPage(
     draw(into, done) {
       const tries_mm: number[] = [];
       const count = element("p", { class: "now", role: "status" });
-      const track = new Track(px_per_mm, () => {
-        count.textContent = words.distance_missed;
+      const tell = (told: string) => {
+        count.textContent = fill(told, { n: tries_mm.length + 1, all: TRIES });
         go.textContent = words.distance_start;
-      });
-      const tell = () => {
-        const places = { n: tries_mm.length + 1, all: TRIES };
-        count.textContent = fill(words.distance_try, places);
       };
-      const go = button(
-        words.distance_start,
-        () => {
-          if (!track.moving) {
-            track.start();
-            go.textContent = words.distance_gone;
-            return;
-          }
-          tries_mm.push(distance_mm(track.stop()));
-          if (tries_mm.length === TRIES) return done(tries_mm);
-          go.textContent = words.distance_start;
-          tell();
-        },
-        { class: "main" },
-      );
+      const track = new Track(px_per_mm, () => tell(words.distance_missed));
+      const next = () => {
+        if (!track.moving) {
+          track.start();
+          go.textContent = words.distance_gone;
+          return;
+        }
+        tries_mm.push(distance_mm(track.stop()));
+        if (tries_mm.length === TRIES) done(tries_mm);
+        else tell(words.distance_try);
+      };
+      const go = button("", next, { class: "main" });
       const typed = button(words.distance_type, () => done(null), { class: "quiet" });
       const body = [element("p", {}, words.distance), track.root, count];
       sheet(into, words.distance_title, body, [go, typed], [step]);
-      tell();
+      tell(words.distance_try);
       go.focus();
       return () => track.stop();
     },
     play: (into) => press(into, "button.quiet"),
   };
-}
-
-/** The square that is looked at, and the dot that leaves it. */
-class Track {
-  readonly root: HTMLElement;
-  moving = false;
-  private readonly dot = element("span", { class: "dot" });
-  private apart_px = 0;
-  private frame = 0;
-
-  constructor(
-    private readonly px_per_mm: number,
-    private readonly missed: () => void,
-  ) {
-    const square = element("span", { class: "fixed" });
-    this.root = element("div", { class: "track", "aria-hidden": "true" }, square, this.dot);
-    this.place();
-  }
-
-  start(): void {
-    this.moving = true;
-    const began_ms = performance.now();
-    const step = (now_ms: number) => {
-      this.apart_px = (START_MM + (SPEED_MM_PER_S * (now_ms - began_ms)) / 1000) * this.px_per_mm;
-      this.place();
-      if (this.apart_px < this.root.clientWidth - 2 * MARGIN_PX) {
-        this.frame = requestAnimationFrame(step);
-      } else {
-        this.stop();
-        this.missed();
-      }
-    };
-    this.frame = requestAnimationFrame(step);
-  }
-
-  /** Put the dot back; gives how far it was from the square. */
-  stop(): number {
-    cancelAnimationFrame(this.frame);
-    this.moving = false;
-    const apart_mm = this.apart_px / this.px_per_mm;
-    this.apart_px = START_MM * this.px_per_mm;
-    this.place();
-    return apart_mm;
-  }
-
-  private place(): void {
-    this.dot.style.transform = `translateX(${-this.apart_px}px)`;
-  }
 }
 
 export function typedPage(words: Words, step: string): Page<number | null> {

@@ -12,9 +12,9 @@ const MOST_CODE = 240;
 const START_CODE = 130;
 
 /** Of the patches on black; the last one nobody misses on a working screen. */
-export const DARK_CODES = [2, 4, 6, 8, 12, 16, 24, 40] as const;
+const DARK_CODES = [2, 4, 6, 8, 12, 16, 24, 40] as const;
 /** Kept where none of them is seen. */
-export const NONE_SEEN = 255;
+const NONE_SEEN = 255;
 
 /**
  * The exponent of a screen on which a grey of `code` is as bright as stripes half black, half white:

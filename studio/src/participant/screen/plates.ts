@@ -5,7 +5,7 @@ import { chance } from "./chance";
 import { code, confusedWith } from "./confusion";
 import type { Missing } from "./confusion";
 
-export interface Plate {
+interface Plate {
   digit: number;
   /** "any": the digit is brighter as well, so that everybody sees it. */
   kind: Missing | "any";

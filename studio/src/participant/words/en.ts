@@ -167,6 +167,5 @@ export const en = {
   broken:
     "Your answers so far are kept. Please load the page again; if that does not help, tell whoever " +
     "invited you.",
-  unreachable_title: "Not connected",
   unreachable: "The study cannot be reached. We keep trying.",
 } as const;
