@@ -30,6 +30,8 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 
 EVERY_S = 2.0
 LAB_EVERY_S = 3.0
+#: The server starts a second process, which is then ready.
+SETTLING_S = 8.0
 NAME, PASSWORD = "lab", "correct horse battery staple"
 
 #: Ten stimuli: 45 pairs and 3 for training.
@@ -54,8 +56,10 @@ def main() -> None:
         uvloop.run(Load(args.load, json.load(sys.stdin), args.seconds).run())
         return
     columns = ("store", "answers", "a second", "p50", "p95", "p99", "longest", "errors")
-    print("|", *(f"{name} |" for name in (*columns, "processors an answer", "peak memory")))
-    print("|", "---|" * 10)
+    print(
+        "|", *(f"{name} |" for name in (*columns, "processors an answer", "machine", "peak memory"))
+    )
+    print("|", "---|" * 11)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "load.toml").write_text(STUDY, encoding="utf-8")
         study = Path(folder) / "study"
@@ -84,13 +88,18 @@ def measure(name: str, study: Path, place: str, args: argparse.Namespace) -> Non
     ) as server:
         try:
             url = address(server)
-            before_s = processor_s(server.pid)
+            time.sleep(SETTLING_S)
+            before_s, busy_s, idle_s = processor_s(server.pid), *machine_s()
             command = [sys.executable, __file__, "--load", url, "--seconds", str(args.seconds)]
             done = subprocess.run(
                 command, input=json.dumps(tokens), stdout=subprocess.PIPE, text=True, check=True
             )
             found = json.loads(done.stdout)
-            row(name, found, processor_s(server.pid) - before_s, peak_mb(server.pid))
+            used_s = processor_s(server.pid) - before_s
+            busy_s, idle_s = (
+                after - before for after, before in zip(machine_s(), (busy_s, idle_s), strict=True)
+            )
+            row(name, found, used_s, busy_s / (busy_s + idle_s), peak_mb(server.pid))
         finally:
             server.terminate()
 
@@ -120,19 +129,27 @@ def processor_s(process: int) -> float:
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
+def machine_s() -> tuple[float, float]:
+    """Busy and idle, of all cores together, whoever it is that uses them."""
+    line = Path("/proc/stat").read_text(encoding="utf-8").partition("\n")[0]
+    ticks = [int(field) for field in line.split()[1:]]
+    idle = ticks[3] + ticks[4]
+    return sum(ticks) - idle, idle
+
+
 def peak_mb(process: int) -> float:
     status = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
     [line] = [line for line in status.splitlines() if line.startswith("VmHWM:")]
     return int(line.split()[1]) / 1024
 
 
-def row(name: str, found: dict, used_s: float, memory_mb: float) -> None:
+def row(name: str, found: dict, used_s: float, busy: float, memory_mb: float) -> None:
     times_ms = np.array(found["times_s"]) * 1000
     p50, p95, p99 = np.percentile(times_ms, [50, 95, 99])
     print(
         f"| {name} | {len(times_ms)} | {len(times_ms) / found['wall_s']:.0f} | {p50:.0f} ms "
         f"| {p95:.0f} ms | {p99:.0f} ms | {times_ms.max():.0f} ms | {found['errors']} "
-        f"| {used_s / len(times_ms) * 1000:.2f} ms | {memory_mb:.0f} MB |",
+        f"| {used_s / len(times_ms) * 1000:.2f} ms | {busy:.0%} | {memory_mb:.0f} MB |",
         flush=True,
     )
 

@@ -60,9 +60,7 @@ async def answer(request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1
     service = service_of(request)
     token = token_of(request)
     wanted = await asked(request, Answering)
-    session = service.sessions.get(token)
-    if session is None:
-        session = await run_in_threadpool(service.sessions.read, token)
+    session = await service.sessions.find(token)
     request.state.session = session.id
     # The plan is in memory since the session was read: nothing here waits but for the receipt.
     waiting = service.running.hand_in(

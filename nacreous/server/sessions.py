@@ -8,6 +8,8 @@ from collections import OrderedDict
 from collections.abc import Callable
 from threading import Lock
 
+from anyio import CapacityLimiter, to_thread
+
 from nacreous.study.running import Running
 from nacreous.study.store import Session
 
@@ -15,6 +17,8 @@ from nacreous.study.store import Session
 #: answer whom another program erased is asked again where the answer is stored.
 _FRESH_S = 10.0
 _MOST = 8192
+#: Readings at once: as many as keep the processors busy, and no more connections than that.
+_READINGS = 4
 
 
 class Sessions:
@@ -26,6 +30,16 @@ class Sessions:
         self._lock = Lock()
         self._kept: OrderedDict[bytes, tuple[float, Session]] = OrderedDict()
         self._changes = 0
+        self._readings: CapacityLimiter | None = None
+
+    async def find(self, token: str) -> Session:
+        """The session as it was a moment ago, or as it is now."""
+        session = self.get(token)
+        if session is not None:
+            return session
+        if self._readings is None:
+            self._readings = CapacityLimiter(_READINGS)  # which belongs to an event loop
+        return await to_thread.run_sync(self.read, token, limiter=self._readings)
 
     def get(self, token: str) -> Session | None:
         """The session, if it was read a moment ago."""

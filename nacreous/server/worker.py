@@ -33,7 +33,7 @@ P = ParamSpec("P")
 
 
 class Worker:
-    """Starts its process when it is first asked; to be closed, as by `with`."""
+    """Starts its process when it is entered, as by `with`, and ends it at the end."""
 
     def __init__(self, folder: Path, place: str) -> None:
         self._opened = (folder, place)
@@ -48,7 +48,9 @@ class Worker:
         return await run_in_threadpool(self._ask, work, args, kwargs)
 
     def __enter__(self) -> Worker:
-        """Close at the end of the block."""
+        """Start, without waiting until it is ready."""
+        with self._one:
+            self._connected()
         return self
 
     def __exit__(
@@ -95,6 +97,8 @@ class Worker:
 
 def _work(line: Connection, folder: Path, place: str) -> None:
     """The process: one thing after the other, until the server is gone."""
+    import scipy.stats  # noqa: F401 (takes a second; now, and not when answers come in)
+
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C on a terminal is for the server
     if sys.platform != "win32":
         os.nice(10)
