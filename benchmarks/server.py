@@ -3,8 +3,9 @@
     python benchmarks/server.py [--people 500] [--seconds 40]
 
 The server is a process of its own, and so is who asks; both share this machine. A time runs from
-when an answer is due to when its receipt is there, so one that waits for another counts too. Beside
-the participants an experimenter's page asks for the progress every three seconds.
+when an answer is due to when its receipt is there, so one that waits for another counts too.
+"Machine" is how busy all cores were, with whatever else went on. Beside the participants an
+experimenter's page asks for the progress every three seconds.
 """
 
 import argparse
