@@ -87,6 +87,15 @@ def side_by_side(paths: list[Path], columns: int, width: int) -> Image.Image:
     return sheet
 
 
+def few_colours(picture: Image.Image) -> Image.Image:
+    """The same in 256 colours, among which those of small areas have their part."""
+    counted = picture.getcolors(picture.width * picture.height) or []
+    several = [colour for count, colour in counted for _ in range(round(count**0.5))]
+    sample = Image.new("RGB", (len(several), 1))
+    sample.putdata(several)
+    return picture.quantize(palette=sample.quantize(256), dither=Image.Dither.NONE)
+
+
 def main(pictures: Path, folder: Path) -> None:
     telephone = {"viewport": TELEPHONE, "has_touch": True, "is_mobile": True}
     with tempfile.TemporaryDirectory() as place:
@@ -102,7 +111,7 @@ def main(pictures: Path, folder: Path) -> None:
         ("phone", "ja", PHONE, 4, 240),
     ):
         paths = [folder / f"{language}-{page}.png" for page in pages]
-        sheet = side_by_side(paths, columns, width).quantize(256)
+        sheet = few_colours(side_by_side(paths, columns, width))
         sheet.save(pictures / f"participants-{name}.png", optimize=True)
 
 

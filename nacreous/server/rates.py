@@ -15,7 +15,7 @@ from nacreous.server.refusal import Refusal
 LIMITS = {
     "logins of an address": (5, 60.0),
     "logins of a name": (10, 900.0),
-    "entries of an address": (60, 60.0),
+    "entries of an address": (300, 60.0),  # a lecture hall behind one address
     "refusals": (60, 60.0),
 }
 

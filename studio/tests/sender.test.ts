@@ -15,9 +15,13 @@ class Server {
 
   constructor(private readonly failures: (Problem | "lost receipt")[] = []) {}
 
-  sender(): Sender {
+  /** `first`: called when the first answer has been put. */
+  sender(first: () => Promise<void> = async () => undefined): Sender {
     return new Sender({
-      put: (given) => this.put(given),
+      put: async (given) => {
+        await this.put(given);
+        if (given.trial === 0) void first();
+      },
       missing: async () => this.log.filter(({ trial }) => trial >= this.taken.length),
       connected: (yes) => this.connected.push(yes),
       refused: (problem) => (this.refusal = problem),
@@ -117,4 +121,17 @@ test("a refusal for good is told, and nothing more is sent", async () => {
   expect(server.refusal?.status).toBe(403);
   expect(server.attempts).toEqual([0]);
   expect(sender.waiting).toBe(3);
+});
+
+test("an answer added just as the last one has arrived is sent too", async () => {
+  for (let moments = 0; moments < 10; moments += 1) {
+    const server = new Server();
+    const sender: Sender = server.sender(async () => {
+      for (let moment = 0; moment < moments; moment += 1) await null;
+      sender.add(answer(1));
+    });
+    sender.add(answer(0));
+    await new Promise((resolve) => setTimeout(resolve, 5));
+    expect(server.taken.map(({ trial }) => trial)).toEqual([0, 1]);
+  }
 });

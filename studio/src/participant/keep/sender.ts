@@ -37,7 +37,7 @@ export class Sender {
   /** Send an answer as soon as those before it are there. */
   add(...answers: Answer[]): void {
     this.queue.push(...answers);
-    this.running ??= this.run().finally(() => (this.running = null));
+    this.running ??= this.run();
   }
 
   /** Resolves when nothing is on its way any more. */
@@ -46,16 +46,22 @@ export class Sender {
   }
 
   private async run(): Promise<void> {
-    while (!this.stopped) {
-      const answer = this.queue[0];
-      if (answer === undefined) return;
-      try {
-        await this.way.put(answer);
-        this.arrived();
-      } catch (reason) {
-        if (!(reason instanceof Problem)) throw reason;
-        await this.failed(reason, answer);
+    try {
+      for (let answer = this.queue[0]; answer && !this.stopped; answer = this.queue[0]) {
+        await this.put(answer);
       }
+    } finally {
+      this.running = null; // here and not a moment later, in which an answer could be added
+    }
+  }
+
+  private async put(answer: Answer): Promise<void> {
+    try {
+      await this.way.put(answer);
+      this.arrived();
+    } catch (reason) {
+      if (!(reason instanceof Problem)) throw reason;
+      await this.failed(reason, answer);
     }
   }
 
