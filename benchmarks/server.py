@@ -28,6 +28,7 @@ from nacreous.study.running import Running
 from nacreous.study.store import Store
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
+import database
 
 EVERY_S = 2.0
 LAB_EVERY_S = 3.0
@@ -66,6 +67,9 @@ def main() -> None:
         study = Path(folder) / "study"
         freeze(Path(folder) / "load.toml", study)
         measure("SQLite", study, str(study), args)
+        if database.binaries() is None:
+            print("PostgreSQL is left out (no initdb):   sudo apt install postgresql")
+            return
         with postgresql() as place:
             measure("PostgreSQL", study, place, args)
 
@@ -73,9 +77,7 @@ def main() -> None:
 @contextmanager
 def postgresql() -> Iterator[str]:
     """A database from Debian's package, as the tests start it, but that waits for its disk."""
-    from database import start
-
-    with start() as server:
+    with database.start() as server:
         server.stop()
         server.start(fsync="on")
         yield server.create("load")
