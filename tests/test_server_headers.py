@@ -97,3 +97,8 @@ def test_what_is_no_page_of_ours_is_an_attachment(server: httpx.Client) -> None:
 def test_there_are_no_pages_that_load_from_elsewhere(server: httpx.Client) -> None:
     for path in ("/docs", "/redoc", "/docs/oauth2-redirect", "/static/x"):
         assert server.get(path).status_code == 404
+
+
+def test_the_laboratory_is_found_with_a_slash_too(server: httpx.Client) -> None:
+    assert server.get("/lab/").text == server.get("/lab").text
+    assert server.get("/lab/else").status_code == 404

@@ -3,7 +3,6 @@
 import asyncio
 import threading
 import time
-from functools import partial
 
 from nacreous.server.outcomes import Outcomes
 
@@ -79,17 +78,18 @@ def test_what_fails_is_tried_again() -> None:
 
 
 def test_what_was_known_a_moment_ago_does_not_wait_for_a_report() -> None:
-    async def flags(of: str) -> str:
-        return of
-
     async def look() -> list[str]:
         outcomes, written = Outcomes(), asyncio.Event()
-        first = await outcomes.get("flags", 1, partial(flags, "of 1 answer"))
+
+        async def flags(answers: int) -> str:
+            return f"of {answers} answers"
+
+        first = await outcomes.get("flags", 1, lambda: flags(1))
         report = asyncio.create_task(outcomes.get("report", 1, written.wait, good_for=0))
         await asyncio.sleep(0.05)
-        during = await asyncio.wait_for(outcomes.get("flags", 2, partial(flags, "of 2")), 5)
+        during = await asyncio.wait_for(outcomes.get("flags", 2, lambda: flags(2)), 5)
         written.set()
         await report
-        return [first, during, await outcomes.get("flags", 2, partial(flags, "of 2"))]
+        return [first, during, await outcomes.get("flags", 2, lambda: flags(2))]
 
-    assert asyncio.run(look()) == ["of 1 answer", "of 1 answer", "of 2"]
+    assert asyncio.run(look()) == ["of 1 answers", "of 1 answers", "of 2 answers"]

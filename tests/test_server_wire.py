@@ -173,7 +173,7 @@ PATHS = (
     "/api/pictures/../study.json",
     "/study.json",
     "/answers.sqlite",
-    "/lab/",
+    "/lab//",
 )
 
 
@@ -233,4 +233,4 @@ def test_a_forwarded_address_is_believed_of_this_machine_alone() -> None:
     from nacreous.server.listening import server_of
 
     config = server_of(None).config  # type: ignore[arg-type]
-    assert (config.proxy_headers, config.forwarded_allow_ips) == (True, "127.0.0.1")
+    assert (config.proxy_headers, config.forwarded_allow_ips) == (True, "127.0.0.1,::1")

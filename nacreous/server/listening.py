@@ -17,6 +17,8 @@ from fastapi import FastAPI
 from nacreous.problem import InputError
 
 _BACKLOG = 2048
+#: Where a proxy may be that is believed: at "localhost", by either protocol.
+_THIS_MACHINE = "127.0.0.1,::1"
 #: Open connections at once, where the system lets a process have so many.
 _MOST_OPEN = 16_384
 
@@ -89,7 +91,7 @@ def server_of(app: FastAPI) -> uvicorn.Server:
         access_log=False,
         server_header=False,
         proxy_headers=True,
-        forwarded_allow_ips="127.0.0.1",
+        forwarded_allow_ips=_THIS_MACHINE,
         timeout_keep_alive=60,
         timeout_graceful_shutdown=10,
         **_fast(),

@@ -16,7 +16,7 @@ from nacreous.problem import InputError
 FOLDER = Path(__file__).parent / "pages"
 
 #: The pages themselves, by what people ask for.
-_PAGES = {"/": "index.html", "/lab": "lab.html"}
+_PAGES = {"/": "index.html", "/lab": "lab.html", "/lab/": "lab.html"}
 _READING = ["GET", "HEAD"]
 _FOR_EVER = "public, max-age=31536000, immutable"
 
@@ -55,6 +55,7 @@ class Pages:
 
 @router.api_route("/", methods=_READING)
 @router.api_route("/lab", methods=_READING)
+@router.api_route("/lab/", methods=_READING)
 async def page(request: Request) -> Response:
     """The page of participants, or of experimenters."""
     pages: Pages = request.app.state.pages
