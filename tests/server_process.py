@@ -131,12 +131,16 @@ def prepare(folder: Path, place: str | None = None) -> None:
 
 @contextmanager
 def served(
-    folder: Path, *options: str, place: str | None = None, prepared: bool = True
+    folder: Path,
+    *options: str,
+    place: str | None = None,
+    prepared: bool = True,
+    program: str = __file__,
 ) -> Iterator[Served]:
     """Serve a frozen study on any free port; if it is prepared, anybody may enter."""
     if prepared:
         prepare(folder, place)
-    command = [sys.executable, __file__, "study", "serve", str(folder), "--port", "0", *options]
+    command = [sys.executable, program, "study", "serve", str(folder), "--port", "0", *options]
     process = subprocess.Popen(
         [*command, *(("--store", place) if place else ())],
         stdin=subprocess.DEVNULL,

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+import jumping_server
 import pytest
 from database import Server
 from server_crowd import Crowd
@@ -170,6 +171,19 @@ def check_intact(file: Path, count: int) -> None:
         assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
     with Store.open(file) as store:
         assert [row["trial"] for row in store.answers(store.study())] == list(range(count))
+
+
+def test_a_process_whose_clock_jumps_all_the_time_keeps_every_answer_once(
+    frozen: Path, place: str
+) -> None:
+    with served(frozen, place=place, program=jumping_server.__file__) as server:
+        crowd = Crowd(port_of(server), 5, TRIALS, choice)
+        asyncio.run(crowd.go_through())
+        assert server.stop() == 0
+    check_whole(place, crowd)
+    with Store.open(place) as store:
+        times = [row["received_at"] for row in store.answers(store.study())]
+    assert times != sorted(times), "the clock did not jump"
 
 
 class Clock:

@@ -101,6 +101,14 @@ def test_who_answers_faster_than_anyone_sees_is_flagged(running):
     assert "fast" not in kinds(running, slow)
 
 
+def test_who_answers_before_the_page_lets_anyone_is_flagged(running):
+    assert running.frozen.design.sitting.minimum_viewing_ms == 500
+    sooner = take_part(running, by_scale(SCALE, np.random.default_rng(2)), response_ms=499.0)
+    later = take_part(running, by_scale(SCALE, np.random.default_rng(3)), response_ms=500.0)
+    assert kinds(running, sooner)["unwaited"] == "19/19"
+    assert "unwaited" not in kinds(running, later)
+
+
 def test_a_long_pause_is_flagged_and_a_short_one_is_not(running, clock):
     def slowly(seconds: float):
         choose = by_scale(SCALE, np.random.default_rng(4))
@@ -118,10 +126,10 @@ def test_a_long_pause_is_flagged_and_a_short_one_is_not(running, clock):
 
 
 def test_what_the_page_noticed_is_counted(running):
-    noticed = take_part(running, lambda _: "left", flags={"hidden": True, "scaled": False})
+    noticed = take_part(running, lambda _: "left", flags={"away": 2, "shrunk": 0, "x": True})
     found = kinds(running, noticed)
-    assert found["answer-hidden"] == "19/19"
-    assert "answer-scaled" not in found
+    assert found["answer-away"] == "19/19"
+    assert not {"answer-shrunk", "answer-x"} & set(found)
 
 
 def test_excluded_people_keep_their_flags_and_erased_ones_have_none(running):

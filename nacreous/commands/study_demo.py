@@ -213,8 +213,10 @@ def _lines(path: str) -> list[str]:
 
     try:
         text = Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as problem:
-        raise InputError(f"{path}: cannot be read ({problem})") from None
+    except OSError as problem:
+        raise InputError(f"{path}: cannot be read ({problem.strerror})") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: is no text in UTF-8; wanted: one link a line") from None
     return [line.strip() for line in text.splitlines() if line.strip()]
 
 

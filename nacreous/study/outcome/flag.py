@@ -23,6 +23,8 @@ class Flag:
     - "left", "right": one side was chosen more often than chance makes it
     - "circles": more circular triads (a over b over c over a) than chance makes people have
     - "fast": more than a tenth of the answers came faster than anyone reacts to light, 0.2 s
+    - "unwaited": more than a tenth of the answers came before the study's `minimum_viewing_ms`,
+      which its page does not let happen
     - "pause": five minutes or more between two answers
     - "answer-NAME": the participant's page noticed NAME with so many answers: "away" (the window
       lost the focus or was hidden), "resized", "shrunk" (pictures were scaled down to fit),

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 __all__ = ["people_flags"]
 
+#: What our page notices with an answer. Another client may write what it likes.
+_NOTICED = ("away", "early", "not_kept", "resized", "shrunk")
 #: What everyone does now and then is a flag from more than this share of answers on: pressing
 #: before a pair may be answered, as with answers that are too fast.
 _OFTEN = {"early": MOST_FAST}
@@ -43,6 +45,7 @@ def people_flags(running: Running) -> dict[int, list[Flag]]:
     design = running.frozen.design
     for number, own in by_person.items():
         found[number] += [*_catches(own, design), *_pauses(own), *_noticed(own)]
+        found[number] += _unwaited(own, design.sitting.minimum_viewing_ms)
     data = [row for row in rows if row["kind"] in COUNTED]
     for number, flags in consistency_flags(data, design).items():
         found[number] += flags
@@ -86,9 +89,16 @@ def _noticed(rows: Sequence[Row]) -> Iterator[Flag]:
         for row in rows
         if row["flags"] != "{}"  # as nearly all are
         for name, value in json.loads(row["flags"]).items()
-        if value
+        if value and name in _NOTICED
     )
     for name, count in sorted(counts.items()):
         if name in _OFTEN and count <= _OFTEN[name] * len(rows):
             continue
         yield Flag(f"answer-{name}", f"{count}/{len(rows)}")
+
+
+def _unwaited(rows: Sequence[Row], minimum_ms: float) -> Iterator[Flag]:
+    """Answers by which a pair was there for a shorter time than our page lets anyone answer."""
+    sooner = sum((row["response_ms"] or minimum_ms) < minimum_ms for row in rows)
+    if sooner > MOST_FAST * len(rows):
+        yield Flag("unwaited", f"{sooner}/{len(rows)}")

@@ -76,7 +76,8 @@ class Running:
         self._check_language(language)
         self._check_groups(recorded)
         session, _ = self.store.enter(self.study, language, recorded, token)
-        return self._settled(session)
+        self._settled(session)
+        return self.store.session(session.id)  # as settled, whoever did it
 
     def session_of(self, token: str) -> Session:
         """Whose token this is, in this study."""

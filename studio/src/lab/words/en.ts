@@ -149,6 +149,10 @@ export const en = {
       name: "very fast",
       why: "{detail} answers came within 0.2 s, faster than anyone reacts to light.",
     },
+    unwaited: {
+      name: "did not wait",
+      why: "{detail} answers came sooner than the study's page lets anyone answer.",
+    },
     pause: { name: "long pause", why: "There were {detail} between two answers." },
     answer: { name: "{what}", why: "Noticed by the page: {detail} answers." },
     screen: { name: "{what}", why: "Found by the check of the screen." },

@@ -151,6 +151,10 @@ export const ja: Words = {
       name: "速すぎる回答",
       why: "0.2秒以内の回答がありました（{detail}）。人が光に反応できる時間より短い値です。",
     },
+    unwaited: {
+      name: "待たずに回答",
+      why: "この調査のページで回答できるようになる前の回答がありました（{detail}）。",
+    },
     pause: { name: "長い中断", why: "二つの回答の間に{detail}の中断がありました。" },
     answer: { name: "{what}", why: "回答の際にページが検知しました（{detail}）。" },
     screen: { name: "{what}", why: "画面の確認で分かりました。" },
