@@ -45,7 +45,8 @@ test-rust *options: setup
 # Run the Python tests, the examples in docstrings, README, docs and examples/ included
 [group("trust")]
 test-python *options: setup
-    pytest {{ options }}
+    @# Tests of servers and pages mostly wait; a file's tests stay together, for they share what they made.
+    pytest --numprocesses 2 --dist loadfile {{ options }}
 
 # Check the pages' types and format, and run the tests that need no server
 [group("trust")]

@@ -11,7 +11,7 @@ from database import Server, start
 from fastapi import FastAPI
 from server_process import in_thread, prepare, served, small_study, some_pages
 
-from nacreous.server import create_app
+from nacreous.server.app import create_app
 from nacreous.server.service import Service
 from nacreous.study.design import open_frozen
 from nacreous.study.running import Running

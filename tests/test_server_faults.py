@@ -19,7 +19,7 @@ from server_people import Experimenter, Person
 from server_process import NAME, PASSWORD, Served, in_thread, served, some_pages
 from test_study_faults import small_disk
 
-from nacreous.server import create_app
+from nacreous.server.app import create_app
 from nacreous.study.design import freeze, open_frozen
 from nacreous.study.running import Running
 from nacreous.study.store import Store

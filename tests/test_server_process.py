@@ -15,7 +15,8 @@ from server_process import served, small_study, some_pages
 
 from nacreous.cli import main
 from nacreous.problem import InputError
-from nacreous.server import create_app, pages
+from nacreous.server import pages
+from nacreous.server.app import create_app
 from nacreous.study.design import open_frozen
 from nacreous.study.running import Running
 from nacreous.study.store import Store, UnknownToken
@@ -90,8 +91,8 @@ def test_behind_a_proxy_it_goes_by_the_public_address(folder: Path) -> None:
 
 def test_the_first_time_it_says_what_is_missing(folder: Path) -> None:
     with served(folder, prepared=False) as server:
+        told = server.process.stdout.readline() + server.process.stdout.readline()
         assert server.stop() == 0
-        told = server.process.stdout.read()
     assert f"nacreous study account {folder} NAME" in told
     assert "only invited people may enter" in told
 

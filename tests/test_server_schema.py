@@ -18,7 +18,7 @@ from schemathesis.specs.openapi.checks import negative_data_rejection, positive_
 from server_people import Experimenter, Person
 from server_process import in_thread, prepare, small_study, some_pages
 
-from nacreous.server import create_app
+from nacreous.server.app import create_app
 from nacreous.server.login import COOKIE
 from nacreous.server.rates import LIMITS
 from nacreous.study.design import open_frozen

@@ -511,7 +511,8 @@ def test_every_preset_is_valid_and_says_what_it_is(kind: str) -> None:
     model: Any = {"pearl": Pearl, "scene": Scene, "nacre": Growth, "study": Design}[kind]
     for name in preset.names(kind):
         made = model(preset=name) if kind == "nacre" else model.load(name)
-        assert name == (made.preset if kind == "nacre" else made.name)
+        if kind != "study":  # whose name is a title that participants read
+            assert name == (made.preset if kind == "nacre" else made.name)
         assert preset.text(kind, name).startswith("# ")
         assert 20 <= len(preset.summary(kind, name)) <= 100
 

@@ -135,7 +135,7 @@ def _serve(frozen: Frozen, listening: socket.socket, browser: bool) -> None:
     """Serve; meanwhile, beside it, let simulated observers take part and tell what to open."""
     import secrets
 
-    from nacreous.server import create_app
+    from nacreous.server.app import create_app
     from nacreous.server.listening import address_of, serve, until_stopped
     from nacreous.study.running import Running
     from nacreous.study.store import Store

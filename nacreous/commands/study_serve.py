@@ -39,7 +39,8 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
 
 def serve(args: argparse.Namespace) -> int:
     """Serve until Ctrl-C."""
-    from nacreous.server import create_app, listening
+    from nacreous.server import listening
+    from nacreous.server.app import create_app
     from nacreous.server.worker import Worker
     from nacreous.study.running import Running
 

@@ -3,7 +3,3 @@
 One process serves one frozen study. Everything that counts is decided in `nacreous.study`; this
 room reads requests, says who may, and tells what went wrong.
 """
-
-from nacreous.server.app import create_app
-
-__all__ = ["create_app"]

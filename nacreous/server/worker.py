@@ -1,18 +1,12 @@
 """A process beside the server that works out what takes seconds, so that answers do not wait.
 
-It opens the study and the store for itself and only reads; it gives way to whatever else wants the
-processor, and ends with the server, however that ends.
+It gives way to whatever else wants the processor, and ends with the server, however that ends.
 """
 
 from __future__ import annotations
 
 import multiprocessing
-import os
-import signal
-import sys
-import traceback
 from collections.abc import Callable
-from contextlib import suppress
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from pathlib import Path
@@ -24,9 +18,9 @@ from starlette.concurrency import run_in_threadpool
 
 from nacreous.problem import InputError
 from nacreous.server.refusal import Refusal
-from nacreous.study.design import open_frozen
+from nacreous.server.work import work_for
 from nacreous.study.running import Running
-from nacreous.study.store import Store, StoreError
+from nacreous.study.store import StoreError
 
 T = TypeVar("T")
 P = ParamSpec("P")
@@ -89,34 +83,9 @@ class Worker:
             # Not forked, for that would copy locks that threads hold.
             context = multiprocessing.get_context("spawn")
             self._line, theirs = context.Pipe()
-            self._process = context.Process(target=_work, args=(theirs, *self._opened), daemon=True)
+            self._process = context.Process(
+                target=work_for, args=(theirs, *self._opened), daemon=True
+            )
             self._process.start()
             theirs.close()  # so that its end is the end of the line
         return self._line
-
-
-def _work(line: Connection, folder: Path, place: str) -> None:
-    """The process: one thing after the other, until the server is gone."""
-    import scipy.stats  # noqa: F401 (takes a second; now, and not when answers come in)
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C on a terminal is for the server
-    if sys.platform != "win32":
-        os.nice(10)
-    with suppress(EOFError, OSError), Store.open(place, make=False) as store:
-        running = Running(store, open_frozen(folder))
-        while True:
-            line.send(_done(running, *line.recv()))
-
-
-def _done(
-    running: Running, work: Callable[..., object], args: tuple[Any, ...], kwargs: dict[str, Any]
-) -> tuple[str, Any]:
-    """What came of it, in a form that goes from process to process."""
-    try:
-        return "value", work(running, *args, **kwargs)
-    except InputError as problem:
-        return "input", str(problem)
-    except StoreError as problem:
-        return "store", (problem.strerror, problem.filename)
-    except Exception:
-        return "fault", traceback.format_exc()
