@@ -199,7 +199,6 @@ def test_the_same_data_give_the_same_bytes(tmp_path, ending):
             "kind is 'heat'; allowed: proportions, residuals",
         ),
     ],
-    ids=str,
 )
 def test_what_cannot_be_drawn_is_refused_and_leaves_no_file(tmp_path, draw, message):
     with pytest.raises(nc.InputError, match=re.escape(message)):
