@@ -203,6 +203,12 @@ CONTRADICTIONS = {
     'screen.if_no_card is "refuse" while screen.card is false; nobody would be asked': {
         "screen": {"card": False, "if_no_card": "refuse"}
     },
+    'screen.if_no_distance is "refuse" while screen.distance is false': {
+        "screen": {"distance": False, "if_no_distance": "refuse"}
+    },
+    'screen.if_not_full_screen is "refuse" while screen.full_screen is false': {
+        "screen": {"full_screen": False, "if_not_full_screen": "refuse"}
+    },
     'screen.if_levels is "refuse" while screen.levels is false': {
         "screen": {"levels": False, "if_levels": "refuse"}
     },

@@ -351,7 +351,10 @@ def test_a_number_that_is_none_is_refused(change: dict[str, Any]) -> None:
     ("rule", "flags"),
     [
         ("if_smaller", ["small-window"]),
+        ("if_not_full_screen", ["not-full-screen"]),
         ("if_no_card", ["no-card"]),
+        ("if_no_distance", ["no-distance"]),
+        ("if_small_gamut", ["small-gamut"]),
         ("if_levels", ["no-levels", "gamma", "darkest-step"]),
         ("if_vision", ["contrast-vision", "colour-vision"]),
     ],

@@ -12,6 +12,12 @@ from nacreous.spec.section import Section
 Rule = Literal["flag", "refuse"]
 Vision = Literal["contrast", "colour"]
 
+#: What a flag of a screen check hangs on: the keys that say whether it refuses.
+RULES = (
+    *("if_smaller", "if_not_full_screen", "if_no_card", "if_no_distance", "if_levels"),
+    *("if_small_gamut", "if_vision"),
+)
+
 
 def _rule(when: str) -> Any:
     return key(
@@ -45,11 +51,13 @@ class Screen(Section):
     )
     if_smaller: Rule = _rule("Where the window is smaller")
     full_screen: bool = _check("Whether the pages fill the screen.")
+    if_not_full_screen: Rule = _rule("Where they do not fill it")
     card: bool = _check("Whether the screen is measured with a bank card, so that sizes are in mm.")
     if_no_card: Rule = _rule("Where the size of a millimetre is not known")
     distance: bool = _check(
         "Whether the viewing distance is asked for: by the blind spot, or typed in."
     )
+    if_no_distance: Rule = _rule("Where the viewing distance is not known")
     levels: bool = _check("Whether gamma and the darkest step that can be seen are found by eye.")
     least_gamma: float = quantity(
         1.6, "The least gamma that passes.", least=0.5, most=5, source="**(ours)**"
@@ -65,6 +73,7 @@ class Screen(Section):
         source="**(ours)**",
     )
     if_levels: Rule = _rule("Where gamma or the darkest step does not pass, or was not found")
+    if_small_gamut: Rule = _rule("Where the browser says that the screen shows less than sRGB")
     vision: tuple[Vision, ...] = key(
         (),
         "Which tests of the eyes are made, on plates of ours; no diagnosis.",
@@ -85,8 +94,7 @@ class Screen(Section):
         >>> Screen().refuses, Screen(if_levels="refuse").refuses
         (False, True)
         """
-        rules = (self.if_smaller, self.if_no_card, self.if_levels, self.if_vision)
-        return "refuse" in rules
+        return any(getattr(self, name) == "refuse" for name in RULES)
 
     def contradictions(self) -> Iterator[Contradiction]:
         """A test made twice, a range that is none, and rules that nothing could break."""
@@ -96,7 +104,9 @@ class Screen(Section):
             verdict = f"is {shown(self.least_gamma)}, not below {{other}}; allowed: less"
             yield Contradiction("least_gamma", verdict, "most_gamma")
         for rule, check in (
+            ("if_not_full_screen", "full_screen"),
             ("if_no_card", "card"),
+            ("if_no_distance", "distance"),
             ("if_levels", "levels"),
             ("if_vision", "vision"),
         ):

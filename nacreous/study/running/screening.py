@@ -10,13 +10,16 @@ from nacreous.study.design.screen import Screen
 
 __all__ = ["flags_of", "is_refused"]
 
-#: The rule that decides what a flag means; the others are marks only.
+#: The rule that decides what a flag means.
 _RULES = {
     "small-window": "if_smaller",
+    "not-full-screen": "if_not_full_screen",
     "no-card": "if_no_card",
+    "no-distance": "if_no_distance",
     "no-levels": "if_levels",
     "gamma": "if_levels",
     "darkest-step": "if_levels",
+    "small-gamut": "if_small_gamut",
     "contrast-vision": "if_vision",
     "colour-vision": "if_vision",
 }
