@@ -221,8 +221,10 @@ def test_invitations_are_made_copied_used_and_revoked(guard: Guarded, frozen: Pa
     page.keyboard.press("Escape")
     expect(page.locator("dialog")).to_have_count(0)
     page.click("text=Copy all")
-    page.wait_for_timeout(100)
-    assert page.evaluate("navigator.clipboard.readText()").split("\n") == links.all_inner_texts()
+    page.wait_for_function(
+        "async text => (await navigator.clipboard.readText()) === text",
+        arg="\n".join(links.all_inner_texts()),
+    )
     with Store.open(frozen) as store:
         Running(store, open_frozen(frozen)).enter(first.partition("#")[2], "en", {})
     expect(page.locator("tbody tr", has_text="used by person")).to_have_count(1)

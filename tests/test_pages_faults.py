@@ -180,7 +180,8 @@ def test_a_browser_that_keeps_nothing_is_served_all_the_same(plain, broken):
         for chosen in given:
             person.answer(chosen)
         person.until(PAIR)
-        person.page.wait_for_timeout(300)
+        while len(plain.stored()[1]) < len(given):
+            person.page.wait_for_timeout(50)
         person.page.reload()
         given += person.trials(by_turns)
     answers = assert_all_there(plain, given)
