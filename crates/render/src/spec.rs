@@ -1,0 +1,65 @@
+//! A complete pearl and scene, as the declarations of the keys (`nacreous/spec/`) write them out:
+//! every default filled in, `null` where a key is left out and the renderer finds its value.
+//!
+//! Unknown keys and unknown words are refused. Ranges are not checked here: that is done where a file
+//! or a form is read.
+
+pub mod lights;
+pub mod nacre;
+pub mod pearl;
+pub mod scene;
+
+use nacreous_colour::decode;
+use nacreous_image::Rgb;
+use serde::{Deserialize, Deserializer, de::Error};
+
+use crate::RenderError;
+use pearl::PearlSpec;
+use scene::SceneSpec;
+
+/// Everything that makes a picture, files apart.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Recipe {
+    /// The pearls given, each different one once.
+    pub pearls: Vec<PearlSpec>,
+    /// What stands around them; its rows name them `*0`, `*1` and so on.
+    pub scene: SceneSpec,
+    /// Pixels a side.
+    pub size: usize,
+    /// Samples a pixel, a square number.
+    pub samples: usize,
+}
+
+impl Recipe {
+    /// Reads a recipe in JSON.
+    ///
+    /// # Errors
+    /// [`RenderError::Recipe`] for what is no recipe: an unknown key, a missing one, an unknown word.
+    pub fn from_json(text: &str) -> Result<Self, RenderError> {
+        from_json(text)
+    }
+}
+
+/// Reads one part of a recipe.
+///
+/// # Errors
+/// As [`Recipe::from_json`].
+pub fn from_json<T: for<'a> Deserialize<'a>>(text: &str) -> Result<T, RenderError> {
+    serde_json::from_str(text).map_err(|error| RenderError::Recipe(error.to_string()))
+}
+
+/// A colour written as `#rrggbb` in codes of sRGB, as linear RGB.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Colour(pub Rgb);
+
+impl<'de> Deserialize<'de> for Colour {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let refused = || D::Error::custom(format!("colour is {text:?}; allowed: \"#rrggbb\""));
+        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        let code = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        let code = code.ok_or_else(refused)?;
+        Ok(Self([16, 8, 0].map(|shift| decode(f64::from((code >> shift) & 0xff) / 255.0))))
+    }
+}

@@ -1,0 +1,214 @@
+//! A pearl: its layers, its body, its surface and its grain, in one of two models of light.
+
+use serde::Deserialize;
+
+use super::{Colour, nacre::NacreSpec};
+
+/// A pearl in one of the two models.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(tag = "model", rename_all = "lowercase")]
+pub enum PearlSpec {
+    /// Light through the film, into the pearl and out again.
+    Transport(Box<TransportSpec>),
+    /// The paper's model of 1996.
+    Illuminant(Box<IlluminantSpec>),
+}
+
+/// A pearl of the transport model.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TransportSpec {
+    /// What the pearl is called.
+    pub name: String,
+    /// Diameter of the whole pearl.
+    pub diameter_mm: f64,
+    /// Knob: strength of the interference colour.
+    pub depth: f64,
+    /// Knob: sharpness of what the surface mirrors.
+    pub shininess: f64,
+    /// Knob: strength of the surface texture.
+    pub grain: f64,
+    /// The layers.
+    pub nacre: NacreSpec,
+    /// The outer layers, which interfere.
+    pub film: FilmSpec,
+    /// The scattering nacre and the nucleus.
+    pub body: BodySpec,
+    /// The way of the light inside.
+    pub inside: InsideSpec,
+    /// The mirroring surface.
+    pub surface: TransportSurfaceSpec,
+    /// The grain of the surface.
+    pub texture: TextureSpec,
+}
+
+/// A pearl of the illuminant model.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IlluminantSpec {
+    /// What the pearl is called.
+    pub name: String,
+    /// Diameter of the whole pearl.
+    pub diameter_mm: f64,
+    /// The colour of the diffuse component.
+    pub body_colour: Colour,
+    /// Knob: strength of the interference colour.
+    pub depth: f64,
+    /// Knob: brightness and sharpness of what the surface mirrors.
+    pub shininess: f64,
+    /// Knob: strength of the surface texture.
+    pub grain: f64,
+    /// The layers.
+    pub nacre: NacreSpec,
+    /// The sum of the interfering light.
+    pub interference: InterferenceSpec,
+    /// The mirroring surface.
+    pub surface: IlluminantSurfaceSpec,
+    /// The grain of the surface.
+    pub texture: TextureSpec,
+}
+
+/// The film: many columns of tablets.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FilmSpec {
+    /// Depth of the outer nacre whose layers interfere; from the knob depth where left out.
+    pub outer_um: Option<f64>,
+    /// Columns whose reflectances are averaged.
+    pub columns: usize,
+    /// Spread of each layer's thickness from column to column, on top of growth.
+    pub column_spread_nm: Option<f64>,
+}
+
+/// Pigmented nacre over a nucleus.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodySpec {
+    /// The pigment by its name.
+    pub pigment: String,
+    /// Factor on its absorption.
+    pub pigment_strength: f64,
+    /// Thickness of the whole nacre; that of the layers where left out.
+    pub nacre_mm: Option<f64>,
+    /// Kubelka and Munk's scattering coefficient S.
+    pub scattering_per_mm: f64,
+    /// Reflectance of the nucleus, as a colour under D65.
+    pub nucleus: Colour,
+}
+
+/// How far light travels below the film.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct InsideSpec {
+    /// t of exp(-l (l + 1) t); from the knob depth where left out.
+    pub spread: Option<f64>,
+}
+
+/// How the interfering light is added up (paper, section 3.2.4).
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct InterferenceSpec {
+    /// Optical path difference up to which waves interfere.
+    pub coherence_nm: f64,
+    /// Share of the light at which the sum over start layers ends.
+    pub threshold: f64,
+    /// D of equation (4); from the knob depth where left out.
+    pub diffuse_loss: Option<f64>,
+    /// Share of interference beside the body; from the knob depth where left out.
+    pub mixing: Option<f64>,
+}
+
+/// The surface of the transport model.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TransportSurfaceSpec {
+    /// Spread of the facets' slopes; from the knob shininess where left out.
+    pub facet_spread_rad: Option<f64>,
+    /// How the facets lean.
+    pub facets: FacetsSpec,
+}
+
+/// How microscopic facets lean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FacetsSpec {
+    /// Bell-shaped, with grooves (Torrance and Sparrow 1967).
+    TorranceSparrow,
+    /// With long tails (Walter and others 2007).
+    Ggx,
+}
+
+/// The surface of the illuminant model (paper, section 4.2).
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IlluminantSurfaceSpec {
+    /// Spread of the facets' slopes; from the knob shininess where left out.
+    pub facet_spread_rad: Option<f64>,
+    /// Share of the mirrored surroundings that stays clear; from the knob shininess where left out.
+    pub mirror_weight: Option<f64>,
+    /// Share of the light that the layers mirror beside the surface.
+    pub layer_reflectance: f64,
+    /// Distance over which a mirrored thing fades.
+    pub falloff_mm: f64,
+}
+
+/// The grain of the surface (paper, section 4.3).
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TextureSpec {
+    /// `procedural`, or the path of a photograph.
+    pub source: String,
+    /// Size of the photograph's pixels on the pearl.
+    pub mm_per_pixel: Option<f64>,
+    /// Side of the patches whose spectrum was taken.
+    pub side_px: usize,
+    /// Lower limit of the band-pass filter.
+    pub low_per_mm: Option<f64>,
+    /// Upper limit of the band-pass filter.
+    pub high_per_mm: Option<f64>,
+    /// Seed of the random phases; the growth's where left out.
+    pub seed: Option<u64>,
+    /// Weight on hue; from the knob grain where left out.
+    pub hue_weight: Option<f64>,
+    /// Weight on chroma; from the knob grain where left out.
+    pub chroma_weight: Option<f64>,
+    /// Weight on the brightness of what is mirrored; from the knob grain where left out.
+    pub value_weight: Option<f64>,
+}
+
+/// What both models have of a pearl.
+#[derive(Debug, Clone, Copy)]
+pub struct Common<'a> {
+    /// Diameter of the whole pearl.
+    pub diameter_mm: f64,
+    /// The knobs depth, shininess and grain.
+    pub knobs: [f64; 3],
+    /// The layers.
+    pub nacre: &'a NacreSpec,
+    /// Spread of the facets' slopes, where given.
+    pub facet_spread_rad: Option<f64>,
+    /// The grain.
+    pub texture: &'a TextureSpec,
+}
+
+impl PearlSpec {
+    /// What both models have.
+    pub fn common(&self) -> Common<'_> {
+        match self {
+            Self::Transport(pearl) => Common {
+                diameter_mm: pearl.diameter_mm,
+                knobs: [pearl.depth, pearl.shininess, pearl.grain],
+                nacre: &pearl.nacre,
+                facet_spread_rad: pearl.surface.facet_spread_rad,
+                texture: &pearl.texture,
+            },
+            Self::Illuminant(pearl) => Common {
+                diameter_mm: pearl.diameter_mm,
+                knobs: [pearl.depth, pearl.shininess, pearl.grain],
+                nacre: &pearl.nacre,
+                facet_spread_rad: pearl.surface.facet_spread_rad,
+                texture: &pearl.texture,
+            },
+        }
+    }
+}
