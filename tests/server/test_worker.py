@@ -13,7 +13,7 @@ import pytest
 from nacreous.problem import InputError
 from nacreous.server.refusal import Refusal
 from nacreous.server.worker import Worker
-from nacreous.study import outcome
+from nacreous.study import results
 from nacreous.study.running import Running
 from nacreous.study.store import StoreError
 from tests.server.people import Experimenter, Person
@@ -63,7 +63,7 @@ def gone(process: int) -> bool:
 
 def test_problems_come_back_as_what_they_are(worker: Worker) -> None:
     async def ask() -> None:
-        assert await worker(outcome.people_flags) == {}
+        assert await worker(results.people_flags) == {}
         with pytest.raises(InputError, match=r"^it is 3; allowed: 4$"):
             await worker(refusing, "input")
         with pytest.raises(StoreError, match="the disk is full"):

@@ -14,8 +14,8 @@ from nacreous.problem import InputError
 from nacreous.server.observer import choices
 from nacreous.server.rehearsal import rehearse, scale_of
 from nacreous.study.design import Design, freeze, open_frozen
-from nacreous.study.outcome import people_flags, report, scale_so_far
 from nacreous.study.plan import trials
+from nacreous.study.results import people_flags, report, scale_so_far
 from nacreous.study.running import Running
 from nacreous.study.store import Store, export
 from tests.support.server_process import served

@@ -24,15 +24,15 @@ class _Kept:
     until: float
 
 
-class Outcomes:
+class ResultCache:
     """Values by a key, for the pages that look at them.
 
     >>> async def scale():
     ...     return ["a scale"]
     >>> async def twice():
-    ...     outcomes = Outcomes()
-    ...     first = await outcomes.get("scale", 12, scale)
-    ...     return first is await outcomes.get("scale", 12, scale)
+    ...     cache = ResultCache()
+    ...     first = await cache.get("scale", 12, scale)
+    ...     return first is await cache.get("scale", 12, scale)
     >>> asyncio.run(twice())
     True
     """

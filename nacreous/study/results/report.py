@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
-from nacreous.study.outcome.scale import counted, question_of
+from nacreous.study.results.scale import counted, question_of
 from nacreous.study.store.codebook import group_column
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ import numpy as np
 from nacreous.number import whole_of
 from nacreous.study.design.design import Design
 
-__all__ = ["LOTS", "ORDER", "PAIRS", "TELLING", "numbered", "stream"]
+__all__ = ["ALLOCATION", "ORDER", "PAIRS", "TELLING", "numbered", "stream"]
 
 #: What a stream is for. New ones come at the end, so that the others stay what they are.
-PAIRS, ORDER, LOTS, TELLING = range(4)
+PAIRS, ORDER, ALLOCATION, TELLING = range(4)
 #: More participants than any study has.
 _MOST_PEOPLE = 10_000_000
 

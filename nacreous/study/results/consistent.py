@@ -7,11 +7,11 @@ from collections.abc import Iterator, Sequence
 from nacreous.problem import InputError
 from nacreous.scaling.door.answers import Answers
 from nacreous.study.design import Design
-from nacreous.study.outcome.chance import at_least, one_sided
-from nacreous.study.outcome.circles import circle_flags
-from nacreous.study.outcome.expected import Shares, expected_shares
-from nacreous.study.outcome.flag import RATE, Flag
-from nacreous.study.outcome.rows import Row, answers_from, chosen_of
+from nacreous.study.results.chance import at_least, one_sided
+from nacreous.study.results.circles import circle_flags
+from nacreous.study.results.expected import Shares, expected_shares
+from nacreous.study.results.flag import RATE, Flag
+from nacreous.study.results.rows import Row, answers_from, chosen_of
 
 __all__ = ["consistency_flags"]
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.study.design import Design
-from nacreous.study.outcome.rows import Row, answers_from
+from nacreous.study.results.rows import Row, answers_from
 
 __all__ = ["Shares", "expected_shares"]
 

@@ -5,11 +5,11 @@ import { fill, preferred, said } from "../shared/language";
 import type { Language } from "../shared/language";
 import { Answers } from "./answers";
 import { Api, study as studyOf } from "./api";
-import type { Sitting, Study, Trial } from "./api";
+import type { SittingTold, Study, Trial } from "./api";
 import { blocksOf, placeOf, Presenter } from "./block";
 import { barred, Entering, sittingOf } from "./entering";
-import { linked } from "./keep/kept";
-import type { Kept } from "./keep/kept";
+import { linked } from "./storage/kept";
+import type { Kept } from "./storage/kept";
 import type { Notice } from "./notice";
 import {
   breakPage,
@@ -30,7 +30,7 @@ import type { Stage } from "./stage";
 import { WORDS } from "./words/words";
 import type { Words } from "./words/words";
 
-export class Course {
+export class Sitting {
   private language: Language = "en";
 
   constructor(
@@ -88,7 +88,7 @@ export class Course {
     document.title = this.words.consent_title;
   }
 
-  private async entered(api: Api, found: Sitting | null, own: boolean): Promise<Sitting> {
+  private async entered(api: Api, found: SittingTold | null, own: boolean): Promise<SittingTold> {
     const speak = (language: Language) => this.speak(language);
     const keep = () => this.kept.keepToken(this.study.name, api.token);
     const entering = new Entering(this.stage, this.study, api, this.reach, speak);
@@ -112,7 +112,7 @@ export class Course {
   }
 
   /** Notes and the screen check, unless this browser on this screen went through them. */
-  private async screened(api: Api, sitting: Sitting): Promise<ScreenContent> {
+  private async screened(api: Api, sitting: SittingTold): Promise<ScreenContent> {
     const { words, stage } = this;
     const kept = await this.kept.screen(api.token);
     const same = kept?.screen.width_px === screen.width && kept.screen.height_px === screen.height;
@@ -131,7 +131,7 @@ export class Course {
   }
 
   /** All trials that are left, their pages in between, and the end. */
-  private async answered(api: Api, sitting: Sitting, content: ScreenContent): Promise<void> {
+  private async answered(api: Api, sitting: SittingTold, content: ScreenContent): Promise<void> {
     const answers = new Answers(api, this.kept.log(sitting.sitting), this.connected);
     const next = await answers.resume(sitting.answered);
     const fetched = await this.fetched(api, sitting, answers);
@@ -155,7 +155,7 @@ export class Course {
     if (document.fullscreenElement !== null) await document.exitFullscreen().catch(() => undefined);
   }
 
-  private async fetched(api: Api, sitting: Sitting, answers: Answers): Promise<Pictures> {
+  private async fetched(api: Api, sitting: SittingTold, answers: Answers): Promise<Pictures> {
     const pictures = new Pictures(api);
     const names = Object.keys(sitting.pictures);
     const page = loadingPage(this.words, (told) => this.reach(() => pictures.fetch(names, told)));
@@ -165,7 +165,7 @@ export class Course {
   }
 
   /** The page before a block: instructions, the practice's end, a break, or a welcome back. */
-  private async before(api: Api, sitting: Sitting, block: readonly Trial[], next: number) {
+  private async before(api: Api, sitting: SittingTold, block: readonly Trial[], next: number) {
     const first = block[0];
     if (first === undefined) return;
     const { words, stage, study } = this;

@@ -15,11 +15,11 @@ import pytest
 import nacreous as nc
 from nacreous.problem import InputError
 from nacreous.study.design import Design
-from nacreous.study.outcome import people_flags, report, scale_so_far
-from nacreous.study.outcome.chance import at_least, circles_by_chance, one_sided
-from nacreous.study.outcome.consistent import consistency_flags
-from nacreous.study.outcome.flag import RATE
 from nacreous.study.plan import drawn_groups, trials
+from nacreous.study.results import people_flags, report, scale_so_far
+from nacreous.study.results.chance import at_least, circles_by_chance, one_sided
+from nacreous.study.results.consistent import consistency_flags
+from nacreous.study.results.flag import RATE
 from nacreous.study.running import Running
 from nacreous.study.store import Store, answers_of
 from tests.support.gathering import by_scale, frozen_study, opened, take_part

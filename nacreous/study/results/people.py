@@ -10,9 +10,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from nacreous.scaling.check.response import MOST_FAST
-from nacreous.study.outcome.consistent import consistency_flags
-from nacreous.study.outcome.flag import LONGEST_PAUSE_S, Flag
-from nacreous.study.outcome.rows import Row, chosen_of
+from nacreous.study.results.consistent import consistency_flags
+from nacreous.study.results.flag import LONGEST_PAUSE_S, Flag
+from nacreous.study.results.rows import Row, chosen_of
 from nacreous.study.store.record import COUNTED
 
 if TYPE_CHECKING:

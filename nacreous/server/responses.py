@@ -1,4 +1,4 @@
-"""What is told: the bodies of responses."""
+"""The bodies of responses."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ import asyncio
 import threading
 import time
 
-from nacreous.server.outcomes import Outcomes
+from nacreous.server.result_cache import ResultCache
 
 
 class Work:
@@ -25,16 +25,16 @@ class Work:
 
 def test_many_who_ask_at_once_wait_for_one_piece_of_work() -> None:
     async def many() -> list[int]:
-        outcomes, work = Outcomes(), Work()
-        return await asyncio.gather(*(outcomes.get("scale", 1, work) for _ in range(20)))
+        cache, work = ResultCache(), Work()
+        return await asyncio.gather(*(cache.get("scale", 1, work) for _ in range(20)))
 
     assert asyncio.run(many()) == [1] * 20
 
 
 def test_two_kinds_of_work_are_not_done_at_once() -> None:
     async def both() -> None:
-        outcomes, work = Outcomes(), Work()
-        await asyncio.gather(*(outcomes.get(key, 1, work) for key in ("scale", "flags", "report")))
+        cache, work = ResultCache(), Work()
+        await asyncio.gather(*(cache.get(key, 1, work) for key in ("scale", "flags", "report")))
         assert work.times == 3
 
     asyncio.run(both())
@@ -42,12 +42,12 @@ def test_two_kinds_of_work_are_not_done_at_once() -> None:
 
 def test_while_answers_come_in_it_takes_a_small_part_of_the_time() -> None:
     async def watch() -> int:
-        outcomes, work = Outcomes(), Work()
+        cache, work = ResultCache(), Work()
         begin = time.monotonic()
         answers = 0
         while time.monotonic() - begin < 1:
             answers += 1
-            await outcomes.get("scale", answers, work)
+            await cache.get("scale", answers, work)
             await asyncio.sleep(0.01)
         return work.times
 
@@ -56,8 +56,8 @@ def test_while_answers_come_in_it_takes_a_small_part_of_the_time() -> None:
 
 def test_a_report_is_of_the_answers_that_are_there() -> None:
     async def twice() -> list[int]:
-        outcomes, work = Outcomes(), Work()
-        return [await outcomes.get("report", answers, work, good_for=0) for answers in (1, 1, 2)]
+        cache, work = ResultCache(), Work()
+        return [await cache.get("report", answers, work, good_for=0) for answers in (1, 1, 2)]
 
     assert asyncio.run(twice()) == [1, 1, 2]
 
@@ -67,11 +67,11 @@ def test_what_fails_is_tried_again() -> None:
         return 1 // 0
 
     async def twice() -> int:
-        outcomes, work = Outcomes(), Work()
+        cache, work = ResultCache(), Work()
         try:
-            await outcomes.get("scale", 1, fail)
+            await cache.get("scale", 1, fail)
         except ZeroDivisionError:
-            return await outcomes.get("scale", 1, work)
+            return await cache.get("scale", 1, work)
         raise AssertionError("it must be told")
 
     assert asyncio.run(twice()) == 1
@@ -79,17 +79,17 @@ def test_what_fails_is_tried_again() -> None:
 
 def test_what_was_known_a_moment_ago_does_not_wait_for_a_report() -> None:
     async def look() -> list[str]:
-        outcomes, written = Outcomes(), asyncio.Event()
+        cache, written = ResultCache(), asyncio.Event()
 
         async def flags(answers: int) -> str:
             return f"of {answers} answers"
 
-        first = await outcomes.get("flags", 1, lambda: flags(1))
-        report = asyncio.create_task(outcomes.get("report", 1, written.wait, good_for=0))
+        first = await cache.get("flags", 1, lambda: flags(1))
+        report = asyncio.create_task(cache.get("report", 1, written.wait, good_for=0))
         await asyncio.sleep(0.05)
-        during = await asyncio.wait_for(outcomes.get("flags", 2, lambda: flags(2)), 5)
+        during = await asyncio.wait_for(cache.get("flags", 2, lambda: flags(2)), 5)
         written.set()
         await report
-        return [first, during, await outcomes.get("flags", 2, lambda: flags(2))]
+        return [first, during, await cache.get("flags", 2, lambda: flags(2))]
 
     assert asyncio.run(look()) == ["of 1 answers", "of 1 answers", "of 2 answers"]

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from nacreous.study.design import Design
-from nacreous.study.outcome.chance import circles_by_chance
-from nacreous.study.outcome.expected import Shares
-from nacreous.study.outcome.flag import RATE, Flag
-from nacreous.study.outcome.rows import Row, answers_from
+from nacreous.study.results.chance import circles_by_chance
+from nacreous.study.results.expected import Shares
+from nacreous.study.results.flag import RATE, Flag
+from nacreous.study.results.rows import Row, answers_from
 
 __all__ = ["circle_flags"]
 

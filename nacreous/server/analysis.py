@@ -15,9 +15,9 @@ from starlette.requests import Request
 from nacreous.problem import InputError
 from nacreous.server.login import READS, Who
 from nacreous.server.refusal import PROBLEMS
+from nacreous.server.responses import ScaleTold, TooFew
 from nacreous.server.service import Service, service_of
-from nacreous.server.told import ScaleTold, TooFew
-from nacreous.study import outcome
+from nacreous.study import results
 from nacreous.study.store import Progress, export
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
@@ -57,12 +57,12 @@ async def scale(
     service = service_of(request)
     asked = _known(service, question)
     work = partial(_scale, service, asked, simulated)
-    return await service.outcomes.get(("scale", asked, simulated), await _state(service), work)
+    return await service.results.get(("scale", asked, simulated), await _state(service), work)
 
 
 async def _scale(service: Service, question: str, simulated: bool) -> ScaleTold | TooFew:
     try:
-        found = await service.works_out(outcome.scale_so_far, question, simulated)
+        found = await service.works_out(results.scale_so_far, question, simulated)
     except InputError as problem:
         return TooFew(problem=str(problem))
     return ScaleTold.model_validate(found, from_attributes=True)
@@ -84,9 +84,9 @@ async def report(
     """The report as one page, to be kept."""
     service = service_of(request)
     asked = _known(service, question)
-    work = partial(service.works_out, outcome.report, asked, language, simulated)
+    work = partial(service.works_out, results.report, asked, language, simulated)
     key = ("report", asked, language, simulated)
-    page = await service.outcomes.get(key, await _state(service), work, good_for=0)
+    page = await service.results.get(key, await _state(service), work, good_for=0)
     return Response(page, media_type="text/html", headers=_named("report.html"))
 
 

@@ -1,4 +1,4 @@
-"""The door: what every request passes on its way in, and every response on its way out."""
+"""What every request passes on its way in, and every response on its way out."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nacreous.server.service import Service
 _LOG = logging.getLogger(__name__)
 
 
-class Door:
+class GuardMiddleware:
     """Reads changes whole and sees where they come from; tells every problem in one form."""
 
     def __init__(self, app: ASGIApp, service: Service) -> None:
