@@ -1,7 +1,7 @@
 """Pictures keep their bytes from one commit to the next, unless the change is wanted and told."""
 
 import pytest
-from fingerprint import PEARLS, SCENES, Fingerprint, fingerprint, golden, pictured
+from tests.picture.fingerprint import PEARLS, SCENES, Fingerprint, fingerprint, golden, pictured
 
 
 def test_the_file_has_every_pearl_in_every_scene():
