@@ -1,4 +1,4 @@
-"""Fingerprints of pictures: 12 pearls in all scenes, small, each by a hash and the means of its parts.
+"""Fingerprints of pictures: 12 pearls in all scenes, small, by hash and mean of each part.
 
     python tests/picture/fingerprint.py      writes tests/golden/pictures.csv anew
 

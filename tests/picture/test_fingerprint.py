@@ -1,6 +1,7 @@
 """Pictures keep their bytes from one commit to the next, unless the change is wanted and told."""
 
 import pytest
+
 from tests.picture.fingerprint import PEARLS, SCENES, Fingerprint, fingerprint, golden, pictured
 
 
