@@ -1,0 +1,144 @@
+//! The light of a scene: what counts for its white, its lamps, its windows and its sky.
+
+use glam::DVec3;
+use nacreous_colour::{Illuminant, Observer, Spectrum};
+use nacreous_image::{Bands, Lamp, Light, Palette, Place, Relief, Sky, Source, Window, direction};
+
+use crate::{
+    RenderError, Resources,
+    arrangement::Arrangement,
+    frame::Frame,
+    spec::{
+        lights::{LampSpec, WindowSpec},
+        scene::{ObserverSpec, SceneSpec, SkyKind, SkySpec},
+    },
+};
+
+/// The light of a scene, before it falls on anything.
+#[derive(Debug, Clone)]
+pub struct Lights {
+    /// Its colours as the camera sees them.
+    pub light: Light,
+    /// How RGB becomes light in bands and back.
+    pub palette: Palette,
+    /// The lamps that are on, each a point so far.
+    pub lamps: Vec<Lamp>,
+    /// Power of each lamp, by band.
+    pub lamp_bands: Vec<Bands>,
+    /// The windows that are lit.
+    pub windows: Vec<Window>,
+    /// What lies beyond.
+    pub sky: Sky,
+}
+
+impl Lights {
+    /// Of a scene. A lamp or window that is switched off has no say in what looks white either.
+    ///
+    /// # Errors
+    /// [`RenderError`] for a light that is none, or whose file was not handed over.
+    pub fn new(
+        scene: &SceneSpec,
+        arrangement: &Arrangement,
+        resources: &Resources,
+    ) -> Result<Self, RenderError> {
+        let on = || scene.lamps.iter().filter(|lamp| lamp.intensity > 0.0);
+        let lit: Vec<(&WindowSpec, &Frame)> = scene
+            .windows
+            .iter()
+            .zip(arrangement.frames())
+            .filter(|(window, _)| window.luminance > 0.0)
+            .collect();
+        let lamp_sources = on()
+            .map(|lamp| source(resources, &lamp.spectrum, lamp.intensity))
+            .collect::<Result<Vec<_>, _>>()?;
+        let panes = lit
+            .iter()
+            .map(|(window, _)| source(resources, &window.spectrum, window.luminance))
+            .collect::<Result<Vec<_>, _>>()?;
+        let shining = lit.iter().zip(&panes).map(|((_, frame), pane)| as_lamp(frame, pane));
+        let all: Vec<Source> = lamp_sources.iter().cloned().chain(shining).collect();
+        let sky = sky(&scene.sky, resources)?;
+        let light = Light::new(&all, sky.mean_luminance(), white(scene)?, observer(scene))?;
+        let lamps = on()
+            .zip(&lamp_sources)
+            .map(|(lamp, source)| Ok(round(lamp, light.brightness(source)?)))
+            .collect::<Result<_, RenderError>>()?;
+        let windows = lit
+            .iter()
+            .zip(&panes)
+            .map(|((_, frame), pane)| Ok(window(frame, light.brightness(pane)?)))
+            .collect::<Result<_, RenderError>>()?;
+        let lamp_bands =
+            lamp_sources.iter().map(|source| light.bands(source)).collect::<Result<_, _>>()?;
+        Ok(Self { palette: light.palette(), light, lamps, lamp_bands, windows, sky })
+    }
+
+    /// The lamps, each with points enough for the pearl that mirrors it most sharply.
+    pub fn lamps_for(&self, facets: impl Iterator<Item = Relief>) -> Vec<Lamp> {
+        let sharpest = facets.min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
+        let resolved = |lamp: &Lamp| match &sharpest {
+            Some(facets) => lamp.clone().resolved_for(facets),
+            None => lamp.clone(),
+        };
+        self.lamps.iter().map(resolved).collect()
+    }
+}
+
+fn source(resources: &Resources, name: &str, intensity: f64) -> Result<Source, RenderError> {
+    Ok(Source { spectrum: resources.light(name)?, intensity })
+}
+
+/// A window as a lamp, by its light on a surface in the middle of the scene that faces it; what its own
+/// intensity is, is its radiance.
+fn as_lamp(frame: &Frame, pane: &Source) -> Source {
+    let factor = window(frame, [1.0; 3]).facing_factor(DVec3::ZERO);
+    Source { spectrum: pane.spectrum.clone(), intensity: pane.intensity * factor }
+}
+
+fn window(frame: &Frame, radiance: [f64; 3]) -> Window {
+    Window::new(frame.centre_mm, frame.right_mm, frame.up_mm, radiance)
+}
+
+fn round(lamp: &LampSpec, brightness: [f64; 3]) -> Lamp {
+    let place = match lamp.position_mm {
+        Some(position_mm) => Place::Position(position_mm.into()),
+        None => Place::Direction(direction(
+            lamp.azimuth_deg.unwrap_or(0.0).to_radians(),
+            lamp.elevation_deg.unwrap_or(0.0).to_radians(),
+        )),
+    };
+    Lamp::new(place, lamp.angular_radius_deg.to_radians(), brightness)
+}
+
+/// What shall look white; `None` for the lamps' own mixture.
+fn white(scene: &SceneSpec) -> Result<Option<Spectrum>, RenderError> {
+    match scene.camera.white.as_str() {
+        "auto" => Ok(None),
+        name => Ok(Some(name.parse::<Illuminant>()?.spectrum())),
+    }
+}
+
+fn observer(scene: &SceneSpec) -> Observer {
+    match scene.observer {
+        ObserverSpec::Cie1931 => Observer::Cie1931,
+        ObserverSpec::Cie1964 => Observer::Cie1964,
+    }
+}
+
+fn sky(spec: &SkySpec, resources: &Resources) -> Result<Sky, RenderError> {
+    let scaled = |colour: [f64; 3]| colour.map(|channel| channel * spec.intensity);
+    let horizon = scaled(spec.horizon.0);
+    Ok(match spec.kind {
+        SkyKind::Constant => Sky::Gradient { horizon, zenith: horizon },
+        SkyKind::Gradient => Sky::Gradient { horizon, zenith: scaled(spec.zenith.0) },
+        SkyKind::Panorama => {
+            let path = spec.path.clone().unwrap_or_default();
+            let picture = resources.panoramas.get(&path).cloned();
+            Sky::Panorama {
+                picture: picture.ok_or(RenderError::Missing(path))?,
+                rotation_rad: spec.rotation_deg.to_radians(),
+                intensity: spec.intensity,
+            }
+        }
+    })
+}
