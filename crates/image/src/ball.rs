@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::{camera::Ray, glow::Glow};
+use crate::{glow::Glow, ray::Ray};
 
 /// How far inside the silhouette a line of sight that grazes it is taken to hit.
 const RIM: f64 = 1.0 - 1e-9;

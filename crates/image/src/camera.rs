@@ -1,5 +1,7 @@
 use glam::DVec3;
 
+use crate::{direction::direction, ray::Ray};
+
 /// How the lines of sight run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Projection {
@@ -10,15 +12,6 @@ pub enum Projection {
         /// Distance from the eye to the origin.
         distance_mm: f64,
     },
-}
-
-/// A line of sight or of reflection; `along` has length one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ray {
-    /// Where it starts, in mm.
-    pub from: DVec3,
-    /// Where it goes.
-    pub along: DVec3,
 }
 
 /// The eye. It looks at the origin, y points up, z towards the viewer at azimuth 0.
@@ -113,10 +106,3 @@ impl Camera {
 
 /// Where parallel lines of sight start: in front of everything near one pearl.
 const FAR_MM: f64 = 1000.0;
-
-/// The unit vector towards an azimuth (0 is the viewer's side, positive to the right) and elevation.
-pub fn direction(azimuth_rad: f64, elevation_rad: f64) -> DVec3 {
-    let (sin_a, cos_a) = libm::sincos(azimuth_rad);
-    let (sin_e, cos_e) = libm::sincos(elevation_rad);
-    DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e)
-}

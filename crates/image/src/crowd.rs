@@ -1,4 +1,4 @@
-use crate::{ball::Ball, camera::Ray};
+use crate::{ball::Ball, ray::Ray};
 
 /// Who lies near whom among the balls on a table, so that light on its way up or down need not be asked about
 /// those that it cannot reach.
@@ -58,7 +58,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::sky::directions;
+    use crate::direction::directions;
 
     #[test]
     fn nobody_whom_a_cone_meets_is_left_out() {

@@ -253,4 +253,24 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn light_and_view_may_change_places() {
+        // Helmholtz, on directions all over the hemisphere: radiance over the cosine of incidence is the same.
+        for make in [Relief::grooves, Relief::ggx] {
+            let relief = make(0.3);
+            for i in 0..400 {
+                let direction = |k: usize| {
+                    let [u, v] = even(2 * i + k);
+                    let (sin, cos) = (2.0 * PI * v).sin_cos();
+                    let across = (1.0 - u * u).sqrt();
+                    DVec3::new(across * cos, across * sin, u.max(0.01)).normalize()
+                };
+                let (a, b) = (direction(0), direction(1));
+                let there = relief.mirrored(DVec3::Z, a, b).unwrap().share / b.z;
+                let back = relief.mirrored(DVec3::Z, b, a).unwrap().share / a.z;
+                assert!((there - back).abs() <= 1e-12 * there, "{a} {b}: {there} {back}");
+            }
+        }
+    }
 }

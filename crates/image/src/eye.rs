@@ -1,10 +1,12 @@
 use crate::{
     ball::Hit,
-    camera::{Camera, Ray},
+    camera::Camera,
     net::Net,
-    pearl::{Pearl, Sight},
+    pearl::Pearl,
     pixel::Pixel,
+    ray::Ray,
     rgb::{self, Rgb},
+    sight::Sight,
     surroundings::Surroundings,
 };
 

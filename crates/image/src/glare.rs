@@ -9,8 +9,8 @@
 use rayon::prelude::*;
 
 use crate::{
+    channels::{CHANNELS, PARTS},
     coarser::{Scale, mirrored},
-    picture::{CHANNELS, PARTS},
 };
 
 /// Light of a pixel: the four parts that add up to the picture.

@@ -1,10 +1,11 @@
 use crate::{
-    camera::Ray,
     facet::Facets,
     irradiance::Irradiance,
-    pearl::{Shade, Sight},
+    ray::Ray,
     rgb::{self, Rgb},
     rings::Rings,
+    shade::Shade,
+    sight::Sight,
     surroundings::Surroundings,
 };
 

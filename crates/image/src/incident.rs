@@ -4,15 +4,30 @@ use glam::DVec3;
 
 use crate::{
     ball::Ball,
-    camera::Ray,
+    floor,
     glow::Glow,
     lamp::Lamp,
+    ray::Ray,
     rgb::{self, Rgb},
     surroundings::Surroundings,
+    walls::WallLight,
     window::{Patch, Window},
 };
 
 impl Surroundings {
+    /// Works out the soft light on table and walls once and for all: for scenes in which it is costly.
+    pub fn settle(&mut self) {
+        if self.table.is_some() {
+            let soft = |point| self.soft_light_on_table(point);
+            let chart = |reach| floor::chart(&self.balls, self.table_y_mm, reach, soft);
+            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(chart).collect();
+        }
+        if let (Some(walls), None) = (&self.walls, &self.wall_light) {
+            let light = |point, inward| self.light_on_wall(point, inward);
+            self.wall_light = Some(WallLight::new(walls, self.table_y_mm, light));
+        }
+    }
+
     /// The share of a lamp that a point sees past all pearls; `on` is the pearl that the point lies on,
     /// whose own horizon is no business of this.
     pub fn lamp_past(&self, lamp: &Lamp, point: DVec3, on: Option<usize>) -> f64 {
@@ -126,31 +141,10 @@ impl Surroundings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{irradiance::Irradiance, sky::Sky, table::Table};
+    use crate::{lamp::Place, sky::Sky, table::Table};
 
     const WHITE: Option<Table> = Some(Table::Plain([1.0; 3]));
     const EVEN: Sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
-
-    #[test]
-    fn a_window_as_bright_as_the_sky_behind_it_changes_nothing() {
-        let right = DVec3::new(9.0, 0.0, 0.0);
-        let window = |at, up| Window::new(at, right, up, [1.0; 3]);
-        let windows = vec![
-            window(DVec3::new(2.0, 14.0, 1.0), DVec3::new(0.0, 0.0, 6.0)),
-            window(DVec3::new(0.0, 3.0, -30.0), DVec3::new(0.0, 7.0, 0.0)),
-        ];
-        let balls = vec![Ball { glow: Glow::from_fn(|_| [1.0; 3]), ..Ball::alone(4.0) }];
-        let bare = Surroundings::new(WHITE, None, EVEN, vec![], balls);
-        let surroundings = bare.with_windows(windows);
-        for x in [0.0, 5.0, 30.0] {
-            let light = surroundings.light_on_table(DVec3::new(x, -4.0, 0.1));
-            assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
-        }
-        let even = Irradiance::new(&surroundings, 0);
-        for normal in [DVec3::Y, DVec3::NEG_Z, DVec3::X] {
-            assert!((even.at(normal)[0] - 1.0).abs() < 2e-3, "{normal}: {:?}", even.at(normal));
-        }
-    }
 
     #[test]
     fn a_balls_shadow_from_a_wide_window_is_that_of_its_points() {
@@ -176,7 +170,7 @@ mod tests {
     fn a_neighbour_throws_its_shadow() {
         let balls =
             vec![Ball::alone(4.0), Ball { centre: DVec3::new(9.0, 0.0, 0.0), ..Ball::alone(4.0) }];
-        let lamp = Lamp::new(crate::Place::Direction(DVec3::X), 0.05, [1.0; 3]);
+        let lamp = Lamp::new(Place::Direction(DVec3::X), 0.05, [1.0; 3]);
         let surroundings = Surroundings::new(None, None, EVEN, vec![lamp.clone()], balls);
         let past = |point| surroundings.lamp_past(&lamp, point, Some(0));
         assert!(past(DVec3::new(4.0, 0.0, 0.0)) < 1e-12);

@@ -4,9 +4,10 @@ use glam::DVec3;
 use nacreous_colour::{SAMPLES, matrix::apply};
 
 use crate::{
-    bands::{BANDS, Bands, Palette, means},
+    bands::{BANDS, Bands, means},
     film::STEPS,
     harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
+    palette::Palette,
     rgb::{self, Rgb},
     surface::{Surface, legendre, upsampled},
     surroundings::Surroundings,

@@ -4,7 +4,7 @@ use nacreous_colour::{FIRST_NM, SAMPLES, WAVELENGTH_NM, xyz_from_spectrum};
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError, Polarisation, Precision, TransferModel};
 
-use crate::ByAngle;
+use crate::by_angle::ByAngle;
 
 /// What each wavelength adds to X, Y and Z: illuminant times observer, from
 /// [`nacreous_colour::Observer::weights`].

@@ -3,10 +3,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use crate::{
-    nine::Nine,
-    rgb::Rgb,
-    sky::{GRID_RAD, directions},
-    surroundings::Surroundings,
+    direction::directions, nine::Nine, rgb::Rgb, sky::GRID_RAD, surroundings::Surroundings,
 };
 
 /// The light of the surroundings, lamps apart, that falls on a matt surface by its normal: nine
@@ -44,7 +41,7 @@ const COSINE: [f64; 9] = [1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ball::Ball, sky::Sky, window::Window};
+    use crate::{ball::Ball, glow::Glow, sky::Sky, table::Table, window::Window};
 
     fn under(sky: Sky) -> Irradiance {
         Irradiance::new(&Surroundings::new(None, None, sky, vec![], vec![Ball::alone(4.0)]), 0)
@@ -55,6 +52,29 @@ mod tests {
         let even = under(Sky::Gradient { horizon: [0.6; 3], zenith: [0.6; 3] });
         for normal in [DVec3::X, DVec3::Y, DVec3::NEG_Z] {
             assert!((even.at(normal)[0] - 0.6).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn a_window_as_bright_as_the_sky_behind_it_changes_nothing() {
+        let right = DVec3::new(9.0, 0.0, 0.0);
+        let window = |at, up| Window::new(at, right, up, [1.0; 3]);
+        let windows = vec![
+            window(DVec3::new(2.0, 14.0, 1.0), DVec3::new(0.0, 0.0, 6.0)),
+            window(DVec3::new(0.0, 3.0, -30.0), DVec3::new(0.0, 7.0, 0.0)),
+        ];
+        let balls = vec![Ball { glow: Glow::from_fn(|_| [1.0; 3]), ..Ball::alone(4.0) }];
+        let white = Some(Table::Plain([1.0; 3]));
+        let even_sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
+        let bare = Surroundings::new(white, None, even_sky, vec![], balls);
+        let surroundings = bare.with_windows(windows);
+        for x in [0.0, 5.0, 30.0] {
+            let light = surroundings.light_on_table(DVec3::new(x, -4.0, 0.1));
+            assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
+        }
+        let even = Irradiance::new(&surroundings, 0);
+        for normal in [DVec3::Y, DVec3::NEG_Z, DVec3::X] {
+            assert!((even.at(normal)[0] - 1.0).abs() < 2e-3, "{normal}: {:?}", even.at(normal));
         }
     }
 

@@ -4,7 +4,8 @@ use nacreous_colour::{
 };
 
 use crate::{
-    bands::{self, Bands, Palette, unit},
+    bands::{self, Bands, unit},
+    palette::Palette,
     rgb::{self, Rgb},
 };
 

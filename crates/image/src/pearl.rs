@@ -1,15 +1,8 @@
 use glam::DVec3;
 
 use crate::{
-    ball::Hit,
-    camera::Camera,
-    glow::Glow,
-    grain::texture::Texture,
-    illuminant::IlluminantPearl,
-    net::{Around, Net},
-    rgb::{self, Rgb},
-    surroundings::Surroundings,
-    transport::Transport,
+    ball::Hit, camera::Camera, glow::Glow, grain::texture::Texture, illuminant::IlluminantPearl,
+    net::Net, rgb, shade::Shade, sight::Sight, surroundings::Surroundings, transport::Transport,
 };
 
 /// How strongly the grain's textures act, per unit of texture and of lightness.
@@ -41,38 +34,6 @@ pub enum Model {
     Illuminant(Box<IlluminantPearl>),
     /// Light through the film, into the pearl and out again.
     Transport(Box<Transport>),
-}
-
-/// A point of a pearl under the eye.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sight {
-    /// The pearl's number among the balls.
-    pub ball: usize,
-    /// The point.
-    pub hit: Hit,
-    /// Towards the eye.
-    pub view: DVec3,
-    /// The width on the pearl that a pixel stands for.
-    pub pixel_mm: f64,
-    /// Which part of the light around this sample looks at: a pixel's samples, as many as stand along its
-    /// side, share it out. Any number.
-    pub part: usize,
-    /// What all facets show of the surroundings, where that is known.
-    pub around: Option<Around>,
-}
-
-/// The light of one point of the pearl, in parts.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Shade {
-    /// What interference does. In the model of 1996 the rings' light; in the transport model what the film's
-    /// colours add to light from inside, and take from it: there it may be negative.
-    pub interference: Rgb,
-    /// From the body; in the transport model light from inside, were the film without colour.
-    pub diffuse: Rgb,
-    /// Lamps and surroundings mirrored.
-    pub mirror: Rgb,
-    /// Grain in hue, value, chroma.
-    pub texture: Rgb,
 }
 
 impl Pearl<'_> {

@@ -1,8 +1,9 @@
 use nacreous_colour::{hvc_from_rgb, rgb_from_hvc};
 
 use crate::{
-    pearl::{Pearl, Shade},
+    pearl::Pearl,
     rgb::{self, Rgb},
+    shade::Shade,
 };
 
 /// One pixel's light in parts, averaged over its samples.

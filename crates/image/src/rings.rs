@@ -2,10 +2,10 @@ use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
 
 use crate::{
-    ByAngle,
+    by_angle::ByAngle,
     iridescence::{interference_spectra, interference_steps},
     light::Light,
-    picture::Progress,
+    progress::Progress,
     rgb::{self, Rgb},
 };
 

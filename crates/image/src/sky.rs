@@ -3,7 +3,7 @@ use std::{f64::consts::PI, sync::Arc};
 use glam::DVec3;
 
 use crate::{
-    camera::direction,
+    direction::directions,
     dome::Dome,
     rgb::{self, Rgb},
 };
@@ -67,26 +67,9 @@ impl Sky {
 /// Distance between neighbours of that grid.
 pub(crate) const GRID_RAD: f64 = PI / ROWS as f64;
 
-/// Directions over the whole sphere, each with its share of it.
-pub(crate) fn directions(rows: u32) -> impl Iterator<Item = (DVec3, f64)> {
-    let step = PI / f64::from(rows);
-    (0..rows).flat_map(move |row| {
-        let elevation = (f64::from(row) + 0.5) * step - 0.5 * PI;
-        let share = libm::cos(elevation) * libm::sin(0.5 * step) / f64::from(2 * rows);
-        (0..2 * rows)
-            .map(move |column| (direction((f64::from(column) + 0.5) * step, elevation), share))
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_grid_covers_the_sphere_once() {
-        let whole: f64 = directions(ROWS).map(|(_, share)| share).sum();
-        assert!((whole - 1.0).abs() < 1e-12, "{whole}");
-    }
 
     #[test]
     fn an_even_sky_makes_a_white_table_as_bright_as_itself() {

@@ -3,15 +3,18 @@ use std::f64::consts::PI;
 use nacreous_colour::{Matrix, matrix::apply};
 
 use crate::{
-    bands::{self, Bands, Palette},
-    camera::{Camera, Ray},
+    bands::{self, Bands},
+    camera::Camera,
     draw::Draw,
     film::STEPS,
     inside::{Beam, Body, Inside},
     lamp::Lamp,
     net::{Around, Net},
-    pearl::{Shade, Sight},
+    palette::Palette,
+    ray::Ray,
     rgb::{self, Rgb},
+    shade::Shade,
+    sight::Sight,
     surface::{Surface, upsampled},
     surroundings::Surroundings,
 };

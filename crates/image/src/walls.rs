@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::{camera::Ray, chart::Chart, rgb::Rgb};
+use crate::{chart::Chart, ray::Ray, rgb::Rgb};
 
 /// Upright walls around the pearls, a square room open to the sky.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use glam::DVec3;
 
-use crate::{camera::Ray, rgb::Rgb};
+use crate::{ray::Ray, rgb::Rgb};
 
 /// A rectangle of even light: a window, a softbox, a lit plate. It gives light, and is seen, on one
 /// side only.
@@ -252,7 +252,7 @@ const MOST_STEPS: u32 = 64;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sky::directions;
+    use crate::direction::directions;
 
     /// The six walls of a box around the origin, all of radiance 1.
     fn room() -> Vec<Window> {
