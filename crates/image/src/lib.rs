@@ -1,7 +1,7 @@
 //! The picture of a pearl: camera, ball, lamps, surroundings, facets, grain, and the rings of
 //! interference colour, put together into linear light in named parts.
 //!
-//! In scope: everything between a stack of layers and the pixels, and picture files. Out of scope:
+//! In scope: everything between a stack of layers and the pixels. Out of scope: picture files (`nacreous-file`),
 //! spectra and colour themselves (`nacreous-optics`, `nacreous-colour`), pearl files and presets.
 //!
 //! Conventions: lengths in mm, angles in rad, y up, the origin in the middle (a lone pearl's centre),
@@ -23,7 +23,6 @@ mod dome;
 mod draw;
 mod eye;
 mod facet;
-pub mod file;
 mod film;
 mod floor;
 mod glare;

@@ -11,10 +11,10 @@ use std::path::Path;
 
 use nacreous_colour::RgbSpace;
 
-use crate::file::picture::{
+use crate::picture::{
     PictureFileError, TEXT_BYTES_MAX, check_sample_count, check_text, guarded, read_bytes,
 };
-use crate::file::profile::icc_profile;
+use crate::profile::icc_profile;
 
 /// Primaries, transfer function, matrix (0: RGB) and full range, as ITU-T H.273 numbers them.
 const fn cicp(space: RgbSpace) -> [u8; 4] {
@@ -43,12 +43,12 @@ pub enum PngPixels<'a> {
 ///
 /// ```
 /// use nacreous_colour::RgbSpace;
-/// use nacreous_image::file::png::{PngPixels, png_text, write_png};
+/// use nacreous_file::png::{PngPixels, png_text, write_png};
 /// let text = vec![("Software".to_owned(), "nacreous".to_owned())];
 /// let mut file = Vec::new();
 /// write_png(&mut file, 1, 1, PngPixels::Eight(&[255, 240, 230]), RgbSpace::Srgb, &text)?;
 /// assert_eq!(png_text(std::io::Cursor::new(file))?, text);
-/// # Ok::<(), nacreous_image::file::picture::PictureFileError>(())
+/// # Ok::<(), nacreous_file::picture::PictureFileError>(())
 /// ```
 pub fn write_png(
     out: &mut impl Write,

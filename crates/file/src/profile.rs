@@ -12,7 +12,7 @@ use moxcms::{
     TransformOptions, XyY, Xyzd, adaption_matrix_d,
 };
 
-use crate::file::picture::PictureFileError;
+use crate::picture::PictureFileError;
 use nacreous_colour::RgbSpace;
 
 /// The white of sRGB and Display P3 (IEC 61966-2-1).

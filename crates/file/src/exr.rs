@@ -15,9 +15,7 @@ use exr::prelude::{
     ReadLayers, Vec2, WritableImage,
 };
 
-use crate::file::picture::{
-    PictureFileError, check_finite, check_sample_count, check_size, check_text,
-};
+use crate::picture::{PictureFileError, check_finite, check_sample_count, check_size, check_text};
 
 /// The channels of a plane.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -77,7 +75,7 @@ pub struct Layers {
 /// the size or are not finite, keywords that the format keeps for itself, and whatever `out` says.
 ///
 /// ```
-/// use nacreous_image::file::exr::{Channels, Plane, read_exr, write_exr};
+/// use nacreous_file::exr::{Channels, Plane, read_exr, write_exr};
 /// let plane = |name: &str, samples: Vec<f32>| Plane {
 ///     name: name.to_owned(),
 ///     channels: Channels::Rgb,
@@ -87,7 +85,7 @@ pub struct Layers {
 /// let mut file = Vec::new();
 /// write_exr(&mut file, 1, 1, &planes, &[])?;
 /// assert_eq!(read_exr(&file)?.planes, planes);
-/// # Ok::<(), nacreous_image::file::picture::PictureFileError>(())
+/// # Ok::<(), nacreous_file::picture::PictureFileError>(())
 /// ```
 pub fn write_exr(
     out: &mut impl Write,

@@ -3,7 +3,7 @@
 //! PNG, JPEG and TIFF, 8 or 16 bits, grey or RGB. Without a colour profile the samples are taken
 //! as sRGB, whatever their depth; with one they are converted to sRGB (out-of-gamut colours are
 //! clipped). Alpha is ignored: the colour of a transparent pixel is used as it stands. The
-//! orientation that a camera noted (EXIF) is applied. Limits: [`crate::file::picture`].
+//! orientation that a camera noted (EXIF) is applied. Limits: [`crate::picture`].
 //!
 //! Not read: CMYK, floating-point TIFF, the PNG chunks `gAMA` and `cICP`.
 
@@ -13,10 +13,10 @@ use std::path::Path;
 use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, tiff::TiffDecoder};
 use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageFormat, Limits};
 
-use crate::file::picture::{
+use crate::picture::{
     LinearPicture, PIXELS_MAX, PictureFileError, SIDE_MAX, check_size, guarded, read_bytes,
 };
-use crate::file::profile::{Samples, light_from_profile};
+use crate::profile::{Samples, light_from_profile};
 
 const ALLOWED: PictureFileError = PictureFileError::Format { allowed: "PNG, JPEG, TIFF" };
 
@@ -215,9 +215,10 @@ mod tests {
         assert_eq!(light(clear.into()), light(solid.into()));
     }
 
+    #[cfg(feature = "png")]
     #[test]
     fn our_own_display_p3_picture_comes_back_in_srgb() {
-        use crate::file::png::{PngPixels, write_png};
+        use crate::png::{PngPixels, write_png};
         use nacreous_colour::RgbSpace;
         let grey = [32_768_u16; 3];
         let mut file = Vec::new();

@@ -3,7 +3,7 @@
 //! Radiance `.hdr` (RGBE) and EXR `.exr` (the first part with channels R, G and B), both
 //! linear. An EXR file that states other primaries is converted; a `.hdr` is taken as Rec. 709
 //! and its `EXPOSURE` line is not applied. Values below zero, as resampling leaves them around
-//! lamps, become zero; NaN and infinity are refused. Limits: [`crate::file::picture`].
+//! lamps, become zero; NaN and infinity are refused. Limits: [`crate::picture`].
 
 use std::io::Cursor;
 use std::path::Path;
@@ -14,10 +14,10 @@ use exr::prelude::{ReadChannels, ReadLayers, Vec2};
 use image::codecs::hdr::HdrDecoder;
 use image::{DynamicImage, ImageDecoder, ImageFormat};
 
-use crate::file::picture::{
+use crate::picture::{
     LinearPicture, PictureFileError, check_finite, check_size, guarded, read_bytes,
 };
-use crate::file::profile::srgb_from_rgb;
+use crate::profile::srgb_from_rgb;
 
 /// Reads the panorama at `path`; see [`decode_panorama`].
 ///
