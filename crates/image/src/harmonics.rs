@@ -9,6 +9,7 @@ mod analysis;
 mod coefficients;
 mod fourier;
 mod legendre;
+pub(crate) mod nine;
 mod place;
 mod synthesis;
 
