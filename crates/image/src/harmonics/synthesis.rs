@@ -5,8 +5,8 @@
 //! equator differ by the sign of the odd l - m only, so that both come from the same two sums, and
 //! travel through the transform as the real and the imaginary part of one signal.
 
-use super::{
-    CHANNELS, Coefficients,
+use crate::harmonics::{
+    coefficients::{CHANNELS, Coefficients},
     fourier::{InverseTransform, Signal},
     legendre::{LANES, Lanes, Recursion, Scaled, legendre},
 };
@@ -29,7 +29,7 @@ pub fn synthesise<T: Send>(
     texel: impl Fn([f64; CHANNELS]) -> T + Sync,
     grid: &mut [T],
 ) {
-    debug_assert!(rows > top && top <= coefficients.band_limit && pitch >= 2 * rows);
+    debug_assert!(rows > top && top <= coefficients.band_limit() && pitch >= 2 * rows);
     let pass = Pass { coefficients, recursion: Recursion::new(top), top, rows };
     let transform = InverseTransform::new(2 * rows);
     let pairs = LANES * GROUPS;
