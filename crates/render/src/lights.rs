@@ -14,6 +14,31 @@ use crate::{
     },
 };
 
+/// What the light of a scene is made from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LightsKey {
+    observer: ObserverSpec,
+    white: String,
+    lamps: Vec<LampSpec>,
+    windows: Vec<WindowSpec>,
+    frames: Vec<Frame>,
+    sky: SkySpec,
+}
+
+impl LightsKey {
+    /// Of a scene.
+    pub(crate) fn new(scene: &SceneSpec, arrangement: &Arrangement) -> Self {
+        Self {
+            observer: scene.observer,
+            white: scene.camera.white.clone(),
+            lamps: scene.lamps.clone(),
+            windows: scene.windows.clone(),
+            frames: arrangement.frames().to_vec(),
+            sky: scene.sky.clone(),
+        }
+    }
+}
+
 /// The light of a scene, before it falls on anything.
 #[derive(Debug, Clone)]
 pub struct Lights {

@@ -153,7 +153,7 @@ pub struct IlluminantSurfaceSpec {
 }
 
 /// The grain of the surface (paper, section 4.3).
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TextureSpec {
     /// `procedural`, or the path of a photograph.
@@ -210,5 +210,18 @@ impl PearlSpec {
                 texture: &pearl.texture,
             },
         }
+    }
+
+    /// The same pearl without its name and its grain, which change nothing about the light around it.
+    pub(crate) fn without_grain(&self) -> Self {
+        let mut same = self.clone();
+        let (name, grain, texture) = match &mut same {
+            Self::Transport(pearl) => (&mut pearl.name, &mut pearl.grain, &mut pearl.texture),
+            Self::Illuminant(pearl) => (&mut pearl.name, &mut pearl.grain, &mut pearl.texture),
+        };
+        name.clear();
+        *grain = 0.0;
+        *texture = TextureSpec::default();
+        same
     }
 }

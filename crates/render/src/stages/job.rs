@@ -1,0 +1,174 @@
+//! A picture in the making, kept and asked again: only what changed is worked out anew.
+
+use std::sync::Arc;
+
+use nacreous_image::{MAX_SIZE_PX, Pearl, Progress, ReflectionCache, Sampler};
+
+use super::{
+    around::{LitScene, Unlit},
+    kept::Kept,
+    optics::OpticsStage,
+    view::{Look, View},
+};
+use crate::{
+    RenderError, Resources,
+    arrangement::{Arrangement, Place},
+    lights::{Lights, LightsKey},
+    spec::{
+        Recipe,
+        pearl::PearlSpec,
+        scene::{TableSpec, WallsSpec},
+    },
+};
+
+/// The most samples a pixel, 32 x 32.
+const MAX_SAMPLES: usize = 1024;
+
+/// A recipe and all stages on its way to a picture.
+///
+/// [`Job::view`] works out what is not known yet; [`Job::change`] puts another recipe in its place, and
+/// what both have in common stays known. Files are taken not to change behind their names.
+#[derive(Debug)]
+pub struct Job {
+    recipe: Recipe,
+    resources: Resources,
+    arrangement: Arrangement,
+    samples_side: usize,
+    lights: Kept<LightsKey, Lights>,
+    optics: OpticsStage,
+    scene: Kept<SceneKey, LitScene>,
+    reflections: Kept<ReflectionsKey, Vec<Option<ReflectionCache>>>,
+}
+
+/// What a lit scene is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct SceneKey {
+    /// Without what only the eye sees.
+    pearls: Vec<PearlSpec>,
+    places: Vec<Place>,
+    lights: LightsKey,
+    table: TableSpec,
+    walls: Option<WallsSpec>,
+    samples_side: usize,
+}
+
+/// What the cached reflections of a view are made from.
+#[derive(Debug, Clone, PartialEq)]
+struct ReflectionsKey {
+    scene: SceneKey,
+    arrangement: Arrangement,
+    size_px: usize,
+}
+
+impl Job {
+    /// Takes a recipe, and the contents of the files that it names.
+    ///
+    /// # Errors
+    /// [`RenderError`] for a size, a number of samples or an arrangement that cannot be.
+    pub fn new(recipe: Recipe, resources: Resources) -> Result<Self, RenderError> {
+        let (arrangement, samples_side) = checked(&recipe)?;
+        Ok(Self {
+            recipe,
+            resources,
+            arrangement,
+            samples_side,
+            lights: Kept::default(),
+            optics: OpticsStage::default(),
+            scene: Kept::default(),
+            reflections: Kept::default(),
+        })
+    }
+
+    /// Puts another recipe in the place of this one.
+    ///
+    /// # Errors
+    /// As [`Job::new`]; then the job is as it was.
+    pub fn change(&mut self, recipe: Recipe, resources: Resources) -> Result<(), RenderError> {
+        (self.arrangement, self.samples_side) = checked(&recipe)?;
+        (self.recipe, self.resources) = (recipe, resources);
+        Ok(())
+    }
+
+    /// The recipe as it is now.
+    pub fn recipe(&self) -> &Recipe {
+        &self.recipe
+    }
+
+    /// The scene before the camera; `None` once `progress` says to stop.
+    ///
+    /// # Errors
+    /// [`RenderError`] for layers, lights or grains that cannot be.
+    pub fn view(&mut self, progress: &Progress) -> Result<Option<View>, RenderError> {
+        let Self { recipe, resources, arrangement, samples_side, .. } = &*self;
+        let (samples_side, size_px) = (*samples_side, recipe.size);
+        let lights_key = LightsKey::new(&recipe.scene, arrangement);
+        let make = |_: &LightsKey| Lights::new(&recipe.scene, arrangement, resources).map(Some);
+        let Some(lights) = self.lights.one(lights_key.clone(), make)? else { return Ok(None) };
+        let known = (&lights_key, &*lights);
+        let Some(optics) = self.optics.optics(&recipe.pearls, known, progress)? else {
+            return Ok(None);
+        };
+        let unlit = Unlit {
+            pearls: &recipe.pearls,
+            optics: &optics,
+            arrangement,
+            lights: &lights,
+            scene: &recipe.scene,
+            samples_side,
+        };
+        let scene_key = SceneKey::new(recipe, arrangement, lights_key, samples_side);
+        let make = |_: &SceneKey| Ok::<_, RenderError>(unlit.lit(progress));
+        let Some(scene) = self.scene.one(scene_key.clone(), make)? else { return Ok(None) };
+        let grains =
+            self.optics.grains(&recipe.pearls, resources, arrangement.pixel_mm(size_px))?;
+        let models = scene.models.iter().zip(arrangement.places());
+        let pearls = models
+            .map(|(model, place)| Pearl {
+                model: Arc::clone(model),
+                texture: grains[place.pearl].texture.clone(),
+                grain: grains[place.pearl].grain,
+            })
+            .collect();
+        let surroundings = Arc::clone(&scene.surroundings);
+        let sampler =
+            Sampler::new(pearls, surroundings, arrangement.camera(), size_px, samples_side);
+        let key = ReflectionsKey { scene: scene_key, arrangement: arrangement.clone(), size_px };
+        let make = |_: &ReflectionsKey| Ok::<_, RenderError>(Some(sampler.reflections()));
+        let Some(reflections) = self.reflections.one(key, make)? else { return Ok(None) };
+        let look = Look::new(&recipe.scene.camera, arrangement.field_mm(), size_px);
+        let sampler = Arc::new(sampler.with_reflections(reflections));
+        Ok((!progress.is_stopped()).then(|| View::new(sampler, look, size_px)))
+    }
+}
+
+impl SceneKey {
+    fn new(
+        recipe: &Recipe,
+        arrangement: &Arrangement,
+        lights: LightsKey,
+        samples_side: usize,
+    ) -> Self {
+        Self {
+            pearls: recipe.pearls.iter().map(PearlSpec::without_grain).collect(),
+            places: arrangement.places().to_vec(),
+            lights,
+            table: recipe.scene.table.clone(),
+            walls: recipe.scene.walls.clone(),
+            samples_side,
+        }
+    }
+}
+
+/// The arrangement of a recipe, and how many samples stand along a pixel's side.
+fn checked(recipe: &Recipe) -> Result<(Arrangement, usize), RenderError> {
+    if !(1..=MAX_SIZE_PX).contains(&recipe.size) {
+        let allowed = format!("a whole number from 1 to {MAX_SIZE_PX}");
+        return Err(RenderError::out_of_range("size", recipe.size, allowed));
+    }
+    let samples_side = recipe.samples.isqrt();
+    if !(1..=MAX_SAMPLES).contains(&recipe.samples) || samples_side.pow(2) != recipe.samples {
+        let allowed = format!("a square number from 1 to {MAX_SAMPLES}, such as 16");
+        return Err(RenderError::out_of_range("samples", recipe.samples, allowed));
+    }
+    Ok((Arrangement::new(recipe)?, samples_side))
+}

@@ -1,0 +1,213 @@
+//! First stage: what each pearl does with light, the same in all its places.
+
+use std::sync::Arc;
+
+use nacreous_image::{
+    Body, Facets, Film, Grain, Progress, Relief, Rgb, Rings, Surface, grain::texture::Texture,
+};
+use nacreous_optics::IlluminantModel;
+
+use super::kept::Kept;
+use crate::{
+    RenderError, Resources,
+    lights::{Lights, LightsKey},
+    pearl::{
+        body::body_of,
+        columns::columns_of,
+        grain::{GrainKey, is_seen},
+        knobs::{facet_spread_rad_of, grain_of, outer_um_of, parameters_of},
+        nacre::stack_of,
+    },
+    spec::{
+        nacre::NacreSpec,
+        pearl::{FacetsSpec, FilmSpec, IlluminantSpec, PearlSpec, TransportSpec},
+    },
+};
+
+/// A pearl before its light is known.
+#[derive(Debug, Clone)]
+pub(crate) enum Optics {
+    /// The paper's model of 1996.
+    Illuminant { rings: Arc<Rings>, look: Look },
+    /// Light through the film, into the pearl and out again.
+    Transport { surface: Arc<Surface>, body: Body },
+}
+
+/// What the model of 1996 asks of a pearl beside its layers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Look {
+    pub(crate) facets: Facets,
+    pub(crate) mixing: f64,
+    pub(crate) body_colour: Rgb,
+    pub(crate) mirror_weight: f64,
+    pub(crate) falloff_mm: f64,
+}
+
+/// The grain over a pearl, and how strongly it acts.
+#[derive(Debug, Clone)]
+pub(crate) struct Grained {
+    pub(crate) texture: Option<Arc<Texture>>,
+    pub(crate) grain: Grain,
+}
+
+/// What a film is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct FilmKey {
+    nacre: NacreSpec,
+    film: FilmSpec,
+    outer_um: f64,
+}
+
+/// What a film on facets is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct SurfaceKey {
+    film: FilmKey,
+    facets: FacetsSpec,
+    spread_rad: f64,
+}
+
+/// What rings of interference colour are made from.
+#[derive(Debug, Clone, PartialEq)]
+struct RingsKey {
+    nacre: NacreSpec,
+    model: IlluminantModel,
+    lights: LightsKey,
+}
+
+/// The optics of all pearls, kept.
+#[derive(Debug, Default)]
+pub(crate) struct OpticsStage {
+    films: Kept<FilmKey, Film>,
+    surfaces: Kept<SurfaceKey, Surface>,
+    rings: Kept<RingsKey, Rings>,
+    textures: Kept<GrainKey, Texture>,
+}
+
+impl OpticsStage {
+    /// The optics of each pearl; `None` once `progress` says to stop.
+    pub(crate) fn optics(
+        &mut self,
+        pearls: &[PearlSpec],
+        (lights_key, lights): (&LightsKey, &Lights),
+        progress: &Progress,
+    ) -> Result<Option<Vec<Optics>>, RenderError> {
+        let transport = pearls.iter().filter_map(|pearl| match pearl {
+            PearlSpec::Transport(spec) => Some(surface_key(pearl, spec)),
+            PearlSpec::Illuminant(_) => None,
+        });
+        let Some(surfaces) = self.surfaces(transport.collect(), progress)? else { return Ok(None) };
+        let illuminant = pearls.iter().filter_map(|pearl| match pearl {
+            PearlSpec::Transport(_) => None,
+            PearlSpec::Illuminant(spec) => Some(rings_key(pearl, spec, lights_key)),
+        });
+        let make = |key: &RingsKey| {
+            Ok::<_, RenderError>(Rings::new(&stack_of(&key.nacre)?, &key.model, &lights.light, progress)?)
+        };
+        let Some(rings) = self.rings.all(illuminant.collect(), make)? else { return Ok(None) };
+        let (mut surfaces, mut rings) = (surfaces.into_iter(), rings.into_iter());
+        let mut all = Vec::with_capacity(pearls.len());
+        for pearl in pearls {
+            all.extend(match pearl {
+                PearlSpec::Transport(spec) => {
+                    let body = body_of(spec)?;
+                    surfaces.next().map(|surface| Optics::Transport { surface, body })
+                }
+                PearlSpec::Illuminant(spec) => {
+                    let look = look_of(pearl, spec)?;
+                    rings.next().map(|rings| Optics::Illuminant { rings, look })
+                }
+            });
+        }
+        Ok(Some(all))
+    }
+
+    /// The grain of each pearl that shows any; pearls of the same grain share it.
+    pub(crate) fn grains(
+        &mut self,
+        pearls: &[PearlSpec],
+        resources: &Resources,
+        pixel_mm: f64,
+    ) -> Result<Vec<Grained>, RenderError> {
+        let seen: Vec<bool> = pearls.iter().map(|pearl| is_seen(&grain_of(pearl))).collect();
+        let keys = pearls.iter().enumerate().filter(|(i, _)| seen[*i]);
+        let keys = keys
+            .map(|(i, pearl)| GrainKey::new(pearl, resources.grains.get(&i), pixel_mm))
+            .collect::<Result<Vec<_>, _>>()?;
+        let textures = self.textures.all(keys, |key| key.texture().map(Some))?.unwrap_or_default();
+        let mut textures = textures.into_iter();
+        let grained = |(pearl, seen): (&PearlSpec, bool)| Grained {
+            texture: if seen { textures.next() } else { None },
+            grain: grain_of(pearl),
+        };
+        Ok(pearls.iter().zip(seen).map(grained).collect())
+    }
+
+    fn surfaces(
+        &mut self,
+        keys: Vec<SurfaceKey>,
+        progress: &Progress,
+    ) -> Result<Option<Vec<Arc<Surface>>>, RenderError> {
+        let film = |key: &FilmKey| {
+            let columns = columns_of(&key.nacre, &key.film, key.outer_um)?;
+            Ok::<_, RenderError>(Film::new(&columns, progress.stop_flag())?)
+        };
+        let film_keys = keys.iter().map(|key| key.film.clone()).collect();
+        let Some(films) = self.films.all(film_keys, film)? else { return Ok(None) };
+        let film_of = |wanted: &SurfaceKey| {
+            let place = keys.iter().position(|key| key.film == wanted.film);
+            place.map(|place| Film::clone(&films[place]))
+        };
+        let surface = |key: &SurfaceKey| {
+            Ok(film_of(key).map(|film| Surface::new(film, microfacets(key.facets, key.spread_rad))))
+        };
+        self.surfaces.all(keys.clone(), surface)
+    }
+}
+
+/// The facets of a pearl's surface.
+pub(crate) fn microfacets_of(pearl: &PearlSpec) -> Relief {
+    let facets = match pearl {
+        PearlSpec::Transport(spec) => spec.surface.facets,
+        PearlSpec::Illuminant(_) => FacetsSpec::TorranceSparrow,
+    };
+    microfacets(facets, facet_spread_rad_of(pearl))
+}
+
+fn microfacets(facets: FacetsSpec, spread_rad: f64) -> Relief {
+    match facets {
+        FacetsSpec::TorranceSparrow => Relief::grooves(spread_rad),
+        FacetsSpec::Ggx => Relief::ggx(spread_rad),
+    }
+}
+
+fn surface_key(pearl: &PearlSpec, spec: &TransportSpec) -> SurfaceKey {
+    let (nacre, film) = (spec.nacre.clone(), spec.film.clone());
+    SurfaceKey {
+        film: FilmKey { nacre, film, outer_um: outer_um_of(spec) },
+        facets: spec.surface.facets,
+        spread_rad: facet_spread_rad_of(pearl),
+    }
+}
+
+fn rings_key(pearl: &PearlSpec, spec: &IlluminantSpec, lights: &LightsKey) -> RingsKey {
+    let how = &spec.interference;
+    let diffuse_loss = how.diffuse_loss.unwrap_or_else(|| parameters_of(pearl).diffuse_loss);
+    let (coherence_nm, threshold) = (how.coherence_nm, how.threshold);
+    RingsKey {
+        nacre: spec.nacre.clone(),
+        model: IlluminantModel { coherence_nm, threshold, diffuse_loss },
+        lights: lights.clone(),
+    }
+}
+
+fn look_of(pearl: &PearlSpec, spec: &IlluminantSpec) -> Result<Look, RenderError> {
+    let (knobs, surface) = (parameters_of(pearl), &spec.surface);
+    let index = stack_of(&spec.nacre)?.aragonite().index("aragonite")?.n();
+    Ok(Look {
+        facets: Facets::new(facet_spread_rad_of(pearl), index, surface.layer_reflectance),
+        mixing: spec.interference.mixing.unwrap_or(knobs.mixing),
+        body_colour: spec.body_colour.0,
+        mirror_weight: surface.mirror_weight.unwrap_or(knobs.mirror_weight),
+        falloff_mm: surface.falloff_mm,
+    })
+}

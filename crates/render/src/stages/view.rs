@@ -1,0 +1,68 @@
+//! Third stage and fourth: what the eye sees of the lit scene, row by row, and how it looks at it.
+
+use std::{ops::Range, sync::Arc};
+
+use nacreous_image::{CHANNELS, PARTS, Progress, Sampler, spread_glare};
+
+use crate::spec::scene::CameraSpec;
+
+/// A scene before the camera, ready for any row.
+#[derive(Debug, Clone)]
+pub struct View {
+    sampler: Arc<Sampler>,
+    look: Look,
+    size_px: usize,
+}
+
+/// How lens, eye and exposure change the light of a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    exposure: f32,
+    /// Share of the light that is spread, and the radius that holds half of it.
+    glare: f64,
+    glare_px: f64,
+}
+
+impl Look {
+    pub(crate) fn new(camera: &CameraSpec, field_mm: f64, size_px: usize) -> Self {
+        let glare_mm = camera.distance_mm * libm::tan(camera.glare_deg.to_radians());
+        let glare_px = glare_mm / field_mm * size_px as f64;
+        Self { exposure: camera.exposure as f32, glare: camera.glare, glare_px }
+    }
+}
+
+impl View {
+    pub(crate) fn new(sampler: Arc<Sampler>, look: Look, size_px: usize) -> Self {
+        Self { sampler, look, size_px }
+    }
+
+    /// Pixels a side.
+    pub fn size_px(&self) -> usize {
+        self.size_px
+    }
+
+    /// Some rows from the top, [`CHANNELS`] numbers a pixel, before the look; rows beyond the last are left
+    /// out. `None` once `progress` says to stop. Memory: 64 bytes a pixel.
+    pub fn rows(&self, rows: Range<usize>, progress: &Progress) -> Option<Vec<f32>> {
+        let end = rows.end.min(self.size_px);
+        self.sampler.rows(rows.start.min(end)..end, progress)
+    }
+
+    /// Turns the light of the whole picture into what lens, eye and exposure leave of it. Texture and
+    /// coverage are no light and stay.
+    pub fn look(&self, pixels: &mut [f32]) {
+        spread_glare(pixels, self.size_px, self.look.glare, self.look.glare_px);
+        for pixel in pixels.chunks_exact_mut(CHANNELS) {
+            for channel in &mut pixel[..PARTS[3].1.end] {
+                *channel *= self.look.exposure;
+            }
+        }
+    }
+
+    /// The whole picture: linear light [row, column, channel] in the parts that [`PARTS`] names.
+    pub fn picture(&self, progress: &Progress) -> Option<Vec<f32>> {
+        let mut pixels = self.rows(0..self.size_px, progress)?;
+        self.look(&mut pixels);
+        Some(pixels)
+    }
+}
