@@ -13,6 +13,7 @@ pub mod grain;
 pub mod harmonics;
 mod iridescence;
 mod light;
+mod parallel;
 mod pearl;
 mod picture;
 mod progress;

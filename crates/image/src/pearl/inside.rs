@@ -9,6 +9,7 @@ use crate::{
         bands::{BANDS, Bands, means},
         palette::Palette,
     },
+    parallel,
     rgb::{self, Rgb},
     surface::{
         coating::{Surface, legendre, upsampled},
@@ -218,15 +219,13 @@ impl<'a> Outside<'a> {
 
 /// The light around in waves, as amounts of the palette's curves.
 fn around(palette: &Palette, surroundings: &Surroundings, ball: usize) -> Coefficients {
-    use rayon::prelude::*;
     let step_rad = PI / ROWS as f64;
     let directions: Vec<DVec3> =
         directions_of_grid(ROWS).map(|(direction, _)| from_grid(direction)).collect();
     let amounts = |seen: Rgb| apply(palette.amounts(), seen);
-    let values: Vec<[f64; 3]> = directions
-        .par_iter()
-        .map(|along| amounts(surroundings.seen_without_windows(ball, *along, step_rad)))
-        .collect();
+    let values = parallel::map(directions.len(), |i| {
+        amounts(surroundings.seen_without_windows(ball, directions[i], step_rad))
+    });
     let mut waves = analyse(ROWS, &values, TOP);
     for (along, solid_angle, more) in surroundings.window_points(ball) {
         let amounts = amounts(more).map(|amount| amount * solid_angle);

@@ -1,9 +1,9 @@
 use std::f64::consts::FRAC_PI_4;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use crate::{
+    parallel,
     rgb::{self, Rgb},
     shape::ball::{Ball, Hit},
     surface::{draw::Draw, relief::Relief},
@@ -79,8 +79,7 @@ impl Net {
             let cos_view = normal.dot(view).max(0.02);
             Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &draws))
         };
-        let knots = (0..side * side).into_par_iter().map(|i| knot(i).unwrap_or_default()).collect();
-        net.knots = knots;
+        net.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
         Some(net)
     }
 

@@ -1,5 +1,6 @@
 use nacreous_colour::{Gamut, RgbSpace, encode, in_gamut};
-use rayon::prelude::*;
+
+use crate::parallel;
 
 /// A picture ready for the screen or a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,19 +15,23 @@ pub struct Developed {
 /// of primaries, gamut handling, then the transfer function of sRGB, which Display P3 shares.
 pub fn develop(linear: &[f32], space: RgbSpace, gamut: Gamut) -> Developed {
     let mut codes = vec![0; linear.len()];
-    let outside: usize = codes
-        .par_chunks_mut(3)
-        .zip(linear.par_chunks(3))
-        .map(|(codes, pixel)| {
-            let rgb = space.rgb_from(RgbSpace::Srgb, std::array::from_fn(|i| f64::from(pixel[i])));
-            for (code, channel) in codes.iter_mut().zip(gamut.map(space, rgb)) {
-                *code = (encode(channel) * 65535.0).round() as u16;
-            }
-            usize::from(!in_gamut(rgb))
-        })
-        .sum();
+    let one = |codes: &mut [u16], pixel: &[f32]| {
+        let rgb = space.rgb_from(RgbSpace::Srgb, std::array::from_fn(|i| f64::from(pixel[i])));
+        for (code, channel) in codes.iter_mut().zip(gamut.map(space, rgb)) {
+            *code = (encode(channel) * 65535.0).round() as u16;
+        }
+        usize::from(!in_gamut(rgb))
+    };
+    let outside = parallel::map_chunks(&mut codes, AT_ONCE, |i, codes| {
+        let pixels = linear[i * AT_ONCE..].chunks(3);
+        codes.chunks_mut(3).zip(pixels).map(|(codes, pixel)| one(codes, pixel)).sum::<usize>()
+    });
+    let outside: usize = outside.iter().sum();
     Developed { out_of_gamut: outside as f64 / (linear.len() / 3).max(1) as f64, codes }
 }
+
+/// Numbers that one thread takes in one go: a thousand pixels.
+const AT_ONCE: usize = 3 * 1024;
 
 /// The nearest 8-bit codes.
 pub fn eight_bit(codes: &[u16]) -> Vec<u8> {

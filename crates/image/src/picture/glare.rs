@@ -6,8 +6,7 @@
 //! between two angles: four round Gaussians, each twice as wide as the one before and with half its light
 //! **(ours)**, so that sums over pixels stay separable. No rings, no streaks, no change of colour **(ours)**.
 
-use rayon::prelude::*;
-
+use crate::parallel;
 use crate::picture::{
     channels::{CHANNELS, PARTS},
     coarser::{Scale, mirrored},
@@ -33,7 +32,7 @@ pub fn spread(pixels: &mut [f32], size_px: usize, share: f64, radius_px: f64) {
     let narrowest_px = radius_px / HALF_RADIUS;
     let glare = glare(pixels, size_px, narrowest_px, &GAUSSIANS);
     let (kept, spread) = ((1.0 - share) as f32, share as f32);
-    glare.rows(size_px, pixels.par_chunks_mut(size_px * CHANNELS), |pixel, light| {
+    glare.rows(pixels, size_px * CHANNELS, CHANNELS, |pixel, light| {
         for (channel, glare) in pixel[..LIGHT].iter_mut().zip(light) {
             *channel = kept * *channel + spread * glare;
         }
@@ -67,7 +66,8 @@ impl Sheet {
     fn lowered(scale: &Scale, fine: impl Fn(usize, usize) -> Light + Sync) -> Self {
         let side = scale.down.len();
         let mut cells = vec![[0.0; LIGHT]; side * side];
-        cells.par_chunks_mut(side).zip(&scale.down).for_each(|(out, (first, weights))| {
+        parallel::map_chunks(&mut cells, side, |row, out| {
+            let (first, weights) = &scale.down[row];
             let mut line = vec![[0.0; LIGHT]; scale.fine];
             for (row, weight) in (*first..).zip(weights) {
                 for (column, sum) in line.iter_mut().enumerate() {
@@ -101,7 +101,7 @@ impl Sheet {
             *light *= part;
         }
         if let Some(raised) = coarser {
-            raised.rows(self.side, own.cells.par_chunks_mut(self.side), |cell, light| {
+            raised.rows(&mut own.cells, self.side, 1, |cell, light| {
                 add(&mut cell[0], light, 1.0);
             });
         }
@@ -113,7 +113,7 @@ impl Sheet {
         let weights = gaussian(sigma);
         let (side, reach) = (self.side, weights.len() / 2);
         let mut cells = vec![[0.0; LIGHT]; self.cells.len()];
-        cells.par_chunks_mut(side).enumerate().for_each(|(row, out)| {
+        parallel::map_chunks(&mut cells, side, |row, out| {
             let mut wide = vec![[0.0; LIGHT]; side + 2 * reach];
             for (near, weight) in (row..).zip(&weights) {
                 let line = &self.cells[mirrored(near, reach, side) * side..][..side];
@@ -139,23 +139,24 @@ struct Raised {
 }
 
 impl Raised {
-    /// Hands each cell of the finer sheet, a row at a time, the light that lies on it.
-    fn rows<'a, T: Send + 'a>(
+    /// Hands each cell of the finer sheet, `size` numbers of a row of `length`, the light that lies on it.
+    fn rows<T: Send>(
         &self,
-        side: usize,
-        rows: impl IndexedParallelIterator<Item = &'a mut [T]>,
+        finer: &mut [T],
+        length: usize,
+        size: usize,
         lay: impl Fn(&mut [T], &Light) + Sync,
     ) {
         let coarse = self.light.side;
-        rows.zip(&self.scale.up).for_each(|(row, (first, weights))| {
+        parallel::map_chunks(finer, length, |row, cells| {
+            let (first, weights) = &self.scale.up[row];
             let mut line = vec![[0.0; LIGHT]; coarse];
             for (j, weight) in (*first..).zip(weights) {
                 for (sum, light) in line.iter_mut().zip(&self.light.cells[j * coarse..]) {
                     add(sum, light, *weight);
                 }
             }
-            let size = row.len() / side;
-            for (cell, (first, weights)) in row.chunks_exact_mut(size).zip(&self.scale.up) {
+            for (cell, (first, weights)) in cells.chunks_exact_mut(size).zip(&self.scale.up) {
                 let mut light = [0.0; LIGHT];
                 weigh(&mut light, &line[*first..], weights);
                 lay(cell, &light);

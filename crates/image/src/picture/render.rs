@@ -1,6 +1,5 @@
-use rayon::prelude::*;
-
 use crate::{
+    parallel,
     pearl::model::Pearl,
     picture::{channels::CHANNELS, eye::Eye},
     progress::Progress,
@@ -25,7 +24,7 @@ pub fn render(
 ) -> Option<Vec<f32>> {
     let mut pixels = vec![0.0_f32; size_px * size_px * CHANNELS];
     let eye = Eye::new(pearls, surroundings, camera, size_px, samples_side);
-    pixels.par_chunks_mut(size_px * CHANNELS).enumerate().for_each(|(row, out)| {
+    parallel::map_chunks(&mut pixels, size_px * CHANNELS, |row, out| {
         if !progress.is_stopped() {
             eye.row(row, out.chunks_mut(CHANNELS));
             progress.row_done();

@@ -1,6 +1,7 @@
-use rayon::prelude::*;
-
-use crate::rgb::{self, Rgb};
+use crate::{
+    parallel,
+    rgb::{self, Rgb},
+};
 
 /// Light over a plane that changes softly, worked out on a grid; straight lines between.
 #[derive(Debug, Clone)]
@@ -26,7 +27,7 @@ impl Chart {
             let place = [i % columns, i / columns];
             light([0, 1].map(|i| corner_mm[i] + place[i] as f64 * step_mm[i]))
         };
-        let light = (0..columns * rows).into_par_iter().map(at).collect();
+        let light = parallel::map(columns * rows, at);
         Self { corner_mm, step_mm, columns, rows, light }
     }
 
