@@ -8,13 +8,13 @@ use rayon::prelude::*;
 
 /// What `work` makes of each number below `count`.
 #[cfg(feature = "parallel")]
-pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     (0..count).into_par_iter().map(&work).collect()
 }
 
 /// What `work` makes of each number below `count`.
 #[cfg(not(feature = "parallel"))]
-pub(crate) fn map<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
+pub fn map<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
     (0..count).map(work).collect()
 }
 

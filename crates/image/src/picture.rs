@@ -6,4 +6,3 @@ pub(crate) mod develop;
 pub(crate) mod eye;
 pub(crate) mod glare;
 pub(crate) mod pixel;
-pub(crate) mod render;

@@ -7,6 +7,7 @@ pub(crate) mod floor;
 pub(crate) mod incident;
 pub(crate) mod irradiance;
 pub(crate) mod lamp;
+pub(crate) mod lit;
 pub(crate) mod seen;
 pub(crate) mod sky;
 pub(crate) mod table;

@@ -1,12 +1,13 @@
 //! Laws of the whole picture.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, RgbSpace, SAMPLES, delta_e_2000, lab_from_xyz};
 use nacreous_image::{
-    Ball, CHANNELS, Camera, Facets, Grain, IlluminantPearl, Irradiance, Lamp, Light, Model, PARTS,
-    Pearl, Place, Progress, Projection, Rings, Sky, Source, Surroundings, Table, direction, render,
+    Ball, CHANNELS, Camera, Facets, Grain, IlluminantPearl, Irradiance, Lamp, Light, Lit, Model,
+    PARTS, Pearl, Place, Progress, Projection, Reflections, Rings, Sampler, Sky, Source,
+    Surroundings, Table, direction,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Season};
 use nacreous_optics::IlluminantModel;
@@ -18,6 +19,18 @@ const MODEL: IlluminantModel =
     IlluminantModel { coherence_nm: 5000.0, threshold: 0.05, diffuse_loss: 0.03 };
 const TABLE: Option<Table> =
     Some(Table::Checker { colour: [0.8; 3], second_colour: [0.1; 3], check_mm: 2.0 });
+
+fn rendered(
+    pearl: Pearl,
+    surroundings: &Arc<Lit>,
+    camera: &Camera,
+    samples_side: usize,
+    progress: &Progress,
+) -> Option<Vec<f32>> {
+    let (pearls, around) = (vec![pearl], Arc::clone(surroundings));
+    let reflections = Arc::new(Reflections::new(&pearls, &around, camera, SIZE));
+    Sampler::new(pearls, around, *camera, (SIZE, samples_side), reflections).rows(0..SIZE, progress)
+}
 
 fn december() -> LayerStack {
     let growth = Growth {
@@ -46,8 +59,8 @@ fn light(lamps: &[Source], sky: f64) -> Light {
 
 /// A pearl with a lamp of brightness 1 at each place.
 struct Set {
-    surroundings: Surroundings,
-    rings: Rings,
+    surroundings: Arc<Lit>,
+    rings: Arc<Rings>,
     facets: Facets,
 }
 
@@ -62,21 +75,22 @@ impl Set {
         let even = Sky::Gradient { horizon: [sky; 3], zenith: [sky; 3] };
         let surroundings =
             Surroundings::new(table, None, even, lamps.collect(), vec![Ball::alone(RADIUS_MM)]);
-        Self { surroundings, rings, facets }
+        let surroundings = Arc::new(surroundings.settled(false));
+        Self { surroundings, rings: Arc::new(rings), facets }
     }
 
-    fn pearl(&self) -> Pearl<'static> {
+    fn pearl(&self) -> Pearl {
         Self::with(self.model())
     }
 
-    fn with(model: IlluminantPearl) -> Pearl<'static> {
+    fn with(model: IlluminantPearl) -> Pearl {
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        Pearl { model: Model::Illuminant(Box::new(model)), texture: None, grain }
+        Pearl { model: Arc::new(Model::Illuminant(Box::new(model))), texture: None, grain }
     }
 
     fn model(&self) -> IlluminantPearl {
         IlluminantPearl {
-            rings: self.rings.clone(),
+            rings: Arc::clone(&self.rings),
             mixing: 0.3,
             body_colour: [0.8, 0.75, 0.7],
             irradiance: Irradiance::new(&self.surroundings, 0),
@@ -88,7 +102,7 @@ impl Set {
 
     fn picture(&self) -> Vec<f32> {
         let camera = Camera::new(Projection::Orthographic, 0.3, 0.0, FIELD_MM);
-        render(&[self.pearl()], &self.surroundings, &camera, SIZE, 4, &Progress::default()).unwrap()
+        rendered(self.pearl(), &self.surroundings, &camera, 4, &Progress::default()).unwrap()
     }
 }
 
@@ -148,7 +162,7 @@ fn a_mirrored_table_fades_with_distance() {
     let mirrored = |table, falloff_mm: f64| -> Vec<f32> {
         let set = Set::new(&[], table, 0.5, Facets::new(0.05, 1.53, 0.1));
         let pearl = Set::with(IlluminantPearl { falloff_mm, ..set.model() });
-        let pixels = render(&[pearl], &set.surroundings, &camera, SIZE, 2, &Progress::default());
+        let pixels = rendered(pearl, &set.surroundings, &camera, 2, &Progress::default());
         part(&pixels.unwrap(), "mirror").map(|mirror| mirror[1]).collect()
     };
     let contrast = |falloff_mm: f64| -> f32 {
@@ -203,7 +217,7 @@ fn a_stopped_render_gives_no_picture() {
     let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, FIELD_MM);
     let progress = Progress::default();
     progress.stop();
-    assert!(render(&[set.pearl()], &set.surroundings, &camera, SIZE, 1, &progress).is_none());
+    assert!(rendered(set.pearl(), &set.surroundings, &camera, 1, &progress).is_none());
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    BANDS, Ball, Bands, Body, Camera, Dome, Film, Grain, Lamp, Light, Model, Pearl, Place,
+    BANDS, Ball, Bands, Body, Camera, Dome, Film, Grain, Lamp, Light, Lit, Model, Pearl, Place,
     Projection, Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
@@ -31,7 +31,7 @@ fn film() -> Film {
 }
 
 struct Scene {
-    surroundings: Surroundings,
+    surroundings: Lit,
     light: Light,
     lamps: Vec<Bands>,
 }
@@ -46,33 +46,32 @@ fn scene(horizon: [f64; 3], zenith: [f64; 3], lamp: Option<(DVec3, f64)>) -> Sce
         Lamp::new(Place::Direction(direction), radius_rad, light.brightness(&source).unwrap())
     });
     let sky = Sky::Gradient { horizon, zenith };
-    let balls = vec![Ball::alone(4.0)];
-    let surroundings = Surroundings::new(None, None, sky, lamps.into_iter().collect(), balls);
+    let surroundings = under(sky, lamps.into_iter().collect());
     let lamps = sources.iter().map(|source| light.bands(source).unwrap()).collect();
     Scene { surroundings, light, lamps }
 }
 
+/// A pearl of 8 mm under a sky and lamps.
+fn under(sky: Sky, lamps: Vec<Lamp>) -> Lit {
+    Surroundings::new(None, None, sky, lamps, vec![Ball::alone(4.0)]).settled(false)
+}
+
 impl Scene {
-    fn pearl(&self, surface: Surface, body: &Body) -> Pearl<'static> {
+    fn pearl(&self, surface: Surface, body: &Body) -> Pearl {
         let (palette, around) = (self.light.palette(), &self.surroundings);
         let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        Pearl { model: Model::Transport(Box::new(transport)), texture: None, grain }
+        Pearl { model: Arc::new(Model::Transport(Box::new(transport))), texture: None, grain }
     }
 
     /// Light from inside and light mirrored, mean over a pixel's samples, where lines of sight along -z
     /// meet the pearl `x`, `y` radii from its middle.
-    fn seen(&self, pearl: &Pearl<'_>, x: f64, y: f64) -> ([f64; 3], [f64; 3]) {
+    fn seen(&self, pearl: &Pearl, x: f64, y: f64) -> ([f64; 3], [f64; 3]) {
         self.seen_with(pearl, (x, y), SIDE)
     }
 
     /// The same with more samples along a pixel's side.
-    fn seen_with(
-        &self,
-        pearl: &Pearl<'_>,
-        (x, y): (f64, f64),
-        side: usize,
-    ) -> ([f64; 3], [f64; 3]) {
+    fn seen_with(&self, pearl: &Pearl, (x, y): (f64, f64), side: usize) -> ([f64; 3], [f64; 3]) {
         let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, 8.0);
         let ray = camera.ray(x, y);
         let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
@@ -322,15 +321,15 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
         }
     };
     let dome = Dome::new(width, height, (0..width * height).map(pixel).collect());
-    let mut scene = scene([0.0; 3], [0.0; 3], None);
-    scene.surroundings.sky =
-        Sky::Panorama { picture: Arc::new(dome), rotation_rad: 0.3, intensity: 1.0 };
+    let sky = Sky::Panorama { picture: Arc::new(dome), rotation_rad: 0.3, intensity: 1.0 };
+    let scene = Scene { surroundings: under(sky, vec![]), ..scene([0.0; 3], [0.0; 3], None) };
     for relief in [Relief::grooves(0.1), Relief::ggx(0.15)] {
         let surface = Surface::new(film(), relief);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
         let many = Transport::new(surface.clone(), &white(0.0), &palette, around, 0, &[], 64);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        let pearl = Pearl { model: Model::Transport(Box::new(many)), texture: None, grain };
+        let pearl =
+            Pearl { model: Arc::new(Model::Transport(Box::new(many))), texture: None, grain };
         for place in MIRRORING {
             let all = mirrored_by_all(&scene, &surface, normal_at(place), None);
             let (_, mirror) = scene.seen_with(&pearl, place, 64);

@@ -77,6 +77,15 @@ impl LayerStack {
         })
     }
 
+    /// The same media with other layers.
+    ///
+    /// # Errors
+    /// As [`LayerStack::new`].
+    pub fn with_layers(&self, thickness_nm: Vec<f64>) -> Result<Self, NacreError> {
+        let Self { protein_nm, aragonite, protein, ambient, substrate, .. } = self.clone();
+        Self::new(thickness_nm, protein_nm, aragonite, protein, ambient, substrate)
+    }
+
     /// Thickness of the aragonite layers, surface first.
     pub fn thickness_nm(&self) -> &[f64] {
         &self.thickness_nm

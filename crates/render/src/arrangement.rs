@@ -51,7 +51,8 @@ impl Arrangement {
     /// other, a wall, a lamp, a window or the eye.
     pub fn new(recipe: &Recipe) -> Result<Self, RenderError> {
         let Recipe { pearls, scene, .. } = recipe;
-        let diameters_mm: Vec<f64> = pearls.iter().map(|pearl| pearl.common().diameter_mm).collect();
+        let diameters_mm: Vec<f64> =
+            pearls.iter().map(|pearl| pearl.common().diameter_mm).collect();
         let largest_mm = diameters_mm.iter().copied().fold(0.0, f64::max);
         let places = if scene.rows.is_empty() {
             let [diameter_mm] = diameters_mm[..] else {
@@ -123,7 +124,8 @@ fn camera(spec: &CameraSpec, field_mm: f64) -> Camera {
         ProjectionSpec::Orthographic => Projection::Orthographic,
         ProjectionSpec::Perspective => Projection::Perspective { distance_mm: spec.distance_mm },
     };
-    let (elevation_rad, azimuth_rad) = (spec.elevation_deg.to_radians(), spec.azimuth_deg.to_radians());
+    let (elevation_rad, azimuth_rad) =
+        (spec.elevation_deg.to_radians(), spec.azimuth_deg.to_radians());
     Camera::new(projection, elevation_rad, azimuth_rad, field_mm)
 }
 
@@ -157,7 +159,8 @@ fn numbered(scene: &SceneSpec, given: usize) -> Result<Vec<Vec<usize>>, RenderEr
         let number = name.strip_prefix('*').and_then(|digits| digits.parse().ok());
         number.filter(|&number| number < given).ok_or_else(|| {
             let last = given.saturating_sub(1);
-            let fault = format!("a row has {name:?}; allowed: \"*0\" to \"*{last}\", for {given} given");
+            let fault =
+                format!("a row has {name:?}; allowed: \"*0\" to \"*{last}\", for {given} given");
             RenderError::scene(&scene.name, fault)
         })
     };
@@ -227,8 +230,10 @@ fn check_clearance(scene: &SceneSpec, places: &[Place]) -> Result<(), RenderErro
 
 /// The windows' places; no pearl may reach through one.
 fn frames(scene: &SceneSpec, places: &[Place]) -> Result<Vec<Frame>, RenderError> {
-    let lowest_mm =
-        places.iter().map(|place| place.centre_mm.y - place.radius_mm).fold(f64::INFINITY, f64::min);
+    let lowest_mm = places
+        .iter()
+        .map(|place| place.centre_mm.y - place.radius_mm)
+        .fold(f64::INFINITY, f64::min);
     let mut frames = Vec::new();
     for (number, window) in scene.windows.iter().enumerate() {
         let frame = Frame::of(window, lowest_mm);
@@ -282,5 +287,9 @@ fn four_digits(value: f64) -> String {
 fn digits(value: f64, count: i32) -> String {
     let decimals = (count - 1 - libm::floor(libm::log10(value.max(1e-9))) as i32).max(0);
     let text = format!("{value:.*}", decimals as usize);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
 }

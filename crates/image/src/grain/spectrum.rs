@@ -56,6 +56,20 @@ pub enum GrainError {
         "grain spectrum: correlation is {0:?}; allowed: symmetric, ones on the diagonal, no negative eigenvalue"
     )]
     Correlation([[f64; CHANNELS]; CHANNELS]),
+    /// A band that is no part of the spectrum.
+    #[error(
+        "texture: the band is {low_per_mm} to {high_per_mm} cycles per mm; allowed: part of {first_per_mm} to {last_per_mm}"
+    )]
+    Band {
+        /// Its lower limit.
+        low_per_mm: f64,
+        /// Its upper limit.
+        high_per_mm: f64,
+        /// The spectrum's first frequency.
+        first_per_mm: f64,
+        /// Its last.
+        last_per_mm: f64,
+    },
     /// A sphere without a sensible size.
     #[error("texture: radius_mm is {0}; allowed: 0.1 to 100")]
     Radius(f64),
@@ -145,6 +159,34 @@ impl GrainSpectrum {
         Self { cycles_per_mm, density: deviation.map(scaled), correlation, mixing }
     }
 
+    /// The part of the spectrum between two frequencies, as an ideal band-pass leaves it.
+    ///
+    /// # Errors
+    /// [`GrainError::Band`] for limits in the wrong order, or a band outside the spectrum.
+    ///
+    /// ```
+    /// use nacreous_image::grain::spectrum::GrainSpectrum;
+    /// let (whole, part) = (GrainSpectrum::procedural(), GrainSpectrum::procedural().limited(3.0, 6.0)?);
+    /// assert!(part.variance(0) < whole.variance(0));
+    /// assert!(whole.limited(13.0, 15.0).is_err());
+    /// # Ok::<(), nacreous_image::grain::spectrum::GrainError>(())
+    /// ```
+    pub fn limited(&self, low_per_mm: f64, high_per_mm: f64) -> Result<Self, GrainError> {
+        let points = &self.cycles_per_mm;
+        let (first_per_mm, last_per_mm) = (points[0], points[points.len() - 1]);
+        let [from, to] =
+            [low_per_mm, high_per_mm].map(|limit| limit.clamp(first_per_mm, last_per_mm));
+        if !(low_per_mm < high_per_mm && from < to) {
+            return Err(GrainError::Band { low_per_mm, high_per_mm, first_per_mm, last_per_mm });
+        }
+        let inner = points.iter().copied().filter(|point| (from < *point) && (*point < to));
+        let cycles_per_mm: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
+        let density = self.density.each_ref().map(|values| {
+            cycles_per_mm.iter().map(|point| interpolated(points, values, *point)).collect()
+        });
+        Self::new(cycles_per_mm, density, self.correlation)
+    }
+
     /// Frequencies, increasing.
     pub fn cycles_per_mm(&self) -> &[f64] {
         &self.cycles_per_mm
@@ -182,6 +224,16 @@ impl GrainSpectrum {
     pub fn variance_below(&self, channel: usize, cycles_per_mm: f64) -> f64 {
         integral(&self.cycles_per_mm, &self.density[channel], cycles_per_mm)
     }
+}
+
+/// A piecewise linear function at a place between its first point and its last.
+fn interpolated(points: &[f64], values: &[f64], place: f64) -> f64 {
+    let above = points.partition_point(|point| *point < place).min(points.len() - 1);
+    if points[above].to_bits() == place.to_bits() || above == 0 {
+        return values[above];
+    }
+    let slope = (values[above] - values[above - 1]) / (points[above] - points[above - 1]);
+    values[above - 1] + slope * (place - points[above - 1])
 }
 
 /// Integral of a piecewise linear function from its first point to `upper`.

@@ -1,9 +1,11 @@
+use std::sync::Arc;
+
 use crate::{
     iridescence::rings::Rings,
     pearl::{shade::Shade, sight::Sight},
     rgb::{self, Rgb},
     surface::facet::Facets,
-    surroundings::{environment::Surroundings, irradiance::Irradiance},
+    surroundings::{irradiance::Irradiance, lit::Lit},
     view::ray::Ray,
 };
 
@@ -12,7 +14,7 @@ use crate::{
 #[derive(Debug)]
 pub struct IlluminantPearl {
     /// Interference colour by view angle.
-    pub rings: Rings,
+    pub rings: Arc<Rings>,
     /// Share of interference against body colour.
     pub mixing: f64,
     /// Share of light that the body sends back, linear RGB.
@@ -29,7 +31,7 @@ pub struct IlluminantPearl {
 
 impl IlluminantPearl {
     /// What goes from the point towards the eye, without the grain.
-    pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+    pub(crate) fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         Shade {
             interference: rgb::scaled(self.rings.colour(sight.hit.cos_view), self.mixing),
             diffuse: rgb::scaled(self.body(surroundings, sight), 1.0 - self.mixing),
@@ -39,7 +41,7 @@ impl IlluminantPearl {
     }
 
     /// Lambert's law in the body colour.
-    fn body(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
+    fn body(&self, surroundings: &Lit, sight: &Sight) -> Rgb {
         let Sight { ball, hit, .. } = sight;
         let mut light = self.irradiance.at(hit.normal);
         for lamp in &surroundings.lamps {
@@ -50,7 +52,7 @@ impl IlluminantPearl {
     }
 
     /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
-    fn mirror(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
+    fn mirror(&self, surroundings: &Lit, sight: &Sight) -> Rgb {
         let Sight { ball, hit, view, pixel_mm, .. } = *sight;
         let along = 2.0 * hit.cos_view * hit.normal - view;
         // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;

@@ -15,7 +15,7 @@ use crate::{
         coating::{Surface, legendre, upsampled},
         film::STEPS,
     },
-    surroundings::environment::Surroundings,
+    surroundings::lit::Lit,
 };
 
 /// A lamp as the inside of a pearl meets it.
@@ -72,7 +72,7 @@ impl Inside {
         surface: &Surface,
         body: &Body,
         palette: &Palette,
-        surroundings: &Surroundings,
+        surroundings: &Lit,
         ball: usize,
         beams: &[Beam],
     ) -> Self {
@@ -177,12 +177,7 @@ struct Outside<'a> {
 }
 
 impl<'a> Outside<'a> {
-    fn new(
-        palette: &'a Palette,
-        surroundings: &Surroundings,
-        ball: usize,
-        beams: &'a [Beam],
-    ) -> Self {
+    fn new(palette: &'a Palette, surroundings: &Lit, ball: usize, beams: &'a [Beam]) -> Self {
         let lamps = beams.iter().map(|beam| point(to_grid(beam.direction), TOP)).collect();
         Self { palette, around: around(palette, surroundings, ball), beams, lamps }
     }
@@ -218,7 +213,7 @@ impl<'a> Outside<'a> {
 }
 
 /// The light around in waves, as amounts of the palette's curves.
-fn around(palette: &Palette, surroundings: &Surroundings, ball: usize) -> Coefficients {
+fn around(palette: &Palette, surroundings: &Lit, ball: usize) -> Coefficients {
     let step_rad = PI / ROWS as f64;
     let directions: Vec<DVec3> =
         directions_of_grid(ROWS).map(|(direction, _)| from_grid(direction)).collect();

@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::{
@@ -8,7 +10,7 @@ use crate::{
     },
     rgb,
     shape::ball::Hit,
-    surroundings::environment::Surroundings,
+    surroundings::lit::Lit,
     view::camera::Camera,
 };
 
@@ -24,12 +26,12 @@ pub struct Grain {
 }
 
 /// A pearl in its place and light, all of it known before the first pixel.
-#[derive(Debug)]
-pub struct Pearl<'a> {
+#[derive(Debug, Clone)]
+pub struct Pearl {
     /// What it does with light.
-    pub model: Model,
+    pub model: Arc<Model>,
     /// The grain over the sphere, if any.
-    pub texture: Option<&'a Texture>,
+    pub texture: Option<Arc<Texture>>,
     /// How strongly it acts.
     pub grain: Grain,
 }
@@ -43,46 +45,41 @@ pub enum Model {
     Transport(Box<Transport>),
 }
 
-impl Pearl<'_> {
+impl Model {
     /// Whether it lights its table: the paper's pearl of 1996 does not.
     pub fn gives_light(&self) -> bool {
-        matches!(self.model, Model::Transport(_))
+        matches!(self, Self::Transport(_))
     }
 
     /// Whether its light has no detail that is finer than a pixel.
     pub(crate) fn is_smooth(&self) -> bool {
-        matches!(self.model, Model::Transport(_))
+        matches!(self, Self::Transport(_))
     }
 
     /// The net over what its facets show the camera, if there shall be one.
     pub(crate) fn net(
         &self,
-        surroundings: &Surroundings,
+        surroundings: &Lit,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
     ) -> Option<Net> {
-        match &self.model {
-            Model::Illuminant(_) => None,
-            Model::Transport(model) => model.net(surroundings, ball, camera, pixel_mm),
+        match self {
+            Self::Illuminant(_) => None,
+            Self::Transport(model) => model.net(surroundings, ball, camera, pixel_mm),
         }
     }
 
-    /// What goes from the point towards the eye.
-    pub fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
-        let radius_mm = surroundings.balls[sight.ball].radius_mm;
-        let texture = self.texture.map_or([0.0; 3], |texture| {
-            texture.at(sight.hit.normal, sight.pixel_mm / radius_mm).map(f64::from)
-        });
-        let shade = match &self.model {
-            Model::Illuminant(model) => model.shade(surroundings, sight),
-            Model::Transport(model) => model.shade(surroundings, sight),
-        };
-        Shade { texture, ..shade }
+    /// What goes from the point towards the eye, without the grain.
+    pub fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
+        match self {
+            Self::Illuminant(model) => model.shade(surroundings, sight),
+            Self::Transport(model) => model.shade(surroundings, sight),
+        }
     }
 
     /// The mean light of the pearl's disc as its neighbours see it, from all around.
-    pub fn glow(&self, surroundings: &Surroundings, ball: usize) -> Glow {
+    pub fn glow(&self, surroundings: &Lit, ball: usize) -> Glow {
         let radius_mm = surroundings.balls[ball].radius_mm;
         Glow::from_fn(|towards| {
             // Mirrored scenes shall have mirrored glows.
@@ -104,6 +101,17 @@ impl Pearl<'_> {
             }
             sum
         })
+    }
+}
+
+impl Pearl {
+    /// What goes from the point towards the eye.
+    pub fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
+        let radius_mm = surroundings.balls[sight.ball].radius_mm;
+        let texture = self.texture.as_ref().map_or([0.0; 3], |texture| {
+            texture.at(sight.hit.normal, sight.pixel_mm / radius_mm).map(f64::from)
+        });
+        Shade { texture, ..self.model.shade(surroundings, sight) }
     }
 }
 

@@ -19,7 +19,7 @@ use crate::{
         draw::Draw,
         film::STEPS,
     },
-    surroundings::{environment::Surroundings, lamp::Lamp},
+    surroundings::{lamp::Lamp, lit::Lit},
     view::{camera::Camera, ray::Ray},
 };
 
@@ -55,7 +55,7 @@ impl Transport {
         surface: Surface,
         body: &Body,
         palette: &Palette,
-        surroundings: &Surroundings,
+        surroundings: &Lit,
         ball: usize,
         lamps: &[Bands],
         samples_side: usize,
@@ -92,7 +92,7 @@ impl Transport {
     }
 
     /// What goes from the point towards the eye, without the grain.
-    pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+    pub(crate) fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let hit = &sight.hit;
         let (whole, plain) = self.inside.radiance(hit.normal, hit.cos_view);
         let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
@@ -112,7 +112,7 @@ impl Transport {
 
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
-    fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Around {
+    fn around(&self, surroundings: &Lit, sight: &Sight) -> Around {
         let first = sight.part * self.draws_per_sample;
         let all = self.draws.iter().cycle().skip(first % self.draws.len());
         let some = all.take(self.draws_per_sample).copied();
@@ -122,7 +122,7 @@ impl Transport {
     /// The net over what the facets show `camera`, if pixels are finer.
     pub(crate) fn net(
         &self,
-        surroundings: &Surroundings,
+        surroundings: &Lit,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
@@ -141,7 +141,7 @@ impl Transport {
     /// looked up with `lobe_width` of what it stands for.
     fn gathered(
         &self,
-        surroundings: &Surroundings,
+        surroundings: &Lit,
         sight: &Sight,
         draws: impl Iterator<Item = Draw>,
         (count, lobe_width): (usize, f64),

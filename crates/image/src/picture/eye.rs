@@ -1,42 +1,84 @@
+use std::{ops::Range, sync::Arc};
+
 use crate::{
+    parallel,
     pearl::{model::Pearl, net::Net, sight::Sight},
-    picture::pixel::Pixel,
+    picture::{channels::CHANNELS, pixel::Pixel},
+    progress::Progress,
     rgb::{self, Rgb},
     shape::ball::Hit,
-    surroundings::environment::Surroundings,
+    surroundings::lit::Lit,
     view::{camera::Camera, ray::Ray},
 };
 
-/// What looks at the scene through the pixels of a picture.
-pub(crate) struct Eye<'a> {
-    pearls: &'a [Pearl<'a>],
-    surroundings: &'a Surroundings,
-    camera: &'a Camera,
+/// What looks at a lit scene through the pixels of a square picture.
+///
+/// No random numbers: every sample stands for its cell, and lamps, table and silhouette are averaged over the
+/// cell in closed form.
+#[derive(Debug)]
+pub struct Sampler {
+    pearls: Vec<Pearl>,
+    surroundings: Arc<Lit>,
+    camera: Camera,
     offsets: Vec<f64>,
     size_px: usize,
     /// Width of a pixel at each ball.
     pixel_mm: Vec<f64>,
-    nets: Vec<Option<Net>>,
+    reflections: Arc<Reflections>,
 }
 
-impl<'a> Eye<'a> {
-    pub(crate) fn new(
-        pearls: &'a [Pearl<'a>],
-        surroundings: &'a Surroundings,
-        camera: &'a Camera,
-        size_px: usize,
-        samples_side: usize,
+/// What satin pearls show a camera of their surroundings, each in its place; they have no detail that would
+/// have to be worked out at every pixel.
+#[derive(Debug)]
+pub struct Reflections(Vec<Option<Net>>);
+
+impl Reflections {
+    /// Of `pearls[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
+    pub fn new(pearls: &[Pearl], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
+        let pixel_mm = pixels_mm(surroundings, camera, size_px);
+        let of =
+            |(i, pearl): (usize, &Pearl)| pearl.model.net(surroundings, i, camera, pixel_mm[i]);
+        Self(pearls.iter().enumerate().map(of).collect())
+    }
+}
+
+/// Width of a pixel at each ball.
+fn pixels_mm(surroundings: &Lit, camera: &Camera, size_px: usize) -> Vec<f64> {
+    let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
+    surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect()
+}
+
+impl Sampler {
+    /// `pearls[i]` is the ball `surroundings.balls[i]`; `samples_side` samples stand along a pixel's side.
+    /// `reflections` are those of the same pearls, surroundings, camera and size.
+    pub fn new(
+        pearls: Vec<Pearl>,
+        surroundings: Arc<Lit>,
+        camera: Camera,
+        (size_px, samples_side): (usize, usize),
+        reflections: Arc<Reflections>,
     ) -> Self {
-        let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
-        let pixel_mm: Vec<_> =
-            surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect();
-        let of = |(i, pearl): (usize, &Pearl<'_>)| pearl.net(surroundings, i, camera, pixel_mm[i]);
-        let nets = pearls.iter().enumerate().map(of).collect();
-        Self { pearls, surroundings, camera, offsets: tent(samples_side), size_px, pixel_mm, nets }
+        let pixel_mm = pixels_mm(&surroundings, &camera, size_px);
+        let offsets = tent(samples_side);
+        Self { pearls, surroundings, camera, offsets, size_px, pixel_mm, reflections }
+    }
+
+    /// Some rows from the top: linear light, [`CHANNELS`] numbers a pixel. `None` once `progress` says to
+    /// stop. Memory: 64 bytes a pixel.
+    pub fn rows(&self, rows: Range<usize>, progress: &Progress) -> Option<Vec<f32>> {
+        let width = self.size_px * CHANNELS;
+        let mut pixels = vec![0.0_f32; rows.len() * width];
+        parallel::map_chunks(&mut pixels, width, |row, out| {
+            if !progress.is_stopped() {
+                self.row(rows.start + row, out.chunks_mut(CHANNELS));
+                progress.row_done();
+            }
+        });
+        (!progress.is_stopped()).then_some(pixels)
     }
 
     /// One row of pixels. Balls far from its lines of sight are told apart here, once.
-    pub(crate) fn row<'p>(&self, row: usize, pixels: impl Iterator<Item = &'p mut [f32]>) {
+    fn row<'p>(&self, row: usize, pixels: impl Iterator<Item = &'p mut [f32]>) {
         let (_, y) = self.place(row, 0, 0.0, 0.0);
         let near = |&i: &usize| {
             let ball = &self.surroundings.balls[i];
@@ -101,7 +143,7 @@ impl<'a> Eye<'a> {
         let [ball] = view.balls[..] else { return false };
         let (x, y) = self.place(row, column, 0.0, 0.0);
         let edge_mm = self.surroundings.balls[ball].radius_mm - 3.0 * self.pixel_mm[ball];
-        self.pearls[ball].is_smooth()
+        self.pearls[ball].model.is_smooth()
             && self.surroundings.balls[ball].passing_mm(&self.camera.ray(x, y)) < edge_mm
     }
 
@@ -112,9 +154,9 @@ impl<'a> Eye<'a> {
         for (place, hit) in &view.hits {
             let ball = view.balls[*place];
             let pixel_mm = self.pixel_mm[ball];
-            let around = self.nets[ball].as_ref().map(|net| net.at(hit.normal));
+            let around = self.reflections.0[ball].as_ref().map(|net| net.at(hit.normal));
             let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part, around };
-            let shade = self.pearls[ball].shade(self.surroundings, &sight);
+            let shade = self.pearls[ball].shade(&self.surroundings, &sight);
             view.parts[*place].add(&shade, weight * left * hit.coverage);
             left *= 1.0 - hit.coverage;
             if left <= 0.0 {

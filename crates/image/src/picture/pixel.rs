@@ -34,7 +34,7 @@ impl Pixel {
     /// Grain of the one pearl that the samples so far show: H and C of the body colour and the
     /// brightness of what is mirrored, each changed in proportion to lightness (paper, section 4.4).
     /// Once a pixel, for its samples share the texture.
-    pub(crate) fn lay_texture(&mut self, pearl: &Pearl<'_>) {
+    pub(crate) fn lay_texture(&mut self, pearl: &Pearl) {
         let weights = pearl.grain;
         if self.coverage <= 0.0 || pearl.texture.is_none() {
             return;

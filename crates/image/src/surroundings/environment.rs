@@ -1,15 +1,7 @@
 use crate::{
-    light::glow::Glow,
     rgb::Rgb,
     shape::{ball::Ball, crowd::Crowd},
-    surroundings::{
-        chart::Chart,
-        lamp::Lamp,
-        sky::Sky,
-        table::Table,
-        walls::{WallLight, Walls},
-        window::Window,
-    },
+    surroundings::{lamp::Lamp, sky::Sky, table::Table, walls::Walls, window::Window},
     view::ray::Ray,
 };
 
@@ -36,10 +28,6 @@ pub struct Surroundings {
     pub(crate) table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     pub(crate) sky_on_table: Rgb,
-    /// Soft light on the table, near and far, once it is settled.
-    pub(crate) floors: Vec<Chart>,
-    /// Light on the walls, once it is settled.
-    pub(crate) wall_light: Option<WallLight>,
 }
 
 impl Surroundings {
@@ -56,31 +44,13 @@ impl Surroundings {
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
         let (windows, crowd) = (Vec::new(), Crowd::new(&balls));
-        Self {
-            table,
-            walls,
-            sky,
-            lamps,
-            windows,
-            balls,
-            crowd,
-            table_y_mm,
-            sky_on_table,
-            floors: Vec::new(),
-            wall_light: None,
-        }
+        Self { table, walls, sky, lamps, windows, balls, crowd, table_y_mm, sky_on_table }
     }
 
     /// The same with windows.
     #[must_use]
     pub fn with_windows(self, windows: Vec<Window>) -> Self {
         Self { windows, ..self }
-    }
-
-    /// Tells how a pearl looks to its neighbours and to the table.
-    pub fn set_glow(&mut self, ball: usize, glow: Glow) {
-        self.balls[ball].glow = glow;
-        self.floors.clear();
     }
 
     /// The balls that a cone of light may meet, the one left out that it comes from.

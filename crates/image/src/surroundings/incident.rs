@@ -8,28 +8,13 @@ use crate::{
     shape::ball::Ball,
     surroundings::{
         environment::Surroundings,
-        floor,
         lamp::Lamp,
-        walls::WallLight,
         window::{Patch, Window},
     },
     view::ray::Ray,
 };
 
 impl Surroundings {
-    /// Works out the soft light on table and walls once and for all: for scenes in which it is costly.
-    pub fn settle(&mut self) {
-        if self.table.is_some() {
-            let soft = |point| self.soft_light_on_table(point);
-            let chart = |reach| floor::chart(&self.balls, self.table_y_mm, reach, soft);
-            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(chart).collect();
-        }
-        if let (Some(walls), None) = (&self.walls, &self.wall_light) {
-            let light = |point, inward| self.light_on_wall(point, inward);
-            self.wall_light = Some(WallLight::new(walls, self.table_y_mm, light));
-        }
-    }
-
     /// The share of a lamp that a point sees past all pearls; `on` is the pearl that the point lies on,
     /// whose own horizon is no business of this.
     pub fn lamp_past(&self, lamp: &Lamp, point: DVec3, on: Option<usize>) -> f64 {
@@ -45,22 +30,8 @@ impl Surroundings {
         hiding.map(|ball| ball.light_past(point, toward, disc_rad)).product()
     }
 
-    /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
-    /// they hide it, their own glow.
-    pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let known = self.floors.iter().find_map(|floor| floor.at([point.x, point.z]));
-        let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
-        for lamp in &self.lamps {
-            let toward = lamp.toward(point);
-            if toward.y > 0.0 {
-                let past = self.lamp_past(lamp, point, None);
-                rgb::add(&mut light, rgb::scaled(lamp.brightness, toward.y * past));
-            }
-        }
-        light
-    }
-
-    /// The same without lamps.
+    /// Radiance of a white matt table at `point` without lamps: the sky beside the pearls, where they hide it
+    /// their own glow, and the windows.
     pub(crate) fn soft_light_on_table(&self, point: DVec3) -> Rgb {
         let mut light = self.sky_and_glow_on_table(point);
         rgb::add(&mut light, self.windows_on(point, DVec3::Y, true));
@@ -154,7 +125,9 @@ mod tests {
         let half = (DVec3::new(12.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 8.0));
         let window = Window::new(DVec3::new(6.0, 25.0, 3.0), half.1, half.0, [1.0; 3]);
         let balls = vec![Ball::alone(4.0)];
-        let lit = Surroundings::new(WHITE, None, night, vec![], balls).with_windows(vec![window]);
+        let lit = Surroundings::new(WHITE, None, night, vec![], balls)
+            .with_windows(vec![window])
+            .settled(false);
         for x in [-12.0, -7.0, -3.0, -1.0, 0.5, 4.0, 9.0] {
             let point = DVec3::new(x, -4.0, -0.5);
             let sees = |along: DVec3| lit.balls[0].passing_mm(&Ray { from: point, along }) > 4.0;

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     harmonics::nine::Nine,
     rgb::Rgb,
-    surroundings::{environment::Surroundings, sky::GRID_RAD},
+    surroundings::{lit::Lit, sky::GRID_RAD},
     view::direction::directions,
 };
 
@@ -22,7 +22,7 @@ const ROWS: u32 = 48;
 
 impl Irradiance {
     /// Sums up the light of `surroundings` around the ball of number `ball`.
-    pub fn new(surroundings: &Surroundings, ball: usize) -> Self {
+    pub fn new(surroundings: &Lit, ball: usize) -> Self {
         let bare = directions(ROWS).map(|(along, share)| {
             (along, share, surroundings.seen_without_windows(ball, along, GRID_RAD))
         });
@@ -47,11 +47,12 @@ mod tests {
     use crate::{
         light::glow::Glow,
         shape::ball::Ball,
-        surroundings::{sky::Sky, table::Table, window::Window},
+        surroundings::{environment::Surroundings, sky::Sky, table::Table, window::Window},
     };
 
     fn under(sky: Sky) -> Irradiance {
-        Irradiance::new(&Surroundings::new(None, None, sky, vec![], vec![Ball::alone(4.0)]), 0)
+        let bare = Surroundings::new(None, None, sky, vec![], vec![Ball::alone(4.0)]);
+        Irradiance::new(&bare.settled(false), 0)
     }
 
     #[test]
@@ -74,7 +75,7 @@ mod tests {
         let white = Some(Table::Plain([1.0; 3]));
         let even_sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
         let bare = Surroundings::new(white, None, even_sky, vec![], balls);
-        let surroundings = bare.with_windows(windows);
+        let surroundings = bare.with_windows(windows).settled(false);
         for x in [0.0, 5.0, 30.0] {
             let light = surroundings.light_on_table(DVec3::new(x, -4.0, 0.1));
             assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
@@ -91,7 +92,7 @@ mod tests {
         let (right, up) = (DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 3.0));
         let window = Window::new(DVec3::new(0.0, 60.0, 0.0), right, up, [5.0; 3]);
         let bare = Surroundings::new(None, None, night, vec![], vec![Ball::alone(4.0)]);
-        let light = Irradiance::new(&bare.with_windows(vec![window]), 0);
+        let light = Irradiance::new(&bare.with_windows(vec![window]).settled(false), 0);
         let facing = 5.0 * window.facing_factor(DVec3::ZERO);
         let towards = light.at(DVec3::Y)[0];
         // Nine harmonics of a cosine lobe: 1/4 + 1/2 + 5/16 = 17/16 of its peak.

@@ -2,7 +2,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::{environment::Surroundings, table::Table, window::Window},
+    surroundings::{lit::Lit, table::Table, window::Window},
     view::ray::Ray,
 };
 
@@ -35,7 +35,7 @@ fn panes<'a>(
     })
 }
 
-impl Surroundings {
+impl Lit {
     /// What `ray` meets, the pearl `from` left out that it comes from. `spread_rad` is the angle that
     /// the ray stands for: finer patterns are averaged away, not aliased, and balls and windows have
     /// soft edges.
@@ -123,9 +123,10 @@ impl Surroundings {
             }
             (_, Some((colour, distance_mm, inward))) => {
                 let point = ray.from + ray.along * distance_mm;
-                let charted = self.wall_light.as_ref().and_then(|light| light.at(point, inward));
-                let light = charted.unwrap_or_else(|| self.light_on_wall(point, inward));
-                Seen { radiance: rgb::times(colour, light), distance_mm }
+                Seen {
+                    radiance: rgb::times(colour, self.light_of_wall(point, inward)),
+                    distance_mm,
+                }
             }
             _ => Seen {
                 radiance: self.sky.radiance(ray.along, spread_rad),
@@ -164,7 +165,11 @@ fn distance_down(ray: &Ray, height_mm: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{light::glow::Glow, shape::ball::Ball, surroundings::sky::Sky};
+    use crate::{
+        light::glow::Glow,
+        shape::ball::Ball,
+        surroundings::{environment::Surroundings, sky::Sky},
+    };
 
     const WHITE: Option<Table> = Some(Table::Plain([1.0; 3]));
     const EVEN: Sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
@@ -179,7 +184,7 @@ mod tests {
             vec![glowing(DVec3::ZERO, 4.0)],
             vec![glowing(DVec3::ZERO, 4.0), glowing(DVec3::new(8.0, -1.0, 0.0), 3.0)],
         ] {
-            let surroundings = Surroundings::new(WHITE, None, EVEN, vec![], balls);
+            let surroundings = Surroundings::new(WHITE, None, EVEN, vec![], balls).settled(false);
             for x in [0.0, 0.5, 3.0, 4.0, 9.0, 40.0] {
                 let light = surroundings.light_on_table(DVec3::new(x, -4.0, 1e-3));
                 assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
@@ -195,7 +200,7 @@ mod tests {
     fn a_ball_does_not_meet_itself_but_its_neighbour() {
         let balls = vec![Ball::alone(4.0), glowing(DVec3::new(20.0, 0.0, 0.0), 4.0)];
         let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
-        let surroundings = Surroundings::new(None, None, night, vec![], balls);
+        let surroundings = Surroundings::new(None, None, night, vec![], balls).settled(false);
         let ray = Ray { from: DVec3::ZERO, along: DVec3::X };
         let seen = surroundings.seen(&ray, 0.01, Some(0));
         assert!((seen.radiance[0] - 1.0).abs() < 1e-9 && (seen.distance_mm - 16.0).abs() < 1e-9);

@@ -47,6 +47,21 @@ impl Camera {
         Self { projection, back, right, up, half_field_mm, far_mm: FAR_MM }
     }
 
+    /// Towards the eye, from the origin.
+    pub fn back(&self) -> DVec3 {
+        self.back
+    }
+
+    /// To the right of the view.
+    pub fn right(&self) -> DVec3 {
+        self.right
+    }
+
+    /// Up in the view.
+    pub fn up(&self) -> DVec3 {
+        self.up
+    }
+
     /// Starts parallel lines of sight in front of everything within `reach_mm` of the origin.
     #[must_use]
     pub fn in_front_of(self, reach_mm: f64) -> Self {

@@ -32,8 +32,7 @@ pub fn reflectance_of(
     let pigment = Pigment::named(&body.pigment).ok_or_else(|| {
         RenderError::out_of_range("body.pigment", &body.pigment, Pigment::NAMES.join(", "))
     })?;
-    let absorption =
-        Spectrum::from_fn(|nm| body.pigment_strength * pigment.absorption_per_mm(nm));
+    let absorption = Spectrum::from_fn(|nm| body.pigment_strength * pigment.absorption_per_mm(nm));
     let nacre_mm = body.nacre_mm.unwrap_or_else(|| of_layers_mm.min(0.5 * pearl.diameter_mm));
     let nucleus = reflectance_from_rgb(body.nucleus.0);
     Ok(std::array::from_fn(|i| {

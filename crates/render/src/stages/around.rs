@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use nacreous_image::{
-    Glow, IlluminantPearl, Irradiance, Lit, Model, Progress, Surroundings, Table, Transport, Walls,
+    Glow, IlluminantPearl, Irradiance, Lit, Model, Progress, Surface, Surroundings, Table,
+    Transport, Walls, parallel,
 };
-use rayon::prelude::*;
 
 use super::optics::{Optics, microfacets_of};
 use crate::{
@@ -68,13 +68,12 @@ impl Unlit<'_> {
     /// What each place's pearl does with the light that there is; `None` once `progress` says to stop, which
     /// for hundreds of pearls need not wait for all of them.
     fn models(&self, lit: &Lit, progress: &Progress) -> Option<Vec<Model>> {
-        let places = self.arrangement.places().par_iter().enumerate();
-        places
-            .map(|(ball, place)| {
-                let model = || self.model(&self.optics[place.pearl], lit, ball);
-                (!progress.is_stopped()).then(model)
-            })
-            .collect()
+        let places = self.arrangement.places();
+        let model = |ball: usize| {
+            let model = || self.model(&self.optics[places[ball].pearl], lit, ball);
+            (!progress.is_stopped()).then(model)
+        };
+        parallel::map(places.len(), model).into_iter().collect()
     }
 
     fn model(&self, optics: &Optics, lit: &Lit, ball: usize) -> Model {
@@ -89,7 +88,7 @@ impl Unlit<'_> {
                 falloff_mm: look.falloff_mm,
             })),
             Optics::Transport { surface, body } => Model::Transport(Box::new(Transport::new(
-                Arc::clone(surface),
+                Surface::clone(surface),
                 body,
                 &self.lights.palette,
                 lit,
@@ -103,11 +102,11 @@ impl Unlit<'_> {
     /// What each pearl sends out; a lone pearl of 1996 lights nothing.
     fn glows(&self, models: &[Model], lit: &Lit, progress: &Progress) -> Vec<Glow> {
         let alone = models.len() == 1;
-        let glow = |(ball, model): (usize, &Model)| {
-            let gives = (model.gives_light() || !alone) && !progress.is_stopped();
-            if gives { model.glow(lit, ball) } else { Glow::BLACK }
+        let glow = |ball: usize| {
+            let gives = (models[ball].gives_light() || !alone) && !progress.is_stopped();
+            if gives { models[ball].glow(lit, ball) } else { Glow::BLACK }
         };
-        models.par_iter().enumerate().map(glow).collect()
+        parallel::map(models.len(), glow)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nacreous_image::{MAX_SIZE_PX, Pearl, Progress, ReflectionCache, Sampler};
+use nacreous_image::{MAX_SIZE_PX, Model, Pearl, Progress, Reflections, Sampler};
 
 use super::{
     around::{LitScene, Unlit},
@@ -37,7 +37,7 @@ pub struct Job {
     lights: Kept<LightsKey, Lights>,
     optics: OpticsStage,
     scene: Kept<SceneKey, LitScene>,
-    reflections: Kept<ReflectionsKey, Vec<Option<ReflectionCache>>>,
+    reflections: Kept<ReflectionsKey, Reflections>,
 }
 
 /// What a lit scene is made from.
@@ -99,10 +99,32 @@ impl Job {
     /// # Errors
     /// [`RenderError`] for layers, lights or grains that cannot be.
     pub fn view(&mut self, progress: &Progress) -> Result<Option<View>, RenderError> {
-        let Self { recipe, resources, arrangement, samples_side, .. } = &*self;
-        let (samples_side, size_px) = (*samples_side, recipe.size);
+        let Some((scene_key, scene)) = self.lit_scene(progress)? else { return Ok(None) };
+        let pearls = self.pearls(&scene)?;
+        let (camera, size_px) = (self.arrangement.camera(), self.recipe.size);
+        let key =
+            ReflectionsKey { scene: scene_key, arrangement: self.arrangement.clone(), size_px };
+        let make = |_: &ReflectionsKey| {
+            let reflections = Reflections::new(&pearls, &scene.surroundings, &camera, size_px);
+            Ok::<_, RenderError>((!progress.is_stopped()).then_some(reflections))
+        };
+        let Some(reflections) = self.reflections.one(key, make)? else { return Ok(None) };
+        let surroundings = Arc::clone(&scene.surroundings);
+        let counts = (size_px, self.samples_side);
+        let sampler = Sampler::new(pearls, surroundings, camera, counts, reflections);
+        let look = Look::new(&self.recipe.scene.camera, self.arrangement.field_mm(), size_px);
+        Ok(Some(View::new(Arc::new(sampler), look, size_px)))
+    }
+
+    /// First and second stage.
+    fn lit_scene(
+        &mut self,
+        progress: &Progress,
+    ) -> Result<Option<(SceneKey, Arc<LitScene>)>, RenderError> {
+        let (recipe, arrangement) = (&self.recipe, &self.arrangement);
         let lights_key = LightsKey::new(&recipe.scene, arrangement);
-        let make = |_: &LightsKey| Lights::new(&recipe.scene, arrangement, resources).map(Some);
+        let make =
+            |_: &LightsKey| Lights::new(&recipe.scene, arrangement, &self.resources).map(Some);
         let Some(lights) = self.lights.one(lights_key.clone(), make)? else { return Ok(None) };
         let known = (&lights_key, &*lights);
         let Some(optics) = self.optics.optics(&recipe.pearls, known, progress)? else {
@@ -114,30 +136,23 @@ impl Job {
             arrangement,
             lights: &lights,
             scene: &recipe.scene,
-            samples_side,
+            samples_side: self.samples_side,
         };
-        let scene_key = SceneKey::new(recipe, arrangement, lights_key, samples_side);
+        let key = SceneKey::new(recipe, arrangement, lights_key, self.samples_side);
         let make = |_: &SceneKey| Ok::<_, RenderError>(unlit.lit(progress));
-        let Some(scene) = self.scene.one(scene_key.clone(), make)? else { return Ok(None) };
-        let grains =
-            self.optics.grains(&recipe.pearls, resources, arrangement.pixel_mm(size_px))?;
-        let models = scene.models.iter().zip(arrangement.places());
-        let pearls = models
-            .map(|(model, place)| Pearl {
-                model: Arc::clone(model),
-                texture: grains[place.pearl].texture.clone(),
-                grain: grains[place.pearl].grain,
-            })
-            .collect();
-        let surroundings = Arc::clone(&scene.surroundings);
-        let sampler =
-            Sampler::new(pearls, surroundings, arrangement.camera(), size_px, samples_side);
-        let key = ReflectionsKey { scene: scene_key, arrangement: arrangement.clone(), size_px };
-        let make = |_: &ReflectionsKey| Ok::<_, RenderError>(Some(sampler.reflections()));
-        let Some(reflections) = self.reflections.one(key, make)? else { return Ok(None) };
-        let look = Look::new(&recipe.scene.camera, arrangement.field_mm(), size_px);
-        let sampler = Arc::new(sampler.with_reflections(reflections));
-        Ok((!progress.is_stopped()).then(|| View::new(sampler, look, size_px)))
+        Ok(self.scene.one(key.clone(), make)?.map(|scene| (key, scene)))
+    }
+
+    /// The pearls in their places, with their grain.
+    fn pearls(&mut self, scene: &LitScene) -> Result<Vec<Pearl>, RenderError> {
+        let pixel_mm = self.arrangement.pixel_mm(self.recipe.size);
+        let grains = self.optics.grains(&self.recipe.pearls, &self.resources, pixel_mm)?;
+        let pearl = |(model, place): (&Arc<Model>, &Place)| Pearl {
+            model: Arc::clone(model),
+            texture: grains[place.pearl].texture.clone(),
+            grain: grains[place.pearl].grain,
+        };
+        Ok(scene.models.iter().zip(self.arrangement.places()).map(pearl).collect())
     }
 }
 

@@ -101,7 +101,12 @@ impl OpticsStage {
             PearlSpec::Illuminant(spec) => Some(rings_key(pearl, spec, lights_key)),
         });
         let make = |key: &RingsKey| {
-            Ok::<_, RenderError>(Rings::new(&stack_of(&key.nacre)?, &key.model, &lights.light, progress)?)
+            Ok::<_, RenderError>(Rings::new(
+                &stack_of(&key.nacre)?,
+                &key.model,
+                &lights.light,
+                progress,
+            )?)
         };
         let Some(rings) = self.rings.all(illuminant.collect(), make)? else { return Ok(None) };
         let (mut surfaces, mut rings) = (surfaces.into_iter(), rings.into_iter());

@@ -1,0 +1,90 @@
+use std::ops::Deref;
+
+use glam::DVec3;
+
+use crate::{
+    light::glow::Glow,
+    rgb::{self, Rgb},
+    surroundings::{chart::Chart, environment::Surroundings, floor, walls::WallLight},
+};
+
+/// Surroundings in whose light pearls can be looked at.
+///
+/// A type of its own, so that no pearl is lit by a table that has not yet received its light, nor by one that
+/// received it before the pearls sent out theirs.
+#[derive(Debug, Clone)]
+pub struct Lit {
+    surroundings: Surroundings,
+    /// Soft light on the table, near and far, where it is charted.
+    floors: Vec<Chart>,
+    /// Light on the walls, where it is charted.
+    wall_light: Option<WallLight>,
+}
+
+impl Deref for Lit {
+    type Target = Surroundings;
+
+    fn deref(&self) -> &Surroundings {
+        &self.surroundings
+    }
+}
+
+impl Surroundings {
+    /// Lets the light fall. `charted` works out the soft light on table and walls once and for all, for
+    /// scenes in which it is costly; else each place is worked out when it is seen.
+    pub fn settled(self, charted: bool) -> Lit {
+        Lit { surroundings: self, floors: Vec::new(), wall_light: None }.charted(charted)
+    }
+}
+
+impl Lit {
+    /// The same in the light that each pearl sends out, in the order of the balls, too. `charted` as for
+    /// [`Surroundings::settled`].
+    #[must_use]
+    pub fn with_glows(mut self, glows: Vec<Glow>, charted: bool) -> Self {
+        for (ball, glow) in self.surroundings.balls.iter_mut().zip(glows) {
+            ball.glow = glow;
+        }
+        self.floors.clear();
+        self.charted(charted)
+    }
+
+    fn charted(mut self, charted: bool) -> Self {
+        if !charted {
+            return self;
+        }
+        let around = &self.surroundings;
+        if around.table.is_some() {
+            let soft = |point| around.soft_light_on_table(point);
+            let chart = |reach| floor::chart(&around.balls, around.table_y_mm, reach, soft);
+            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(chart).collect();
+        }
+        // Pearls are taken not to light the walls, so this holds whatever they send out.
+        if let (Some(walls), None) = (&around.walls, &self.wall_light) {
+            let light = |point, inward| around.light_on_wall(point, inward);
+            self.wall_light = Some(WallLight::new(walls, around.table_y_mm, light));
+        }
+        self
+    }
+
+    /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
+    /// they hide it, their own glow.
+    pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
+        let known = self.floors.iter().find_map(|floor| floor.at([point.x, point.z]));
+        let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
+        for lamp in &self.lamps {
+            let toward = lamp.toward(point);
+            if toward.y > 0.0 {
+                let past = self.lamp_past(lamp, point, None);
+                rgb::add(&mut light, rgb::scaled(lamp.brightness, toward.y * past));
+            }
+        }
+        light
+    }
+
+    /// Radiance of a white matt wall at `point`.
+    pub(crate) fn light_of_wall(&self, point: DVec3, inward: DVec3) -> Rgb {
+        let charted = self.wall_light.as_ref().and_then(|light| light.at(point, inward));
+        charted.unwrap_or_else(|| self.light_on_wall(point, inward))
+    }
+}
