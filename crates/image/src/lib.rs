@@ -34,7 +34,7 @@ pub use pearl::illuminant::IlluminantPearl;
 pub use pearl::inside::{Beam, Body, Inside};
 pub use pearl::knob::Parameters;
 pub use pearl::model::{Grain, Model, Pearl};
-pub use pearl::net::Around;
+pub use pearl::reflection_cache::Around;
 pub use pearl::shade::Shade;
 pub use pearl::sight::Sight;
 pub use pearl::transport::Transport;

@@ -4,7 +4,7 @@ pub(crate) mod illuminant;
 pub(crate) mod inside;
 pub(crate) mod knob;
 pub(crate) mod model;
-pub(crate) mod net;
+pub(crate) mod reflection_cache;
 pub(crate) mod shade;
 pub(crate) mod sight;
 pub(crate) mod transport;

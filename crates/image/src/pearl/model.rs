@@ -4,7 +4,8 @@ use crate::{
     grain::texture::Texture,
     light::glow::Glow,
     pearl::{
-        illuminant::IlluminantPearl, net::Net, shade::Shade, sight::Sight, transport::Transport,
+        illuminant::IlluminantPearl, reflection_cache::ReflectionCache, shade::Shade, sight::Sight,
+        transport::Transport,
     },
     rgb,
     shape::ball::Hit,
@@ -54,17 +55,17 @@ impl Pearl<'_> {
         matches!(self.model, Model::Transport(_))
     }
 
-    /// The net over what its facets show the camera, if there shall be one.
-    pub(crate) fn net(
+    /// The cache of what its facets show the camera, if there shall be one.
+    pub(crate) fn reflection_cache(
         &self,
         surroundings: &Surroundings,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
-    ) -> Option<Net> {
+    ) -> Option<ReflectionCache> {
         match &self.model {
             Model::Illuminant(_) => None,
-            Model::Transport(model) => model.net(surroundings, ball, camera, pixel_mm),
+            Model::Transport(model) => model.reflection_cache(surroundings, ball, camera, pixel_mm),
         }
     }
 

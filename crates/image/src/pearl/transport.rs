@@ -9,7 +9,7 @@ use crate::{
     },
     pearl::{
         inside::{Beam, Body, Inside},
-        net::{Around, Net},
+        reflection_cache::{Around, ReflectionCache},
         shade::Shade,
         sight::Sight,
     },
@@ -119,19 +119,19 @@ impl Transport {
         self.gathered(surroundings, sight, some, (self.draws.len(), LOBE))
     }
 
-    /// The net over what the facets show `camera`, if pixels are finer.
-    pub(crate) fn net(
+    /// The cache of what the facets show `camera`, if pixels are finer.
+    pub(crate) fn reflection_cache(
         &self,
         surroundings: &Surroundings,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
-    ) -> Option<Net> {
+    ) -> Option<ReflectionCache> {
         let relief = &self.surface.relief;
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
         let facets = pixels * self.draws.len() as f64;
-        Net::new(place, camera, relief, facets, |hit, view, draws| {
+        ReflectionCache::new(place, camera, relief, facets, |hit, view, draws| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
             self.gathered(surroundings, &sight, draws.iter().copied(), (draws.len(), KNOT_LOBE))
         })
@@ -213,7 +213,7 @@ impl Lobe {
 /// edge that moves across them leaves no steps.
 const LOBE: f64 = 4.0;
 
-/// The same for the knots of a net, whose many draws need overlap less.
+/// The same for the knots of a cache, whose many draws need overlap less.
 const KNOT_LOBE: f64 = 2.0;
 
 /// A mirror needs few facets, satin more.

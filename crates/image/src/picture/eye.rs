@@ -1,5 +1,5 @@
 use crate::{
-    pearl::{model::Pearl, net::Net, sight::Sight},
+    pearl::{model::Pearl, reflection_cache::ReflectionCache, sight::Sight},
     picture::pixel::Pixel,
     rgb::{self, Rgb},
     shape::ball::Hit,
@@ -16,7 +16,7 @@ pub(crate) struct Eye<'a> {
     size_px: usize,
     /// Width of a pixel at each ball.
     pixel_mm: Vec<f64>,
-    nets: Vec<Option<Net>>,
+    reflections: Vec<Option<ReflectionCache>>,
 }
 
 impl<'a> Eye<'a> {
@@ -30,9 +30,19 @@ impl<'a> Eye<'a> {
         let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
         let pixel_mm: Vec<_> =
             surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect();
-        let of = |(i, pearl): (usize, &Pearl<'_>)| pearl.net(surroundings, i, camera, pixel_mm[i]);
-        let nets = pearls.iter().enumerate().map(of).collect();
-        Self { pearls, surroundings, camera, offsets: tent(samples_side), size_px, pixel_mm, nets }
+        let of = |(i, pearl): (usize, &Pearl<'_>)| {
+            pearl.reflection_cache(surroundings, i, camera, pixel_mm[i])
+        };
+        let reflections = pearls.iter().enumerate().map(of).collect();
+        Self {
+            pearls,
+            surroundings,
+            camera,
+            offsets: tent(samples_side),
+            size_px,
+            pixel_mm,
+            reflections,
+        }
     }
 
     /// One row of pixels. Balls far from its lines of sight are told apart here, once.
@@ -112,7 +122,7 @@ impl<'a> Eye<'a> {
         for (place, hit) in &view.hits {
             let ball = view.balls[*place];
             let pixel_mm = self.pixel_mm[ball];
-            let around = self.nets[ball].as_ref().map(|net| net.at(hit.normal));
+            let around = self.reflections[ball].as_ref().map(|cache| cache.at(hit.normal));
             let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part, around };
             let shade = self.pearls[ball].shade(self.surroundings, &sight);
             view.parts[*place].add(&shade, weight * left * hit.coverage);
