@@ -8,10 +8,10 @@ use crate::{
         palette::Palette,
     },
     pearl::{
-        inside::{Beam, Body, Inside},
         reflection_cache::{Around, ReflectionCache},
         shade::Shade,
         sight::Sight,
+        subsurface::{Beam, Body, Subsurface},
     },
     rgb::{self, Rgb},
     surface::{
@@ -36,7 +36,7 @@ pub struct Transport {
     /// What all facets together mirror of even surroundings, by the cosine of the view angle.
     mirrored_by_all: Vec<Matrix>,
     lamps: Vec<Mirrored>,
-    inside: Inside,
+    subsurface: Subsurface,
 }
 
 /// A lamp, and the colour that the film mirrors of it by the cosine of incidence.
@@ -80,7 +80,7 @@ impl Transport {
                 power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
             })
             .collect();
-        let inside = Inside::new(&surface, body, palette, surroundings, ball, &beams);
+        let subsurface = Subsurface::new(&surface, body, palette, surroundings, ball, &beams);
         let lamps = pairs
             .map(|(lamp, power)| Mirrored {
                 lamp: lamp.clone().resolved_for(&relief),
@@ -88,13 +88,13 @@ impl Transport {
             })
             .collect();
         let draws = relief.draws(samples_side * draws_per_sample);
-        Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
+        Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, subsurface }
     }
 
     /// What goes from the point towards the eye, without the grain.
     pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
         let hit = &sight.hit;
-        let (whole, plain) = self.inside.radiance(hit.normal, hit.cos_view);
+        let (whole, plain) = self.subsurface.radiance(hit.normal, hit.cos_view);
         let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
         let mut mirror = apply(&self.mirrored_by_all[row(hit.cos_view)], around.light);
         rgb::add(&mut mirror, around.rest);
