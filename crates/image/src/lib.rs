@@ -49,7 +49,7 @@ pub use surface::coating::Surface;
 pub use surface::draw::{Draw, Facet, FacetsSeen};
 pub use surface::facet::Facets;
 pub use surface::film::Film;
-pub use surface::relief::{Glint, Relief};
+pub use surface::microfacets::{Glint, Microfacets};
 pub use surroundings::dome::Dome;
 pub use surroundings::environment::Surroundings;
 pub use surroundings::irradiance::Irradiance;

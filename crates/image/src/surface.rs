@@ -4,4 +4,4 @@ pub(crate) mod coating;
 pub(crate) mod draw;
 pub(crate) mod facet;
 pub(crate) mod film;
-pub(crate) mod relief;
+pub(crate) mod microfacets;

@@ -2,8 +2,8 @@
 
 use nacreous_colour::SAMPLES;
 use nacreous_image::{
-    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Model, Palette, Pearl,
-    Progress, Relief, Rgb, Rings, Surface, Surroundings, Transport, grain,
+    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Microfacets, Model,
+    Palette, Pearl, Progress, Rgb, Rings, Surface, Surroundings, Transport, grain,
 };
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
@@ -54,7 +54,7 @@ struct TransportSpec<'py> {
 /// A pearl before its light is known.
 pub struct Subject<'a> {
     pub diameter_mm: f64,
-    pub relief: Relief,
+    pub microfacets: Microfacets,
     model: Known,
     texture: Option<&'a grain::texture::Texture>,
     grain: Grain,
@@ -92,17 +92,17 @@ pub struct Around<'a> {
 impl<'a> Subject<'a> {
     pub fn new((spec, texture): &'a PearlGiven<'_>) -> PyResult<Self> {
         let spread_rad = spec.facet_spread_rad;
-        let (model, relief) = match (&spec.illuminant, &spec.transport) {
+        let (model, microfacets) = match (&spec.illuminant, &spec.transport) {
             (Some(illuminant), _) => {
                 let known = illuminant.known(spread_rad)?;
-                (known, Relief::grooves(spread_rad))
+                (known, Microfacets::grooves(spread_rad))
             }
-            (None, Some(transport)) => (transport.known()?, transport.relief(spread_rad)),
+            (None, Some(transport)) => (transport.known()?, transport.microfacets(spread_rad)),
             (None, None) => return Err(InputError::new_err("a pearl has no model")),
         };
         Ok(Self {
             diameter_mm: spec.diameter_mm,
-            relief,
+            microfacets,
             model,
             texture: texture.as_ref().map(|texture| &texture.0),
             grain: Grain {
@@ -124,7 +124,7 @@ impl<'a> Subject<'a> {
                 Rings::new(stack, model, light, progress)?.map(Prepared::Illuminant)
             }
             Known::Transport { columns, .. } => Film::new(columns, progress.stop_flag())?
-                .map(|film| Prepared::Transport(Box::new(Surface::new(film, self.relief)))),
+                .map(|film| Prepared::Transport(Box::new(Surface::new(film, self.microfacets)))),
         })
     }
 
@@ -200,10 +200,10 @@ impl TransportSpec<'_> {
         })
     }
 
-    fn relief(&self, spread: f64) -> Relief {
+    fn microfacets(&self, spread: f64) -> Microfacets {
         match self.facets.as_str() {
-            "ggx" => Relief::ggx(spread),
-            _ => Relief::grooves(spread),
+            "ggx" => Microfacets::ggx(spread),
+            _ => Microfacets::grooves(spread),
         }
     }
 }

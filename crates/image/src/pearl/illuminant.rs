@@ -69,7 +69,7 @@ impl IlluminantPearl {
         for lamp in &surroundings.lamps {
             let facets = &self.facets;
             let reflected = |cos_half| [facets.reflectance(cos_half); 3];
-            let image = lamp.image(&facets.relief, hit.point, hit.normal, view, reflected);
+            let image = lamp.image(&facets.microfacets, hit.point, hit.normal, view, reflected);
             if image[0] > 0.0 {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
                 rgb::add(&mut mirrored, rgb::times(lamp.brightness, rgb::scaled(image, past)));

@@ -6,7 +6,7 @@ use crate::{
     parallel,
     rgb::{self, Rgb},
     shape::ball::{Ball, Hit},
-    surface::{draw::Draw, relief::Relief},
+    surface::{draw::Draw, microfacets::Microfacets},
     view::camera::Camera,
 };
 
@@ -52,7 +52,7 @@ impl ReflectionCache {
     pub(crate) fn new(
         ball: &Ball,
         camera: &Camera,
-        relief: &Relief,
+        microfacets: &Microfacets,
         facets: f64,
         gather: impl Fn(Hit, DVec3, &[Draw]) -> Around + Sync,
     ) -> Option<Self> {
@@ -61,14 +61,14 @@ impl ReflectionCache {
             return None;
         }
         let reach_rad = libm::acos(ball.radius_mm / far_mm);
-        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / relief.spread_rad()) as usize;
+        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / microfacets.spread_rad()) as usize;
         let side = 2 * (half + BORDER) + 1;
         // The knots lie in the disc; those beside it cost nothing.
         let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
         if each < FEWEST {
             return None;
         }
-        let draws = relief.lattice((each as usize).min(MOST));
+        let draws = microfacets.lattice((each as usize).min(MOST));
         let (u, v) = axis.any_orthonormal_pair();
         let mut cache = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
@@ -141,7 +141,13 @@ mod tests {
     fn cache(projection: Projection, spread_rad: f64) -> Option<ReflectionCache> {
         let camera = Camera::new(projection, 0.3, -0.5, 12.0);
         let gather = |hit, _, _: &[Draw]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
-        ReflectionCache::new(&Ball::alone(4.0), &camera, &Relief::grooves(spread_rad), 1e7, gather)
+        ReflectionCache::new(
+            &Ball::alone(4.0),
+            &camera,
+            &Microfacets::grooves(spread_rad),
+            1e7,
+            gather,
+        )
     }
 
     #[test]

@@ -60,8 +60,8 @@ impl Transport {
         lamps: &[Bands],
         samples_side: usize,
     ) -> Self {
-        let relief = surface.relief;
-        let draws_per_sample = draws_per_sample(relief.spread_rad());
+        let microfacets = surface.microfacets;
+        let draws_per_sample = draws_per_sample(microfacets.spread_rad());
         let at = |step: usize| surface.film.reflectance(step as f64 / COSINES as f64);
         let kept_out = |entering: &Bands| palette.filtered(&entering.map(|share| 1.0 - share));
         let mirrored_by_all = upsampled(&surface, COSINES).iter().map(kept_out).collect();
@@ -83,11 +83,11 @@ impl Transport {
         let subsurface = Subsurface::new(&surface, body, palette, surroundings, ball, &beams);
         let lamps = pairs
             .map(|(lamp, power)| Mirrored {
-                lamp: lamp.clone().resolved_for(&relief),
+                lamp: lamp.clone().resolved_for(&microfacets),
                 colour: colours(power),
             })
             .collect();
-        let draws = relief.draws(samples_side * draws_per_sample);
+        let draws = microfacets.draws(samples_side * draws_per_sample);
         Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, subsurface }
     }
 
@@ -99,8 +99,9 @@ impl Transport {
         let mut mirror = apply(&self.mirrored_by_all[row(hit.cos_view)], around.light);
         rgb::add(&mut mirror, around.rest);
         for Mirrored { lamp, colour } in &self.lamps {
-            let (relief, reflected) = (&self.surface.relief, |cos_half| colour[row(cos_half)]);
-            let image = lamp.image(relief, hit.point, hit.normal, sight.view, reflected);
+            let (microfacets, reflected) =
+                (&self.surface.microfacets, |cos_half| colour[row(cos_half)]);
+            let image = lamp.image(microfacets, hit.point, hit.normal, sight.view, reflected);
             if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
                 rgb::add(&mut mirror, rgb::scaled(image, past));
@@ -127,11 +128,11 @@ impl Transport {
         camera: &Camera,
         pixel_mm: f64,
     ) -> Option<ReflectionCache> {
-        let relief = &self.surface.relief;
+        let microfacets = &self.surface.microfacets;
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
         let facets = pixels * self.draws.len() as f64;
-        ReflectionCache::new(place, camera, relief, facets, |hit, view, draws| {
+        ReflectionCache::new(place, camera, microfacets, facets, |hit, view, draws| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
             self.gathered(surroundings, &sight, draws.iter().copied(), (draws.len(), KNOT_LOBE))
         })
@@ -160,7 +161,7 @@ impl Transport {
         // a slanted surface turns it faster.
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
-        let (mut lobe, facets) = (Lobe::default(), self.surface.relief.seen_at(cos_view));
+        let (mut lobe, facets) = (Lobe::default(), self.surface.microfacets.seen_at(cos_view));
         for draw in draws {
             let Some(facet) = facets.facet(draw) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
