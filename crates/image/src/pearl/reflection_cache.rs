@@ -6,7 +6,7 @@ use crate::{
     parallel,
     rgb::{self, Rgb},
     shape::ball::{Ball, Hit},
-    surface::{draw::Draw, microfacets::Microfacets},
+    surface::{microfacets::Microfacets, sampling::FacetSample},
     view::camera::Camera,
 };
 
@@ -48,13 +48,13 @@ const MOST: usize = 1024;
 
 impl ReflectionCache {
     /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots.
-    /// `gather` works out a knot for a point, the direction to the eye, and draws of facets.
+    /// `gather` works out a knot for a point, the direction to the eye, and samples of facets.
     pub(crate) fn new(
         ball: &Ball,
         camera: &Camera,
         microfacets: &Microfacets,
         facets: f64,
-        gather: impl Fn(Hit, DVec3, &[Draw]) -> Around + Sync,
+        gather: impl Fn(Hit, DVec3, &[FacetSample]) -> Around + Sync,
     ) -> Option<Self> {
         let (axis, far_mm) = camera.toward_eye(ball.centre);
         if far_mm <= ball.radius_mm {
@@ -68,7 +68,7 @@ impl ReflectionCache {
         if each < FEWEST {
             return None;
         }
-        let draws = microfacets.lattice((each as usize).min(MOST));
+        let samples = microfacets.lattice((each as usize).min(MOST));
         let (u, v) = axis.any_orthonormal_pair();
         let mut cache = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
@@ -77,7 +77,7 @@ impl ReflectionCache {
             let point = ball.centre + normal * ball.radius_mm;
             let view = camera.toward_eye(point).0;
             let cos_view = normal.dot(view).max(0.02);
-            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &draws))
+            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &samples))
         };
         cache.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
         Some(cache)
@@ -140,7 +140,8 @@ mod tests {
 
     fn cache(projection: Projection, spread_rad: f64) -> Option<ReflectionCache> {
         let camera = Camera::new(projection, 0.3, -0.5, 12.0);
-        let gather = |hit, _, _: &[Draw]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
+        let gather =
+            |hit, _, _: &[FacetSample]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
         ReflectionCache::new(
             &Ball::alone(4.0),
             &camera,

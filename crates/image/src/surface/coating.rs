@@ -21,7 +21,7 @@ pub struct Surface {
 }
 
 /// Facets to average over, at every angle.
-const DRAWS: usize = 512;
+const FACETS: usize = 512;
 
 /// Steps of integrals over the hemisphere.
 const FINE_STEPS: usize = 1024;
@@ -29,17 +29,17 @@ const FINE_STEPS: usize = 1024;
 impl Surface {
     /// Puts the film on the facets.
     pub fn new(film: Film, microfacets: Microfacets) -> Self {
-        let draws = microfacets.draws(DRAWS);
+        let samples = microfacets.samples(FACETS);
         let mut entering = Vec::new();
         for cosine in film::cosines() {
             let cos_view = cosine.max(0.25 / STEPS as f64);
             let (mut mirrored, seen) = ([0.0; BANDS], microfacets.seen_at(cos_view));
-            for facet in draws.iter().filter_map(|draw| seen.facet(*draw)) {
+            for facet in samples.iter().filter_map(|sample| seen.facet(*sample)) {
                 for (sum, share) in mirrored.iter_mut().zip(film.reflectance(facet.cos_half)) {
                     *sum += facet.weight * share;
                 }
             }
-            entering.push(mirrored.map(|sum| (1.0 - sum / DRAWS as f64).clamp(0.0, 1.0)));
+            entering.push(mirrored.map(|sum| (1.0 - sum / FACETS as f64).clamp(0.0, 1.0)));
         }
         Self { film, microfacets, entering }
     }
