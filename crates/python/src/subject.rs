@@ -2,8 +2,8 @@
 
 use nacreous_colour::SAMPLES;
 use nacreous_image::{
-    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Microfacets, Model,
-    Palette, Pearl, Progress, Rgb, Rings, Surface, Surroundings, Transport, grain,
+    Bands, Body, Film, Grain, IlluminantPearl, Irradiance, Light, Microfacets, Model, Palette,
+    Pearl, Progress, Rgb, Rings, Surface, Surroundings, TorranceSparrow, Transport, grain,
 };
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
@@ -68,7 +68,7 @@ enum Known {
 /// What the model of 1996 asks of a pearl beside its layers.
 #[derive(Clone, Copy)]
 struct Look {
-    facets: Facets,
+    facets: TorranceSparrow,
     mixing: f64,
     body_colour: Rgb,
     mirror_weight: f64,
@@ -178,7 +178,7 @@ impl IlluminantSpec<'_> {
             },
             stack: stack.clone(),
             look: Look {
-                facets: Facets::new(spread_rad, index, self.layer_reflectance),
+                facets: TorranceSparrow::new(spread_rad, index, self.layer_reflectance),
                 mixing: self.mixing,
                 body_colour: self.body_colour,
                 mirror_weight: self.mirror_weight,

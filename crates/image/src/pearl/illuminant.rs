@@ -2,7 +2,7 @@ use crate::{
     iridescence::rings::Rings,
     pearl::{shade::Shade, sight::Sight},
     rgb::{self, Rgb},
-    surface::facet::Facets,
+    surface::torrance_sparrow::TorranceSparrow,
     surroundings::{environment::Surroundings, irradiance::Irradiance},
     view::ray::Ray,
 };
@@ -20,7 +20,7 @@ pub struct IlluminantPearl {
     /// Light of the surroundings, lamps apart, on every side of the pearl where it lies.
     pub irradiance: Irradiance,
     /// The surface.
-    pub facets: Facets,
+    pub facets: TorranceSparrow,
     /// Share of the mirrored surroundings that the surface leaves clear.
     pub mirror_weight: f64,
     /// Distance over which a mirrored thing fades to 1/e of its contrast with the backdrop.

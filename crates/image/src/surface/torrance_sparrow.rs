@@ -8,14 +8,14 @@ use crate::surface::microfacets::Microfacets;
 /// The paper has Fresnel's reflectance alone; the layers below return light in the mirror direction
 /// too, which `layer_reflectance` adds **(ours)**, at 0 the paper exactly.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Facets {
+pub struct TorranceSparrow {
     /// How the facets lean.
     pub microfacets: Microfacets,
     index: f64,
     layer_reflectance: f64,
 }
 
-impl Facets {
+impl TorranceSparrow {
     /// `spread_rad` from 0.002 to 0.7: the standard deviation of the lean. `index` is that of the outermost
     /// layer, `layer_reflectance` (0..1) the share of what enters that the layers return.
     pub fn new(spread_rad: f64, index: f64, layer_reflectance: f64) -> Self {
