@@ -3,7 +3,7 @@
 pub(crate) mod channels;
 pub(crate) mod coarser;
 pub(crate) mod develop;
-pub(crate) mod eye;
 pub(crate) mod glare;
 pub(crate) mod pixel;
 pub(crate) mod render;
+pub(crate) mod sampler;

@@ -1,7 +1,7 @@
 use crate::{
     parallel,
     pearl::model::Pearl,
-    picture::{channels::CHANNELS, eye::Eye},
+    picture::{channels::CHANNELS, sampler::Sampler},
     progress::Progress,
     surroundings::environment::Surroundings,
     view::camera::Camera,
@@ -23,10 +23,10 @@ pub fn render(
     progress: &Progress,
 ) -> Option<Vec<f32>> {
     let mut pixels = vec![0.0_f32; size_px * size_px * CHANNELS];
-    let eye = Eye::new(pearls, surroundings, camera, size_px, samples_side);
+    let sampler = Sampler::new(pearls, surroundings, camera, size_px, samples_side);
     parallel::map_chunks(&mut pixels, size_px * CHANNELS, |row, out| {
         if !progress.is_stopped() {
-            eye.row(row, out.chunks_mut(CHANNELS));
+            sampler.row(row, out.chunks_mut(CHANNELS));
             progress.row_done();
         }
     });

@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// What looks at the scene through the pixels of a picture.
-pub(crate) struct Eye<'a> {
+pub(crate) struct Sampler<'a> {
     pearls: &'a [Pearl<'a>],
     surroundings: &'a Surroundings,
     camera: &'a Camera,
@@ -19,7 +19,7 @@ pub(crate) struct Eye<'a> {
     reflections: Vec<Option<ReflectionCache>>,
 }
 
-impl<'a> Eye<'a> {
+impl<'a> Sampler<'a> {
     pub(crate) fn new(
         pearls: &'a [Pearl<'a>],
         surroundings: &'a Surroundings,
