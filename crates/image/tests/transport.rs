@@ -9,8 +9,8 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    BANDS, Ball, Bands, Body, Camera, Dome, Film, Grain, Lamp, Light, Microfacets, Model, Pearl,
-    Place, Projection, Sight, Sky, Source, Surface, Surroundings, Transport,
+    BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Microfacets, Model, Panorama,
+    Pearl, Place, Projection, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
@@ -334,10 +334,10 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
             _ => [square, square * 0.8, square * 0.6],
         }
     };
-    let dome = Dome::new(width, height, (0..width * height).map(pixel).collect());
+    let panorama = Panorama::new(width, height, (0..width * height).map(pixel).collect());
     let mut scene = scene([0.0; 3], [0.0; 3], None);
     scene.surroundings.sky =
-        Sky::Panorama { picture: Arc::new(dome), rotation_rad: 0.3, intensity: 1.0 };
+        Sky::Panorama { picture: Arc::new(panorama), rotation_rad: 0.3, intensity: 1.0 };
     for microfacets in [Microfacets::grooves(0.1), Microfacets::ggx(0.15)] {
         let surface = Surface::new(film(), microfacets);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
