@@ -2,7 +2,6 @@
 
 pub(crate) mod chart;
 pub(crate) mod environment;
-pub(crate) mod floor;
 pub(crate) mod incident;
 pub(crate) mod irradiance;
 pub(crate) mod lamp;
@@ -10,5 +9,6 @@ pub(crate) mod panorama;
 pub(crate) mod seen;
 pub(crate) mod sky;
 pub(crate) mod table;
+pub(crate) mod table_light;
 pub(crate) mod walls;
 pub(crate) mod window;

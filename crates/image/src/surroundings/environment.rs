@@ -37,7 +37,7 @@ pub struct Surroundings {
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     pub(crate) sky_on_table: Rgb,
     /// Soft light on the table, near and far, once it is settled.
-    pub(crate) floors: Vec<Chart>,
+    pub(crate) table_lights: Vec<Chart>,
     /// Light on the walls, once it is settled.
     pub(crate) wall_light: Option<WallLight>,
 }
@@ -66,7 +66,7 @@ impl Surroundings {
             crowd,
             table_y_mm,
             sky_on_table,
-            floors: Vec::new(),
+            table_lights: Vec::new(),
             wall_light: None,
         }
     }
@@ -80,7 +80,7 @@ impl Surroundings {
     /// Tells how a pearl looks to its neighbours and to the table.
     pub fn set_glow(&mut self, ball: usize, glow: Glow) {
         self.balls[ball].glow = glow;
-        self.floors.clear();
+        self.table_lights.clear();
     }
 
     /// The balls that a cone of light may meet, the one left out that it comes from.

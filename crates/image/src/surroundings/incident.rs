@@ -8,8 +8,8 @@ use crate::{
     shape::ball::Ball,
     surroundings::{
         environment::Surroundings,
-        floor,
         lamp::Lamp,
+        table_light,
         walls::WallLight,
         window::{Patch, Window},
     },
@@ -21,8 +21,9 @@ impl Surroundings {
     pub fn settle(&mut self) {
         if self.table.is_some() {
             let soft = |point| self.soft_light_on_table(point);
-            let chart = |reach| floor::chart(&self.balls, self.table_y_mm, reach, soft);
-            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(chart).collect();
+            let chart = |reach| table_light::chart(&self.balls, self.table_y_mm, reach, soft);
+            self.table_lights =
+                [table_light::NEAR, table_light::FAR].into_iter().filter_map(chart).collect();
         }
         if let (Some(walls), None) = (&self.walls, &self.wall_light) {
             let light = |point, inward| self.light_on_wall(point, inward);
@@ -48,7 +49,7 @@ impl Surroundings {
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
     /// they hide it, their own glow.
     pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let known = self.floors.iter().find_map(|floor| floor.at([point.x, point.z]));
+        let known = self.table_lights.iter().find_map(|light| light.at([point.x, point.z]));
         let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
         for lamp in &self.lamps {
             let toward = lamp.toward(point);
