@@ -1,10 +1,10 @@
 //! Everything a pearl stands in and mirrors, and the light that falls there.
 
-pub(crate) mod chart;
 pub(crate) mod environment;
 pub(crate) mod incident;
 pub(crate) mod irradiance;
 pub(crate) mod lamp;
+pub(crate) mod light_map;
 pub(crate) mod panorama;
 pub(crate) mod seen;
 pub(crate) mod sky;

@@ -3,8 +3,8 @@ use crate::{
     rgb::Rgb,
     shape::{ball::Ball, crowd::Crowd},
     surroundings::{
-        chart::Chart,
         lamp::Lamp,
+        light_map::LightMap,
         sky::Sky,
         table::Table,
         walls::{WallLight, Walls},
@@ -37,7 +37,7 @@ pub struct Surroundings {
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
     pub(crate) sky_on_table: Rgb,
     /// Soft light on the table, near and far, once it is settled.
-    pub(crate) table_lights: Vec<Chart>,
+    pub(crate) table_lights: Vec<LightMap>,
     /// Light on the walls, once it is settled.
     pub(crate) wall_light: Option<WallLight>,
 }

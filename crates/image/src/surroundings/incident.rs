@@ -21,9 +21,10 @@ impl Surroundings {
     pub fn settle(&mut self) {
         if self.table.is_some() {
             let soft = |point| self.soft_light_on_table(point);
-            let chart = |reach| table_light::chart(&self.balls, self.table_y_mm, reach, soft);
+            let light_map =
+                |reach| table_light::light_map(&self.balls, self.table_y_mm, reach, soft);
             self.table_lights =
-                [table_light::NEAR, table_light::FAR].into_iter().filter_map(chart).collect();
+                [table_light::NEAR, table_light::FAR].into_iter().filter_map(light_map).collect();
         }
         if let (Some(walls), None) = (&self.walls, &self.wall_light) {
             let light = |point, inward| self.light_on_wall(point, inward);

@@ -123,8 +123,8 @@ impl Surroundings {
             }
             (_, Some((colour, distance_mm, inward))) => {
                 let point = ray.from + ray.along * distance_mm;
-                let charted = self.wall_light.as_ref().and_then(|light| light.at(point, inward));
-                let light = charted.unwrap_or_else(|| self.light_on_wall(point, inward));
+                let mapped = self.wall_light.as_ref().and_then(|light| light.at(point, inward));
+                let light = mapped.unwrap_or_else(|| self.light_on_wall(point, inward));
                 Seen { radiance: rgb::times(colour, light), distance_mm }
             }
             _ => Seen {
