@@ -1,9 +1,9 @@
 //! From pearls in their surroundings to pixels, and from linear light to codes for a screen.
 
 pub(crate) mod channels;
-pub(crate) mod coarser;
 pub(crate) mod develop;
 pub(crate) mod glare;
 pub(crate) mod pixel;
 pub(crate) mod render;
+pub(crate) mod resampling;
 pub(crate) mod sampler;
