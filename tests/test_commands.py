@@ -419,6 +419,12 @@ def test_a_command_loads_no_other(tmp_path: Path) -> None:
     assert loaded & commands == {"nacreous.commands.render"}
 
 
+def test_files_and_messages_load_no_numpy(tmp_path: Path) -> None:
+    loaded = loaded_after("import nacreous.file, nacreous.number, nacreous.spec", tmp_path)
+    assert "nacreous._core" in loaded
+    assert "numpy" not in loaded
+
+
 def test_reading_files_checks_no_table_by_itself(tmp_path: Path) -> None:
     """Each class of table has a check of its own, which pydantic builds when it is first used."""
     code = """
