@@ -14,6 +14,8 @@ This frame turns what goes wrong into one plain line and an exit code; the comma
 from __future__ import annotations
 
 import argparse
+import atexit
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -62,6 +64,14 @@ def build_parser(commands: Sequence[str]) -> argparse.ArgumentParser:
     for command in commands:
         import_module(f"nacreous.commands.{command}").add_parser(subparsers)
     return parser
+
+
+def run_program() -> int:
+    """Run the command that this process was started for, and give its exit code."""
+    # Python's last search for garbage would take as long as reading the files did; what lies in
+    # no circle is cleaned up all the same.
+    atexit.register(gc.freeze)
+    return main()
 
 
 def main(argv: Sequence[str] | None = None) -> int:
