@@ -13,7 +13,7 @@ robust-wald       differences of the scales against their covariance with people
 
 With people who differ, the likelihood-ratio test finds differences where there are none: at a
 spread of 0.5 z between people, 7 stimuli and 50 people a group, in a fifth of all studies
-instead of 5 % (tests/test_scaling_recovery.py).
+instead of 5 % (tests/scaling/test_recovery.py).
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ from nacreous.study.design.words import WORDS, Language, Words
 
 #: The most stimuli of a study: 2016 pairs, more than anyone answers at a sitting.
 MOST_STIMULI = 64
-#: The most combinations of groups that are drawn by lot: half a block of the lottery.
+#: The most combinations of groups that are drawn by lot: half a block of the allocation.
 MOST_CELLS = 200
 
 

@@ -13,7 +13,7 @@ from nacreous.scaling.planning.design import random_design
 from nacreous.scaling.planning.selection import next_pairs
 from nacreous.scaling.planning.sequence import balanced_sides
 from nacreous.study.design.design import Design
-from nacreous.study.plan.stream import PAIRS, TELLING, stream
+from nacreous.study.plan.random_streams import PAIRS, TELLING, stream
 
 __all__ = ["Choice", "choices", "chosen"]
 
