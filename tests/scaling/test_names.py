@@ -1,4 +1,4 @@
-"""The public names of the room: all there, and none hidden by a module (more: house/test_public_names.py)."""
+"""The public names of the room: all there, and none hidden by a module (more: tests/house/)."""
 
 from __future__ import annotations
 
