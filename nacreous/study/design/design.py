@@ -79,7 +79,7 @@ class Design(SpecFile):
         source="paper 2.2",
         strict=False,
     )
-    pairs: Pairs = section(Pairs, "Which pairs are shown, and which twice.")
+    pairs: Pairs = section("Which pairs are shown, and which twice.")
     catches: Annotated[tuple[Catch, ...], Field(max_length=100)] = key(
         (),
         "Pairs whose answer is known, each headed [[catches]].",
@@ -94,9 +94,9 @@ class Design(SpecFile):
         source="paper 2.2, a real pearl shown before or not",
         strict=False,
     )
-    sitting: Sitting = section(Sitting, "How one participant goes through the study.")
-    display: Display = section(Display, "How large stimuli are.")
-    screen: Screen = section(Screen, "What is asked of the participant's screen.")
+    sitting: Sitting = section("How one participant goes through the study.")
+    display: Display = section("How large stimuli are.")
+    screen: Screen = section("What is asked of the participant's screen.")
 
     @property
     def labels(self) -> tuple[str, ...]:
