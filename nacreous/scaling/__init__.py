@@ -41,10 +41,10 @@ if TYPE_CHECKING:
         compare_ratios,
     )
     from nacreous.scaling.compare.sets import SetComparison, compare_sets
-    from nacreous.scaling.door.answers import Answers
-    from nacreous.scaling.door.column import Group
-    from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
-    from nacreous.scaling.door.example import paper, paper_proportions
+    from nacreous.scaling.data.answers import Answers
+    from nacreous.scaling.data.column import Group
+    from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+    from nacreous.scaling.data.example import paper, paper_proportions
     from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
     from nacreous.scaling.fit.bootstrap import Bootstrap
     from nacreous.scaling.fit.bradley import bradley_terry
@@ -61,18 +61,18 @@ if TYPE_CHECKING:
 #: Where each public name lives. Loaded when first asked for, so that nothing heavy is until then.
 _HOME = {
     "Agreement": "check.kendall",
-    "Answers": "door.answers",
+    "Answers": "data.answers",
     "AttributeFit": "compare.attributes",
     "AttributeTest": "compare.attributes",
     "AttributeWeight": "compare.attributes",
     "Bootstrap": "fit.bootstrap",
     "ClusterRatio": "compare.ratio",
-    "Comparisons": "door.comparisons",
+    "Comparisons": "data.comparisons",
     "Consistency": "check.checkup",
     "Design": "planning.design",
     "Difference": "fit.uncertainty",
     "Goodness": "check.misfit",
-    "Group": "door.column",
+    "Group": "data.column",
     "GroupComparison": "compare.groups",
     "GroupDifference": "compare.groups",
     "GroupTest": "compare.groups",
@@ -102,7 +102,7 @@ _HOME = {
     "compare_groups": "compare.groups",
     "compare_ratios": "compare.ratio",
     "compare_sets": "compare.sets",
-    "comparisons_of": "door.comparisons",
+    "comparisons_of": "data.comparisons",
     "consistency": "check.checkup",
     "cyclic_design": "planning.design",
     "fit_attributes": "compare.attributes",
@@ -111,8 +111,8 @@ _HOME = {
     "interval_plot": "figure",
     "matrix_plot": "figure",
     "next_pairs": "planning.selection",
-    "paper": "door.example",
-    "paper_proportions": "door.example",
+    "paper": "data.example",
+    "paper_proportions": "data.example",
     "random_design": "planning.design",
     "response_time": "check.response",
     "retest": "check.repetition",

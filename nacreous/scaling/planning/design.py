@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.door.label import MOST_STIMULI, labels_of, numbered
+from nacreous.scaling.data.label import MOST_STIMULI, labels_of, numbered
 from nacreous.scaling.planning.sequence import balanced_sides, in_sequence
 
 #: A list of more pairs than this nobody answers.

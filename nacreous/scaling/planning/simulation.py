@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous.number import number_of, row_of, said, seed_of, whole_of, within
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.fault import listed, quoted
-from nacreous.scaling.door.label import check_number, natural, numbered
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.fault import listed, quoted
+from nacreous.scaling.data.label import check_number, natural, numbered
 from nacreous.scaling.fit.unit import check_model
 from nacreous.scaling.planning.design import Design
 

@@ -15,8 +15,8 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.checkup import Consistency, consistency
 from nacreous.scaling.check.misfit import Goodness, goodness
 from nacreous.scaling.compare.groups import GroupComparison, compare_groups
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.scale import Scale

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 import nacreous
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.report.analysis import Study
 
 __all__ = ["csv", "data_csv", "data_options", "json_text"]

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.column import Group
-from nacreous.scaling.door.comparisons import Comparisons
-from nacreous.scaling.door.entrance import Names, fields_of
-from nacreous.scaling.door.fault import listed, nearest
-from nacreous.scaling.door.pairs import codes_of_pairs
-from nacreous.scaling.door.table import read_table, table_of
+from nacreous.scaling.data.column import Group
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.entrance import Names, fields_of
+from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.pairs import codes_of_pairs
+from nacreous.scaling.data.table import read_table, table_of
 
 
 @dataclass(frozen=True, eq=False)

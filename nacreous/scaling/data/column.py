@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.fault import Faults, quoted
-from nacreous.scaling.door.label import LONGEST_LABEL, natural
-from nacreous.scaling.door.table import Table
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.label import LONGEST_LABEL, natural
+from nacreous.scaling.data.table import Table
 
 
 @dataclass(frozen=True, eq=False)
