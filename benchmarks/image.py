@@ -72,7 +72,7 @@ def break_down(folder: str) -> None:
     pearl = timed("read pearl", lambda: nc.Pearl.load("paper"))
     scene = timed("read scene", lambda: nc.Scene.load("paper"))
     timed("grow the layers", lambda: nc.nacre.stack_of(pearl))
-    timed("draw the grain", lambda: nc.texture.of_pearl(pearl))
+    timed("draw the grain", lambda: nc.texture.texture_of(pearl))
     timed("rings and one pixel", lambda: nc.render(pearl, scene, size=1, samples=1))
     image = timed("whole render", lambda: nc.render(pearl, scene))
     timed("develop", image.develop)

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     )
     from nacreous.scaling.compare.sets import SetComparison, compare_sets
     from nacreous.scaling.data.answers import Answers
-    from nacreous.scaling.data.column import Group
+    from nacreous.scaling.data.column import Grouping
     from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
     from nacreous.scaling.data.example import paper, paper_proportions
     from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
@@ -51,16 +51,22 @@ if TYPE_CHECKING:
     from nacreous.scaling.fit.case_v import thurstone
     from nacreous.scaling.fit.scale import Scale
     from nacreous.scaling.fit.uncertainty import Difference
-    from nacreous.scaling.planning.design import Design, cyclic_design, full_design, random_design
+    from nacreous.scaling.planning.design import (
+        PairDesign,
+        cyclic_design,
+        full_design,
+        random_design,
+    )
     from nacreous.scaling.planning.forecast import Needed, Power, Precision
     from nacreous.scaling.planning.plan import Plan
     from nacreous.scaling.planning.selection import NextPair, next_pairs
     from nacreous.scaling.planning.simulation import simulate
-    from nacreous.scaling.report.analysis import Study, study
+    from nacreous.scaling.report.analysis import Analysis, analyse
 
 #: Where each public name lives. Loaded when first asked for, so that nothing heavy is until then.
 _HOME = {
     "Agreement": "check.kendall",
+    "Analysis": "report.analysis",
     "Answers": "data.answers",
     "AttributeFit": "compare.attributes",
     "AttributeTest": "compare.attributes",
@@ -76,9 +82,11 @@ _HOME = {
     "GroupComparison": "compare.groups",
     "GroupDifference": "compare.groups",
     "GroupTest": "compare.groups",
+    "Grouping": "data.column",
     "Misfit": "check.misfit",
     "Needed": "planning.forecast",
     "NextPair": "planning.selection",
+    "PairDesign": "planning.design",
     "PersonalTriads": "check.person",
     "Plan": "planning.plan",
     "Power": "planning.forecast",
@@ -96,6 +104,7 @@ _HOME = {
     "Triads": "check.triads",
     "Violation": "check.transitive",
     "agreement": "check.kendall",
+    "analyse": "report.analysis",
     "bradley_terry": "fit.bradley",
     "circular_triads": "check.triads",
     "cluster_ratio": "compare.ratio",
@@ -127,6 +136,7 @@ _HOME = {
 
 __all__ = [
     "Agreement",
+    "Analysis",
     "Answers",
     "AttributeFit",
     "AttributeTest",
@@ -135,16 +145,16 @@ __all__ = [
     "ClusterRatio",
     "Comparisons",
     "Consistency",
-    "Design",
     "Difference",
     "Goodness",
-    "Group",
     "GroupComparison",
     "GroupDifference",
     "GroupTest",
+    "Grouping",
     "Misfit",
     "Needed",
     "NextPair",
+    "PairDesign",
     "PersonalTriads",
     "Plan",
     "Power",
@@ -157,11 +167,11 @@ __all__ = [
     "SetComparison",
     "Share",
     "SideBias",
-    "Study",
     "Transitivity",
     "Triads",
     "Violation",
     "agreement",
+    "analyse",
     "bradley_terry",
     "circular_triads",
     "cluster_ratio",
@@ -185,7 +195,6 @@ __all__ = [
     "scale_plot",
     "side_bias",
     "simulate",
-    "study",
     "thurstone",
     "transitivity",
     "triads_by_person",

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import (
-    Group,
+    Grouping,
     check_labels,
     codes_of,
     group_column,
@@ -46,7 +46,7 @@ class Fields(TypedDict):
     outcome: NDArray[np.int8]
     people: tuple[str, ...]
     person: NDArray[np.int64] | None
-    groups: Mapping[str, Group]
+    groups: Mapping[str, Grouping]
     response_s: NDArray[np.float64] | None
     time: NDArray[np.float64] | None
     sided: bool
