@@ -16,7 +16,7 @@ import pytest
 import nacreous as nc
 from nacreous.scaling import report
 from nacreous.scaling.report.chapters import method
-from nacreous.scaling.report.words import LANGUAGES, Html, Words, number, percent, texts
+from nacreous.scaling.report.translation import LANGUAGES, Html, Words, number, percent, texts
 
 SPITEFUL = ("<script>alert(1)</script>", "a\"b'c", "x & y", "$\\frac{1}{2}$", "真珠 <b>", "{first}")
 

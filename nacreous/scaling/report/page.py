@@ -17,7 +17,7 @@ from nacreous.scaling.report.chapters import (
     scale,
     short,
 )
-from nacreous.scaling.report.words import Html, Words, thousands
+from nacreous.scaling.report.translation import Html, Words, thousands
 
 __all__ = ["html"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nacreous.scaling.report.analysis import Analysis
-from nacreous.scaling.report.words import Html, Words, number, percent, thousands
+from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
 __all__ = ["chapter"]
 

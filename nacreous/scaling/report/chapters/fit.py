@@ -8,7 +8,7 @@ from nacreous.scaling.figure import matrix_plot
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import facts, table
-from nacreous.scaling.report.words import Html, Words, chance, number, percent
+from nacreous.scaling.report.translation import Html, Words, chance, number, percent
 
 __all__ = ["chapter", "shares"]
 

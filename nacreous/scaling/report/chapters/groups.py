@@ -9,7 +9,7 @@ from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.scale import MOST_ROWS
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.words import Html, Words, chance, number
+from nacreous.scaling.report.translation import Html, Words, chance, number
 
 __all__ = ["chapter"]
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import nacreous
 from nacreous.scaling.report import record
 from nacreous.scaling.report.analysis import Analysis
-from nacreous.scaling.report.words import Html, Words
+from nacreous.scaling.report.translation import Html, Words
 
 __all__ = ["MOST_BYTES", "chapter"]
 

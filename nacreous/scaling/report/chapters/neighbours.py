@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.words import Html, Words, chance, number, percent
+from nacreous.scaling.report.translation import Html, Words, chance, number, percent
 
 __all__ = ["chapter"]
 

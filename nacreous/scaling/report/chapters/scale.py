@@ -12,7 +12,7 @@ from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.doubt import FEW_PEOPLE
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.words import Html, Words, number, percent, thousands
+from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
 __all__ = ["chapter", "doubt"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nacreous.scaling.report.analysis import Analysis
-from nacreous.scaling.report.words import Html, Words, percent
+from nacreous.scaling.report.translation import Html, Words, percent
 
 __all__ = ["chapter"]
 
