@@ -78,7 +78,7 @@ def break_down(folder: str) -> None:
 
     pearl, scene = nc.Pearl.load("paper"), nc.Scene.load("paper")
     timed("grow the layers", lambda: nc.nacre.stack_of(pearl))
-    timed("draw the grain", lambda: nc.texture.of_pearl(pearl))
+    timed("draw the grain", lambda: nc.texture.texture_of(pearl))
     timed("rings and one pixel", lambda: nc.render(pearl, scene, size=1, samples=1))
     image = timed("whole render", lambda: nc.render(pearl, scene))
     timed("develop", image.develop)

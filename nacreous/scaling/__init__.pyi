@@ -34,12 +34,12 @@ from .compare.ratio import cluster_ratio as cluster_ratio
 from .compare.ratio import compare_ratios as compare_ratios
 from .compare.sets import SetComparison as SetComparison
 from .compare.sets import compare_sets as compare_sets
-from .door.answers import Answers as Answers
-from .door.column import Group as Group
-from .door.comparisons import Comparisons as Comparisons
-from .door.comparisons import comparisons_of as comparisons_of
-from .door.example import paper as paper
-from .door.example import paper_proportions as paper_proportions
+from .data.answers import Answers as Answers
+from .data.column import Grouping as Grouping
+from .data.comparisons import Comparisons as Comparisons
+from .data.comparisons import comparisons_of as comparisons_of
+from .data.example import paper as paper
+from .data.example import paper_proportions as paper_proportions
 from .figure import interval_plot as interval_plot
 from .figure import matrix_plot as matrix_plot
 from .figure import scale_plot as scale_plot
@@ -48,7 +48,7 @@ from .fit.bradley import bradley_terry as bradley_terry
 from .fit.case_v import thurstone as thurstone
 from .fit.scale import Scale as Scale
 from .fit.uncertainty import Difference as Difference
-from .planning.design import Design as Design
+from .planning.design import PairDesign as PairDesign
 from .planning.design import cyclic_design as cyclic_design
 from .planning.design import full_design as full_design
 from .planning.design import random_design as random_design
@@ -59,5 +59,5 @@ from .planning.plan import Plan as Plan
 from .planning.selection import NextPair as NextPair
 from .planning.selection import next_pairs as next_pairs
 from .planning.simulation import simulate as simulate
-from .report.analysis import Study as Study
-from .report.analysis import study as study
+from .report.analysis import Analysis as Analysis
+from .report.analysis import analyse as analyse

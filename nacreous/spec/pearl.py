@@ -19,8 +19,8 @@ from nacreous.spec.model import own_keys, strangers
 from nacreous.spec.nacre import Layers
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.surface import Surface
+from nacreous.spec.texts import COLOUR, NAME, Colour, Name
 from nacreous.spec.texture import Texture
-from nacreous.spec.words import COLOUR, NAME, Colour, Name
 
 
 def _grown_or_listed(nacre: Any) -> str:

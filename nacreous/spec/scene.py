@@ -19,8 +19,8 @@ from nacreous.spec.lamp import Lamp
 from nacreous.spec.row import GIVEN, MOST_PEARLS, Row
 from nacreous.spec.section import Section
 from nacreous.spec.specfile import SpecFile
+from nacreous.spec.texts import COLOUR, NAME, Colour, Name, ending
 from nacreous.spec.window import Window
-from nacreous.spec.words import COLOUR, NAME, Colour, Name, ending
 
 
 class Table(Section):

@@ -11,16 +11,16 @@ from pydantic import Field, model_validator
 from nacreous.spec.complaint import Contradiction, nearest, shown
 from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
-from nacreous.spec.words import NAME, Name
+from nacreous.spec.texts import NAME, Name
 from nacreous.study.design import demo
 from nacreous.study.design.display import Display
 from nacreous.study.design.group import Group
+from nacreous.study.design.multilingual import WORDS, Language, Words
 from nacreous.study.design.pairs import Pairs
 from nacreous.study.design.question import Catch, Question
 from nacreous.study.design.screen import Screen
 from nacreous.study.design.sitting import Sitting
 from nacreous.study.design.stimulus import Stimulus
-from nacreous.study.design.words import WORDS, Language, Words
 
 #: The most stimuli of a study: 2016 pairs, more than anyone answers at a sitting.
 MOST_STIMULI = 64
