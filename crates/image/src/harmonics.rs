@@ -9,8 +9,8 @@ mod analysis;
 mod coefficients;
 mod fourier;
 mod legendre;
-pub(crate) mod nine;
 mod place;
+pub(crate) mod second_order;
 mod synthesis;
 
 pub use analysis::{analyse, directions_of_grid, point};

@@ -1,10 +1,10 @@
 //! What a pearl does with light, by either model, point by point.
 
 pub(crate) mod illuminant;
-pub(crate) mod inside;
 pub(crate) mod knob;
 pub(crate) mod model;
-pub(crate) mod net;
+pub(crate) mod reflection_cache;
 pub(crate) mod shade;
 pub(crate) mod sight;
+pub(crate) mod subsurface;
 pub(crate) mod transport;

@@ -1,8 +1,8 @@
 //! From pearls in their surroundings to pixels, and from linear light to codes for a screen.
 
 pub(crate) mod channels;
-pub(crate) mod coarser;
 pub(crate) mod develop;
-pub(crate) mod eye;
 pub(crate) mod glare;
 pub(crate) mod pixel;
+pub(crate) mod resampling;
+pub(crate) mod sampler;

@@ -1,7 +1,7 @@
 //! The surface of a pearl: facets that lean, and the film of nacre on them.
 
 pub(crate) mod coating;
-pub(crate) mod draw;
-pub(crate) mod facet;
 pub(crate) mod film;
-pub(crate) mod relief;
+pub(crate) mod microfacets;
+pub(crate) mod sampling;
+pub(crate) mod torrance_sparrow;

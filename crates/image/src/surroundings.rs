@@ -1,15 +1,15 @@
 //! Everything a pearl stands in and mirrors, and the light that falls there.
 
-pub(crate) mod chart;
-pub(crate) mod dome;
 pub(crate) mod environment;
-pub(crate) mod floor;
 pub(crate) mod incident;
 pub(crate) mod irradiance;
 pub(crate) mod lamp;
+pub(crate) mod light_map;
 pub(crate) mod lit;
+pub(crate) mod panorama;
 pub(crate) mod seen;
 pub(crate) mod sky;
 pub(crate) mod table;
+pub(crate) mod table_light;
 pub(crate) mod walls;
 pub(crate) mod window;

@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 
 use crate::InputError;
 
-type Text = Vec<(String, String)>;
+pub type Text = Vec<(String, String)>;
 
 /// Writes integer pixels [row, column, rgb], uint8 or uint16, as a PNG; space is "srgb" or
 /// "display-p3". Raises `OSError` where the system refuses, for nacreous.file to translate.
@@ -33,19 +33,20 @@ pub fn write_png(
     if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u8>>() {
         let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
         return py
-            .detach(|| encode_png(&path, size, PngPixels::Eight(slice(&samples)), space, &text));
+            .detach(|| save_png(&path, size, PngPixels::Eight(slice(&samples)), space, &text));
     }
     if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u16>>() {
         let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
         return py
-            .detach(|| encode_png(&path, size, PngPixels::Sixteen(slice(&samples)), space, &text));
+            .detach(|| save_png(&path, size, PngPixels::Sixteen(slice(&samples)), space, &text));
     }
     let given = describe(pixels);
     let message = format!("pixels are {given}; allowed: uint8 or uint16 [row, column, 3]");
     Err(InputError::new_err(message))
 }
 
-fn encode_png(
+/// Writes integer pixels of (width, height) as a PNG.
+pub fn save_png(
     path: &Path,
     (width, height): (u32, u32),
     pixels: PngPixels<'_>,
@@ -80,10 +81,20 @@ pub fn write_exr(
                 samples: slice(samples).into(),
             })
             .collect();
-        let mut out = BufWriter::new(File::create(&path).map_err(refused)?);
-        exr::write_exr(&mut out, width, height, &planes, &text).map_err(raised)?;
-        out.flush().map_err(refused)
+        save_exr(&path, (width, height), &planes, &text)
     })
+}
+
+/// Writes planes of (width, height) as an EXR.
+pub fn save_exr(
+    path: &Path,
+    (width, height): (usize, usize),
+    planes: &[Plane<'_>],
+    text: &Text,
+) -> PyResult<()> {
+    let mut out = BufWriter::new(File::create(path).map_err(refused)?);
+    exr::write_exr(&mut out, width, height, planes, text).map_err(raised)?;
+    out.flush().map_err(refused)
 }
 
 type FloatPlane<'py> = (String, Channels, PyReadonlyArray3<'py, f32>);

@@ -11,9 +11,9 @@ mod image;
 mod iridescence;
 mod nacre;
 mod optics;
+mod pearl;
+mod render;
 mod scaling;
-mod spec;
-mod subject;
 mod texture;
 mod watched;
 
@@ -39,17 +39,24 @@ mod _core {
     #[pymodule_export]
     use super::file::{read_panorama, read_photograph, read_png_text, write_exr, write_png};
     #[pymodule_export]
-    use super::image::{develop, parameters, parts, render};
+    use super::image::develop;
     #[pymodule_export]
     const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
     #[pymodule_export]
     use super::iridescence::{interference_iridescence, iridescence};
     #[pymodule_export]
-    use super::nacre::{Stack, grow, media};
+    use super::nacre::{Stack, media};
     #[pymodule_export]
     use super::optics::{energies, ensemble, fresnel, illuminant};
     #[pymodule_export]
+    use super::pearl::{body_reflectance, film_columns, grow, resolved_keys, stack_of_nacre};
+    #[pymodule_export]
+    use super::render::{Picture, render};
+    #[pymodule_export]
     use super::scaling::{PairModel, PersonalAnswers, log_normal_cdf};
     #[pymodule_export]
-    use super::texture::{Texture, procedural_grain, synthesise_harmonics, synthesise_texture};
+    use super::texture::{
+        Texture, limited_grain, procedural_grain, synthesise_harmonics, synthesise_texture,
+        texture_of,
+    };
 }

@@ -1,8 +1,8 @@
 //! The door to nacre.
 
-use nacreous_nacre::{Growth, Index, LayerStack, MAX_LAYERS, Medium, NacreError, Season};
+use nacreous_nacre::{Index, LayerStack, MAX_LAYERS, Medium, NacreError};
 use num_complex::Complex64;
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::{InputError, refused};
@@ -85,6 +85,16 @@ impl Stack {
         .map_err(refused)
     }
 
+    /// Thickness [layer] of the aragonite layers, surface first.
+    fn thickness_nm<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.0.thickness_nm())
+    }
+
+    /// How many aragonite layers.
+    fn __len__(&self) -> usize {
+        self.0.thickness_nm().len()
+    }
+
     /// Thickness of the whole nacre, protein included.
     fn total_um(&self) -> f64 {
         self.0.total_um()
@@ -95,38 +105,4 @@ impl Stack {
         let counted = self.0.outer(depth_um);
         (counted.layers, counted.mean_nm, counted.spread_nm)
     }
-}
-
-/// (day, thickness_nm) of each layer in the order of growth.
-#[pyfunction]
-#[pyo3(signature = (*, days, peak_day, season_days, thickness_winter_nm, thickness_summer_nm,
-    layers_winter, layers_summer, thickness_noise_nm, layers_noise, seed))]
-#[allow(clippy::too_many_arguments, clippy::type_complexity)]
-pub fn grow<'py>(
-    py: Python<'py>,
-    days: u32,
-    peak_day: f64,
-    season_days: f64,
-    thickness_winter_nm: f64,
-    thickness_summer_nm: f64,
-    layers_winter: f64,
-    layers_summer: f64,
-    thickness_noise_nm: f64,
-    layers_noise: f64,
-    seed: u64,
-) -> PyResult<(Bound<'py, PyArray1<u32>>, Bound<'py, PyArray1<f64>>)> {
-    let growth = Growth {
-        days,
-        season: Season { peak_day, width_days: season_days },
-        thickness_winter_nm,
-        thickness_summer_nm,
-        layers_winter,
-        layers_summer,
-        thickness_noise_nm,
-        layers_noise,
-    };
-    let diary = growth.grow(seed).map_err(refused)?;
-    let (days, thickness_nm): (Vec<_>, Vec<_>) =
-        diary.deposits().iter().map(|deposit| (deposit.day, deposit.thickness_nm)).unzip();
-    Ok((days.into_pyarray(py), thickness_nm.into_pyarray(py)))
 }

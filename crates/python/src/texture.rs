@@ -1,8 +1,14 @@
-//! The door to grain spectra and textures.
+//! The binding of grain spectra and textures.
+
+use std::sync::Arc;
 
 use glam::DVec3;
 use nacreous_image::grain::{self, spectrum::GrainSpectrum};
 use nacreous_image::harmonics::{Coefficients, synthesise};
+use nacreous_render::{
+    GrainKey,
+    spec::{from_json, pearl::PearlSpec},
+};
 use num_complex::Complex64;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
@@ -18,17 +24,12 @@ type Spectrum<'py> =
 /// The stand-in spectrum: frequencies [k] per mm, density [channel, k], correlation [channel, channel].
 #[pyfunction]
 pub fn procedural_grain(py: Python<'_>) -> PyResult<Spectrum<'_>> {
-    let spectrum = GrainSpectrum::procedural();
-    let cycles_per_mm = spectrum.cycles_per_mm().to_vec();
-    let count = cycles_per_mm.len();
-    let density = spectrum.density().concat().into_pyarray(py).reshape([3, count])?;
-    let correlation = spectrum.correlation().concat().into_pyarray(py).reshape([3, 3])?;
-    Ok((cycles_per_mm.into_pyarray(py), density, correlation))
+    given(py, &GrainSpectrum::procedural())
 }
 
 /// A seamless texture over a sphere, ready for the renderer.
 #[pyclass(frozen, module = "nacreous._core")]
-pub struct Texture(pub nacreous_image::grain::texture::Texture);
+pub struct Texture(Arc<grain::texture::Texture>);
 
 #[pymethods]
 impl Texture {
@@ -82,17 +83,12 @@ impl Texture {
     }
 }
 
-/// Draws a texture with a spectrum [k], [channel, k] and correlation [channel, channel].
-#[pyfunction]
-pub fn synthesise_texture(
-    py: Python<'_>,
-    cycles_per_mm: PyReadonlyArray1<'_, f64>,
-    density: PyReadonlyArray2<'_, f64>,
-    correlation: PyReadonlyArray2<'_, f64>,
-    radius_mm: f64,
-    seed: u64,
-    footprint_rad: f64,
-) -> PyResult<Texture> {
+/// A grain spectrum: frequencies [k] per mm, density [channel, k], correlation [channel, channel].
+pub type GrainGiven<'py> =
+    (PyReadonlyArray1<'py, f64>, PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>);
+
+/// The spectrum in the room's type.
+pub fn grain_of((cycles_per_mm, density, correlation): &GrainGiven<'_>) -> PyResult<GrainSpectrum> {
     let (density, correlation) = (density.as_array(), correlation.as_array());
     let shapes = (density.nrows(), correlation.dim());
     if shapes != (3, (3, 3)) {
@@ -102,14 +98,60 @@ pub fn synthesise_texture(
         );
         return Err(InputError::new_err(message));
     }
-    let spectrum = GrainSpectrum::new(
+    GrainSpectrum::new(
         cycles_per_mm.as_array().to_vec(),
         [0, 1, 2].map(|channel| density.row(channel).to_vec()),
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| correlation[[i, j]])),
     )
-    .map_err(refused)?;
+    .map_err(refused)
+}
+
+fn given<'py>(py: Python<'py>, spectrum: &GrainSpectrum) -> PyResult<Spectrum<'py>> {
+    let cycles_per_mm = spectrum.cycles_per_mm().to_vec();
+    let count = cycles_per_mm.len();
+    let density = spectrum.density().concat().into_pyarray(py).reshape([3, count])?;
+    let correlation = spectrum.correlation().concat().into_pyarray(py).reshape([3, 3])?;
+    Ok((cycles_per_mm.into_pyarray(py), density, correlation))
+}
+
+/// The part of a spectrum between two frequencies.
+#[pyfunction]
+pub fn limited_grain<'py>(
+    py: Python<'py>,
+    grain: GrainGiven<'_>,
+    low_per_mm: f64,
+    high_per_mm: f64,
+) -> PyResult<Spectrum<'py>> {
+    given(py, &grain_of(&grain)?.limited(low_per_mm, high_per_mm).map_err(refused)?)
+}
+
+/// Draws a texture of a spectrum.
+#[pyfunction]
+pub fn synthesise_texture(
+    py: Python<'_>,
+    grain: GrainGiven<'_>,
+    radius_mm: f64,
+    seed: u64,
+    footprint_rad: f64,
+) -> PyResult<Texture> {
+    let spectrum = grain_of(&grain)?;
     let drawn = || grain::texture::Texture::synthesise(&spectrum, radius_mm, seed, footprint_rad);
-    py.detach(drawn).map(Texture).map_err(refused)
+    py.detach(drawn).map(|texture| Texture(Arc::new(texture))).map_err(refused)
+}
+
+/// The texture of a pearl in JSON, with the spectrum of its photograph where it has one.
+#[pyfunction]
+pub fn texture_of(
+    py: Python<'_>,
+    pearl: &str,
+    measured: Option<GrainGiven<'_>>,
+    footprint_rad: f64,
+) -> PyResult<Texture> {
+    let pearl: PearlSpec = from_json(pearl).map_err(refused)?;
+    let measured = measured.as_ref().map(grain_of).transpose()?;
+    let pixel_mm = footprint_rad * 0.5 * pearl.common().diameter_mm;
+    let key = GrainKey::new(&pearl, measured.as_ref(), pixel_mm).map_err(refused)?;
+    py.detach(|| key.texture()).map(|texture| Texture(Arc::new(texture))).map_err(refused)
 }
 
 /// Fields [row, column, channel] of coefficients [channel, l, m], on twice as many columns as rows.

@@ -25,7 +25,8 @@ pub use pearl::{
     body::reflectance_of,
     calendar::Calendar,
     columns::columns_of,
-    knobs::outer_um_of,
+    grain::GrainKey,
+    knobs::{outer_um_of, resolved_of},
     nacre::{Core, core_under, diary_of, stack_of},
 };
 pub use resources::Resources;

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, Spectrum};
-use nacreous_image::{Bands, Lamp, Light, Palette, Place, Relief, Sky, Source, Window, direction};
+use nacreous_image::{
+    Bands, Lamp, Light, Microfacets, Palette, Place, Sky, Source, Window, direction,
+};
 
 use crate::{
     RenderError, Resources,
@@ -99,7 +101,7 @@ impl Lights {
     }
 
     /// The lamps, each with points enough for the pearl that mirrors it most sharply.
-    pub fn lamps_for(&self, facets: impl Iterator<Item = Relief>) -> Vec<Lamp> {
+    pub fn lamps_for(&self, facets: impl Iterator<Item = Microfacets>) -> Vec<Lamp> {
         let sharpest = facets.min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
         let resolved = |lamp: &Lamp| match &sharpest {
             Some(facets) => lamp.clone().resolved_for(facets),

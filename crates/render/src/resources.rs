@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use nacreous_colour::{Illuminant, Spectrum};
-use nacreous_image::{Dome, grain::spectrum::GrainSpectrum};
+use nacreous_image::{Panorama, grain::spectrum::GrainSpectrum};
 
 use crate::RenderError;
 
@@ -13,7 +13,7 @@ pub struct Resources {
     /// Measured lights.
     pub spectra: BTreeMap<String, Spectrum>,
     /// Panoramas.
-    pub panoramas: BTreeMap<String, Arc<Dome>>,
+    pub panoramas: BTreeMap<String, Arc<Panorama>>,
     /// Grains measured on photographs, by the number of the pearl.
     pub grains: BTreeMap<usize, GrainSpectrum>,
 }

@@ -51,7 +51,7 @@ class ScaleSoFar:
 
 
 def scale_so_far(running: Running, question: str, simulated: bool = False) -> ScaleSoFar:
-    """Thurstone's case V of the answers that count, as `nacreous.scaling.study` has it.
+    """Thurstone's case V of the answers that count, as `nacreous.scaling.analyse` has it.
 
     Raises `InputError` with the reason while there is no scale: nobody has answered yet, stimuli
     are not joined by answers, or one of them always wins.

@@ -2,22 +2,22 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::{harmonics::nine::Nine, rgb::Rgb};
+use crate::{harmonics::second_order::SecondOrder, rgb::Rgb};
 
 /// The light that a ball sends out as its neighbours see it: the mean radiance of its disc, by the
 /// direction that it is seen from. Nine spherical harmonics **(ours)**: what lights a table or is
 /// mirrored in the next pearl is spread too widely for finer detail to matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Glow(Nine);
+pub struct Glow(SecondOrder);
 
 impl Glow {
     /// A ball that sends out nothing.
-    pub const BLACK: Self = Self(Nine::ZERO);
+    pub const BLACK: Self = Self(SecondOrder::ZERO);
 
     /// The nearest to `radiance`, which is asked for directions towards the viewer, 72 of them. Exact
     /// for what nine harmonics can say.
     pub fn from_fn(radiance: impl Fn(DVec3) -> Rgb) -> Self {
-        Self(Nine::nearest_to(directions().map(|(to, share)| (to, share, radiance(to)))))
+        Self(SecondOrder::nearest_to(directions().map(|(to, share)| (to, share, radiance(to)))))
     }
 
     /// Mean radiance shown to a viewer in a direction (a unit vector from the ball).

@@ -4,7 +4,7 @@ use crate::{
     iridescence::rings::Rings,
     pearl::{shade::Shade, sight::Sight},
     rgb::{self, Rgb},
-    surface::facet::Facets,
+    surface::torrance_sparrow::TorranceSparrow,
     surroundings::{irradiance::Irradiance, lit::Lit},
     view::ray::Ray,
 };
@@ -22,7 +22,7 @@ pub struct IlluminantPearl {
     /// Light of the surroundings, lamps apart, on every side of the pearl where it lies.
     pub irradiance: Irradiance,
     /// The surface.
-    pub facets: Facets,
+    pub facets: TorranceSparrow,
     /// Share of the mirrored surroundings that the surface leaves clear.
     pub mirror_weight: f64,
     /// Distance over which a mirrored thing fades to 1/e of its contrast with the backdrop.
@@ -71,7 +71,7 @@ impl IlluminantPearl {
         for lamp in &surroundings.lamps {
             let facets = &self.facets;
             let reflected = |cos_half| [facets.reflectance(cos_half); 3];
-            let image = lamp.image(&facets.relief, hit.point, hit.normal, view, reflected);
+            let image = lamp.image(&facets.microfacets, hit.point, hit.normal, view, reflected);
             if image[0] > 0.0 {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
                 rgb::add(&mut mirrored, rgb::times(lamp.brightness, rgb::scaled(image, past)));

@@ -6,7 +6,8 @@ use crate::{
     grain::texture::Texture,
     light::glow::Glow,
     pearl::{
-        illuminant::IlluminantPearl, net::Net, shade::Shade, sight::Sight, transport::Transport,
+        illuminant::IlluminantPearl, reflection_cache::ReflectionCache, shade::Shade, sight::Sight,
+        transport::Transport,
     },
     rgb,
     shape::ball::Hit,
@@ -56,17 +57,17 @@ impl Model {
         matches!(self, Self::Transport(_))
     }
 
-    /// The net over what its facets show the camera, if there shall be one.
-    pub(crate) fn net(
+    /// The cache of what its facets show the camera, if there shall be one.
+    pub(crate) fn reflection_cache(
         &self,
         surroundings: &Lit,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
-    ) -> Option<Net> {
+    ) -> Option<ReflectionCache> {
         match self {
             Self::Illuminant(_) => None,
-            Self::Transport(model) => model.net(surroundings, ball, camera, pixel_mm),
+            Self::Transport(model) => model.reflection_cache(surroundings, ball, camera, pixel_mm),
         }
     }
 

@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::{pearl::net::Around, shape::ball::Hit};
+use crate::{pearl::reflection_cache::Around, shape::ball::Hit};
 
 /// A point of a pearl under the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,16 +8,16 @@ use crate::{
         palette::Palette,
     },
     pearl::{
-        inside::{Beam, Body, Inside},
-        net::{Around, Net},
+        reflection_cache::{Around, ReflectionCache},
         shade::Shade,
         sight::Sight,
+        subsurface::{Beam, Body, Subsurface},
     },
     rgb::{self, Rgb},
     surface::{
         coating::{Surface, upsampled},
-        draw::Draw,
         film::STEPS,
+        sampling::FacetSample,
     },
     surroundings::{lamp::Lamp, lit::Lit},
     view::{camera::Camera, ray::Ray},
@@ -28,15 +28,15 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Transport {
     surface: Surface,
-    /// Facets drawn once for all pixels, shared out among the samples along a pixel's side.
-    draws: Vec<Draw>,
-    draws_per_sample: usize,
+    /// Facets sampled once for all pixels, shared out among the samples along a pixel's side.
+    samples: Vec<FacetSample>,
+    facets_per_sample: usize,
     /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
     mirrored: Vec<Matrix>,
     /// What all facets together mirror of even surroundings, by the cosine of the view angle.
     mirrored_by_all: Vec<Matrix>,
     lamps: Vec<Mirrored>,
-    inside: Inside,
+    subsurface: Subsurface,
 }
 
 /// A lamp, and the colour that the film mirrors of it by the cosine of incidence.
@@ -60,8 +60,8 @@ impl Transport {
         lamps: &[Bands],
         samples_side: usize,
     ) -> Self {
-        let relief = surface.relief;
-        let draws_per_sample = draws_per_sample(relief.spread_rad());
+        let microfacets = surface.microfacets;
+        let facets_per_sample = facets_per_sample(microfacets.spread_rad());
         let at = |step: usize| surface.film.reflectance(step as f64 / COSINES as f64);
         let kept_out = |entering: &Bands| palette.filtered(&entering.map(|share| 1.0 - share));
         let mirrored_by_all = upsampled(&surface, COSINES).iter().map(kept_out).collect();
@@ -80,27 +80,28 @@ impl Transport {
                 power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
             })
             .collect();
-        let inside = Inside::new(&surface, body, palette, surroundings, ball, &beams);
+        let subsurface = Subsurface::new(&surface, body, palette, surroundings, ball, &beams);
         let lamps = pairs
             .map(|(lamp, power)| Mirrored {
-                lamp: lamp.clone().resolved_for(&relief),
+                lamp: lamp.clone().resolved_for(&microfacets),
                 colour: colours(power),
             })
             .collect();
-        let draws = relief.draws(samples_side * draws_per_sample);
-        Self { surface, draws, draws_per_sample, mirrored, mirrored_by_all, lamps, inside }
+        let samples = microfacets.samples(samples_side * facets_per_sample);
+        Self { surface, samples, facets_per_sample, mirrored, mirrored_by_all, lamps, subsurface }
     }
 
     /// What goes from the point towards the eye, without the grain.
     pub(crate) fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let hit = &sight.hit;
-        let (whole, plain) = self.inside.radiance(hit.normal, hit.cos_view);
+        let (whole, plain) = self.subsurface.radiance(hit.normal, hit.cos_view);
         let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
         let mut mirror = apply(&self.mirrored_by_all[row(hit.cos_view)], around.light);
         rgb::add(&mut mirror, around.rest);
         for Mirrored { lamp, colour } in &self.lamps {
-            let (relief, reflected) = (&self.surface.relief, |cos_half| colour[row(cos_half)]);
-            let image = lamp.image(relief, hit.point, hit.normal, sight.view, reflected);
+            let (microfacets, reflected) =
+                (&self.surface.microfacets, |cos_half| colour[row(cos_half)]);
+            let image = lamp.image(microfacets, hit.point, hit.normal, sight.view, reflected);
             if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
                 rgb::add(&mut mirror, rgb::scaled(image, past));
@@ -113,37 +114,37 @@ impl Transport {
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
     fn around(&self, surroundings: &Lit, sight: &Sight) -> Around {
-        let first = sight.part * self.draws_per_sample;
-        let all = self.draws.iter().cycle().skip(first % self.draws.len());
-        let some = all.take(self.draws_per_sample).copied();
-        self.gathered(surroundings, sight, some, (self.draws.len(), LOBE))
+        let first = sight.part * self.facets_per_sample;
+        let all = self.samples.iter().cycle().skip(first % self.samples.len());
+        let some = all.take(self.facets_per_sample).copied();
+        self.gathered(surroundings, sight, some, (self.samples.len(), LOBE))
     }
 
-    /// The net over what the facets show `camera`, if pixels are finer.
-    pub(crate) fn net(
+    /// The cache of what the facets show `camera`, if pixels are finer.
+    pub(crate) fn reflection_cache(
         &self,
         surroundings: &Lit,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
-    ) -> Option<Net> {
-        let relief = &self.surface.relief;
+    ) -> Option<ReflectionCache> {
+        let microfacets = &self.surface.microfacets;
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
-        let facets = pixels * self.draws.len() as f64;
-        Net::new(place, camera, relief, facets, |hit, view, draws| {
+        let facets = pixels * self.samples.len() as f64;
+        ReflectionCache::new(place, camera, microfacets, facets, |hit, view, samples| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            self.gathered(surroundings, &sight, draws.iter().copied(), (draws.len(), KNOT_LOBE))
+            self.gathered(surroundings, &sight, samples.iter().copied(), (samples.len(), KNOT_LOBE))
         })
     }
 
-    /// The surroundings in the facets of some draws, of which `count` stand for all facets, each
+    /// The surroundings in the facets of some samples, of which `count` stand for all facets, each
     /// looked up with `lobe_width` of what it stands for.
     fn gathered(
         &self,
         surroundings: &Lit,
         sight: &Sight,
-        draws: impl Iterator<Item = Draw>,
+        samples: impl Iterator<Item = FacetSample>,
         (count, lobe_width): (usize, f64),
     ) -> Around {
         let Sight { ball, hit, view, pixel_mm, .. } = *sight;
@@ -160,9 +161,9 @@ impl Transport {
         // a slanted surface turns it faster.
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
-        let (mut lobe, facets) = (Lobe::default(), self.surface.relief.seen_at(cos_view));
-        for draw in draws {
-            let Some(facet) = facets.facet(draw) else { continue };
+        let (mut lobe, facets) = (Lobe::default(), self.surface.microfacets.seen_at(cos_view));
+        for sample in samples {
+            let Some(facet) = facets.facet(sample) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
             let share_rad2 = lobe_width / (facet.density * count as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
@@ -209,15 +210,15 @@ impl Lobe {
     }
 }
 
-/// Squared width of what a draw is looked up with, in units of its solid angle: neighbours overlap, so that an
+/// Squared width of what a sample is looked up with, in units of its solid angle: neighbours overlap, so that an
 /// edge that moves across them leaves no steps.
 const LOBE: f64 = 4.0;
 
-/// The same for the knots of a net, whose many draws need overlap less.
+/// The same for the knots of a cache, whose many samples need overlap less.
 const KNOT_LOBE: f64 = 2.0;
 
 /// A mirror needs few facets, satin more.
-fn draws_per_sample(spread_rad: f64) -> usize {
+fn facets_per_sample(spread_rad: f64) -> usize {
     match spread_rad {
         spread if spread < 0.02 => 4,
         spread if spread < 0.08 => 8,

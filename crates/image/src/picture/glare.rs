@@ -9,7 +9,7 @@
 use crate::parallel;
 use crate::picture::{
     channels::{CHANNELS, PARTS},
-    coarser::{Scale, mirrored},
+    resampling::{Resampling, mirrored},
 };
 
 /// Light of a pixel: the four parts that add up to the picture.
@@ -43,7 +43,7 @@ pub fn spread(pixels: &mut [f32], size_px: usize, share: f64, radius_px: f64) {
 /// deviation is two and a half cells, the wider ones on coarser sheets.
 fn glare(pixels: &[f32], size_px: usize, narrowest_px: f64, gaussians: &[(f64, f64)]) -> Raised {
     let cell_px = (0.4 * narrowest_px * gaussians[0].0).max(1.0);
-    let scale = Scale::new(size_px, cell_px);
+    let scale = Resampling::new(size_px, cell_px);
     let sheet = Sheet::lowered(&scale, |row, column| {
         let at = (row * size_px + column) * CHANNELS;
         std::array::from_fn(|i| pixels[at + i])
@@ -63,7 +63,7 @@ struct Sheet {
 
 impl Sheet {
     /// A fine sheet, given by row and column, in coarser cells.
-    fn lowered(scale: &Scale, fine: impl Fn(usize, usize) -> Light + Sync) -> Self {
+    fn lowered(scale: &Resampling, fine: impl Fn(usize, usize) -> Light + Sync) -> Self {
         let side = scale.down.len();
         let mut cells = vec![[0.0; LIGHT]; side * side];
         parallel::map_chunks(&mut cells, side, |row, out| {
@@ -91,7 +91,7 @@ impl Sheet {
         let mut own = self.blurred(sigma);
         let part = *part as f32;
         let coarser = wider.first().map(|_| {
-            let scale = Scale::new(self.side, if self.side > 1 { 2.0 } else { 1.0 });
+            let scale = Resampling::new(self.side, if self.side > 1 { 2.0 } else { 1.0 });
             let sheet = Self::lowered(&scale, |row, column| self.cells[row * self.side + column]);
             let step = self.side as f64 / sheet.side as f64;
             let variance = variance + scale.variance() * cell * cell;
@@ -135,7 +135,7 @@ impl Sheet {
 /// A sheet to be laid on a finer one.
 struct Raised {
     light: Sheet,
-    scale: Scale,
+    scale: Resampling,
 }
 
 impl Raised {

@@ -2,7 +2,7 @@ use crate::{
     light::bands::{BANDS, Bands},
     surface::{
         film::{self, Film, STEPS},
-        relief::Relief,
+        microfacets::Microfacets,
     },
 };
 
@@ -15,33 +15,33 @@ pub struct Surface {
     /// The layers.
     pub film: Film,
     /// The facets.
-    pub relief: Relief,
+    pub microfacets: Microfacets,
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
     entering: Vec<Bands>,
 }
 
 /// Facets to average over, at every angle.
-const DRAWS: usize = 512;
+const FACETS: usize = 512;
 
 /// Steps of integrals over the hemisphere.
 const FINE_STEPS: usize = 1024;
 
 impl Surface {
     /// Puts the film on the facets.
-    pub fn new(film: Film, relief: Relief) -> Self {
-        let draws = relief.draws(DRAWS);
+    pub fn new(film: Film, microfacets: Microfacets) -> Self {
+        let samples = microfacets.samples(FACETS);
         let mut entering = Vec::new();
         for cosine in film::cosines() {
             let cos_view = cosine.max(0.25 / STEPS as f64);
-            let (mut mirrored, seen) = ([0.0; BANDS], relief.seen_at(cos_view));
-            for facet in draws.iter().filter_map(|draw| seen.facet(*draw)) {
+            let (mut mirrored, seen) = ([0.0; BANDS], microfacets.seen_at(cos_view));
+            for facet in samples.iter().filter_map(|sample| seen.facet(*sample)) {
                 for (sum, share) in mirrored.iter_mut().zip(film.reflectance(facet.cos_half)) {
                     *sum += facet.weight * share;
                 }
             }
-            entering.push(mirrored.map(|sum| (1.0 - sum / DRAWS as f64).clamp(0.0, 1.0)));
+            entering.push(mirrored.map(|sum| (1.0 - sum / FACETS as f64).clamp(0.0, 1.0)));
         }
-        Self { film, relief, entering }
+        Self { film, microfacets, entering }
     }
 
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_clear_surface_lets_in_like_a_matt_one() {
-        let surface = Surface::new(Film::even(0.0, 1.0), Relief::grooves(0.05));
+        let surface = Surface::new(Film::even(0.0, 1.0), Microfacets::grooves(0.05));
         let moments = surface.moments(4);
         // Ramamoorthi and Hanrahan 2001, over pi: 1, 2/3, 1/4, 0, -1/24.
         for (moment, law) in moments.iter().zip([1.0, 2.0 / 3.0, 0.25, 0.0, -1.0 / 24.0]) {
@@ -126,8 +126,8 @@ mod tests {
 
     #[test]
     fn what_a_lossless_pearl_takes_in_it_gives_back() {
-        for relief in [Relief::grooves(0.25), Relief::ggx(0.3)] {
-            let surface = Surface::new(Film::even(0.3, 1.6), relief);
+        for microfacets in [Microfacets::grooves(0.25), Microfacets::ggx(0.3)] {
+            let surface = Surface::new(Film::even(0.3, 1.6), microfacets);
             let (enters, leaves) =
                 (surface.entering_from_all_sides(), surface.leaving(&[1.0; BANDS]));
             assert!((enters[9] * leaves[9] - 1.0).abs() < 1e-12);
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn light_lost_inside_is_the_sum_over_all_its_ways() {
         // An independent count: each round the body keeps 1 - rho, the surface lets out a share e.
-        let surface = Surface::new(Film::even(0.2, 1.6), Relief::grooves(0.05));
+        let surface = Surface::new(Film::even(0.2, 1.6), Microfacets::grooves(0.05));
         let (rho, n2) = (0.8, 1.6 * 1.6);
         let out = surface.entering_from_all_sides()[0] / n2;
         let (mut inside, mut left) = (1.0, 0.0);

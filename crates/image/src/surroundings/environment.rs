@@ -1,6 +1,6 @@
 use crate::{
     rgb::Rgb,
-    shape::{ball::Ball, crowd::Crowd},
+    shape::{ball::Ball, neighbours::Neighbours},
     surroundings::{lamp::Lamp, sky::Sky, table::Table, walls::Walls, window::Window},
     view::ray::Ray,
 };
@@ -23,7 +23,7 @@ pub struct Surroundings {
     pub windows: Vec<Window>,
     /// The pearls, which throw shadows and give light.
     pub balls: Vec<Ball>,
-    crowd: Crowd,
+    neighbours: Neighbours,
     /// Height of the table: that of the lowest ball's lowest point.
     pub(crate) table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
@@ -43,8 +43,8 @@ impl Surroundings {
         let sky_on_table = sky.on_table();
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
-        let (windows, crowd) = (Vec::new(), Crowd::new(&balls));
-        Self { table, walls, sky, lamps, windows, balls, crowd, table_y_mm, sky_on_table }
+        let (windows, neighbours) = (Vec::new(), Neighbours::new(&balls));
+        Self { table, walls, sky, lamps, windows, balls, neighbours, table_y_mm, sky_on_table }
     }
 
     /// The same with windows.
@@ -60,7 +60,7 @@ impl Surroundings {
         spread_rad: f64,
         from: Option<usize>,
     ) -> impl Iterator<Item = &Ball> {
-        let others = from.map(|ball| self.crowd.near(ball, ray, spread_rad));
+        let others = from.map(|ball| self.neighbours.near(ball, ray, spread_rad));
         let all = if from.is_some() { 0..0 } else { 0..self.balls.len() };
         others.into_iter().flatten().chain(all).map(|ball| &self.balls[ball])
     }

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use crate::{
-    harmonics::nine::Nine,
+    harmonics::second_order::SecondOrder,
     rgb::Rgb,
     surroundings::{lit::Lit, sky::GRID_RAD},
     view::direction::directions,
@@ -15,7 +15,7 @@ use crate::{
 /// Taken at the pearl's centre: that the pearl itself hides part of the table from its own flanks is
 /// left out, but its shadow on the table is not. Other pearls hide what is behind them, and glow.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Irradiance(Nine);
+pub struct Irradiance(SecondOrder);
 
 /// Rows of directions to sum over.
 const ROWS: u32 = 48;
@@ -28,7 +28,7 @@ impl Irradiance {
         });
         let windows = surroundings.window_points(ball);
         let windows = windows.map(|(along, solid, more)| (along, solid / (4.0 * PI), more));
-        Self(Nine::nearest_to(bare.chain(windows)))
+        Self(SecondOrder::nearest_to(bare.chain(windows)))
     }
 
     /// Radiance of a white matt surface with this normal.
@@ -100,16 +100,20 @@ mod tests {
     }
 
     #[test]
-    fn nine_harmonics_agree_with_the_sum_over_all_directions() {
+    fn second_order_harmonics_agree_with_the_sum_over_all_directions() {
         let sky = Sky::Gradient { horizon: [0.2; 3], zenith: [1.0; 3] };
-        let nine = under(sky.clone());
+        let second_order = under(sky.clone());
         for normal in [DVec3::Y, DVec3::X, DVec3::NEG_Y, DVec3::new(0.6, 0.8, 0.0)] {
             let full: f64 = directions(96)
                 .map(|(along, share)| {
                     4.0 * share * along.dot(normal).max(0.0) * sky.radiance(along, 0.0)[0]
                 })
                 .sum();
-            assert!((nine.at(normal)[0] - full).abs() < 0.03, "{} {full}", nine.at(normal)[0]);
+            assert!(
+                (second_order.at(normal)[0] - full).abs() < 0.03,
+                "{} {full}",
+                second_order.at(normal)[0]
+            );
         }
     }
 }

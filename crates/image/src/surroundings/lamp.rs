@@ -2,7 +2,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surface::relief::Relief,
+    surface::microfacets::Microfacets,
 };
 
 /// Where a lamp stands.
@@ -35,10 +35,14 @@ impl Lamp {
     /// Chooses as many points as facets this even need for a smooth image of the lamp: mirrored, they
     /// lie half as far apart, and a lobe hides spacings up to two thirds of its standard deviation.
     #[must_use]
-    pub fn resolved_for(mut self, relief: &Relief) -> Self {
-        let rings = (0.75 * self.angular_radius_rad / relief.spread_rad()).ceil().max(1.0) as usize;
-        self.points =
-            disc(if self.angular_radius_rad > 0.2 * relief.spread_rad() { rings + 1 } else { 1 });
+    pub fn resolved_for(mut self, microfacets: &Microfacets) -> Self {
+        let rings =
+            (0.75 * self.angular_radius_rad / microfacets.spread_rad()).ceil().max(1.0) as usize;
+        self.points = disc(if self.angular_radius_rad > 0.2 * microfacets.spread_rad() {
+            rings + 1
+        } else {
+            1
+        });
         self
     }
 
@@ -73,7 +77,7 @@ impl Lamp {
     /// radiance 1, that is of irradiance pi. A facet mirrors `reflected` of the cosine of incidence.
     pub fn image(
         &self,
-        relief: &Relief,
+        microfacets: &Microfacets,
         point: DVec3,
         normal: DVec3,
         view: DVec3,
@@ -81,14 +85,14 @@ impl Lamp {
     ) -> Rgb {
         let mut sum = [0.0; 3];
         let middle = self.toward(point);
-        if self.misses(relief, normal, view, middle) {
+        if self.misses(microfacets, normal, view, middle) {
             return sum;
         }
         let (a, b) = middle.any_orthonormal_pair();
         let radius = libm::tan(self.angular_radius_rad);
         for [x, y] in &self.points {
             let light = (middle + (a * *x + b * *y) * radius).normalize();
-            if let Some(glint) = relief.mirrored(normal, view, light) {
+            if let Some(glint) = microfacets.mirrored(normal, view, light) {
                 rgb::add(&mut sum, rgb::scaled(reflected(glint.cos_half), glint.share));
             }
         }
@@ -96,12 +100,12 @@ impl Lamp {
     }
 
     /// Whether no facet that leans little enough mirrors any part of the disc.
-    fn misses(&self, relief: &Relief, normal: DVec3, view: DVec3, middle: DVec3) -> bool {
+    fn misses(&self, microfacets: &Microfacets, normal: DVec3, view: DVec3, middle: DVec3) -> bool {
         let half = view + middle;
         let length = half.length();
         // Near the far side of the pearl the half vector turns faster than half the lamp's angle.
         let disc_rad = self.angular_radius_rad / length.max(1e-3);
-        let reach = relief.reach_rad() + disc_rad;
+        let reach = microfacets.reach_rad() + disc_rad;
         reach < std::f64::consts::FRAC_PI_2 && normal.dot(half) < length * libm::cos(reach)
     }
 }
@@ -160,10 +164,10 @@ mod tests {
 
     #[test]
     fn points_chosen_for_the_facets_agree_with_brute_force() {
-        let relief = Relief::grooves(0.03);
-        let lamp = Lamp::new(Place::Direction(DVec3::Y), 0.1, [1.0; 3]).resolved_for(&relief);
+        let microfacets = Microfacets::grooves(0.03);
+        let lamp = Lamp::new(Place::Direction(DVec3::Y), 0.1, [1.0; 3]).resolved_for(&microfacets);
         let image = |lamp: &Lamp, normal, view| {
-            lamp.image(&relief, DVec3::ZERO, normal, view, |_| [1.0; 3])[0]
+            lamp.image(&microfacets, DVec3::ZERO, normal, view, |_| [1.0; 3])[0]
         };
         let mut brute = lamp.clone();
         brute.points = disc(60);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{
     light::glow::Glow,
     rgb::{self, Rgb},
-    surroundings::{chart::Chart, environment::Surroundings, floor, walls::WallLight},
+    surroundings::{environment::Surroundings, light_map::LightMap, table_light, walls::WallLight},
 };
 
 /// Surroundings in whose light pearls can be looked at.
@@ -16,7 +16,7 @@ use crate::{
 pub struct Lit {
     surroundings: Surroundings,
     /// Soft light on the table, near and far, where it is charted.
-    floors: Vec<Chart>,
+    table_lights: Vec<LightMap>,
     /// Light on the walls, where it is charted.
     wall_light: Option<WallLight>,
 }
@@ -33,7 +33,7 @@ impl Surroundings {
     /// Lets the light fall. `charted` works out the soft light on table and walls once and for all, for
     /// scenes in which it is costly; else each place is worked out when it is seen.
     pub fn settled(self, charted: bool) -> Lit {
-        Lit { surroundings: self, floors: Vec::new(), wall_light: None }.charted(charted)
+        Lit { surroundings: self, table_lights: Vec::new(), wall_light: None }.charted(charted)
     }
 }
 
@@ -45,7 +45,7 @@ impl Lit {
         for (ball, glow) in self.surroundings.balls.iter_mut().zip(glows) {
             ball.glow = glow;
         }
-        self.floors.clear();
+        self.table_lights.clear();
         self.charted(charted)
     }
 
@@ -56,8 +56,10 @@ impl Lit {
         let around = &self.surroundings;
         if around.table.is_some() {
             let soft = |point| around.soft_light_on_table(point);
-            let chart = |reach| floor::chart(&around.balls, around.table_y_mm, reach, soft);
-            self.floors = [floor::NEAR, floor::FAR].into_iter().filter_map(chart).collect();
+            let light_map =
+                |reach| table_light::light_map(&around.balls, around.table_y_mm, reach, soft);
+            self.table_lights =
+                [table_light::NEAR, table_light::FAR].into_iter().filter_map(light_map).collect();
         }
         // Pearls are taken not to light the walls, so this holds whatever they send out.
         if let (Some(walls), None) = (&around.walls, &self.wall_light) {
@@ -70,7 +72,7 @@ impl Lit {
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
     /// they hide it, their own glow.
     pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
-        let known = self.floors.iter().find_map(|floor| floor.at([point.x, point.z]));
+        let known = self.table_lights.iter().find_map(|light| light.at([point.x, point.z]));
         let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));
         for lamp in &self.lamps {
             let toward = lamp.toward(point);

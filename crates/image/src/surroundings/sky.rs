@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::dome::Dome,
+    surroundings::panorama::Panorama,
     view::direction::directions,
 };
 
@@ -21,7 +21,7 @@ pub enum Sky {
     /// A photographed or painted panorama.
     Panorama {
         /// The picture.
-        picture: Arc<Dome>,
+        picture: Arc<Panorama>,
         /// Turned about the upright axis.
         rotation_rad: f64,
         /// Factor on the picture's values.

@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::{rgb::Rgb, surroundings::chart::Chart, view::ray::Ray};
+use crate::{rgb::Rgb, surroundings::light_map::LightMap, view::ray::Ray};
 
 /// Upright walls around the pearls, a square room open to the sky.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,13 +40,13 @@ impl Walls {
     }
 }
 
-/// Steps of a chart of a wall, along it and up.
+/// Steps of a light map of a wall, along it and up.
 const STEPS: [usize; 2] = [96, 96];
 
 /// Light on each wall, by the direction from it into the room; the walls themselves, and as far below the
 /// table as a wall is wide, for boxes without a table.
 #[derive(Debug, Clone)]
-pub(crate) struct WallLight([Chart; 4]);
+pub(crate) struct WallLight([LightMap; 4]);
 
 impl WallLight {
     /// `light` works out a point of a wall, the direction into the room given.
@@ -60,14 +60,14 @@ impl WallLight {
         let low_mm = table_y_mm - 2.0 * wide_mm;
         Self(INWARD.map(|inward| {
             let corner = [-wide_mm, low_mm];
-            Chart::new(corner, [wide_mm, top_mm], STEPS, |[along, y]| {
+            LightMap::new(corner, [wide_mm, top_mm], STEPS, |[along, y]| {
                 let across = DVec3::new(inward.z.abs(), 0.0, inward.x.abs());
                 light(-wide_mm * inward + along * across + y * DVec3::Y, inward)
             })
         }))
     }
 
-    /// The light at a point of a wall, if it is charted.
+    /// The light at a point of a wall, if it is mapped.
     pub(crate) fn at(&self, point: DVec3, inward: DVec3) -> Option<Rgb> {
         let wall = INWARD.iter().position(|direction| *direction == inward)?;
         let along = if inward.x == 0.0 { point.x } else { point.z };
@@ -88,12 +88,12 @@ mod tests {
             assert!((point.dot(inward) + 50.0).abs() < 1e-9);
             [point.x, point.y, point.z + inward.x]
         };
-        let charted = WallLight::new(&walls, -4.0, light);
+        let mapped = WallLight::new(&walls, -4.0, light);
         for inward in INWARD {
             let point = -50.0 * inward + 13.0 * inward.cross(DVec3::Y) + 21.0 * DVec3::Y;
-            let (found, put) = (charted.at(point, inward).unwrap(), light(point, inward));
+            let (found, put) = (mapped.at(point, inward).unwrap(), light(point, inward));
             assert!((0..3).all(|i| (found[i] - put[i]).abs() < 1e-9), "{inward}");
-            assert_eq!(charted.at(point + 90.0 * DVec3::Y, inward), None);
+            assert_eq!(mapped.at(point + 90.0 * DVec3::Y, inward), None);
         }
     }
 }

@@ -4,19 +4,53 @@ use nacreous_image::{Grain, Parameters};
 
 use crate::spec::pearl::{PearlSpec, TransportSpec};
 
+/// What each key of a pearl that may be left open for the knobs comes to, by the key's path in a file.
+///
+/// ```
+/// use nacreous_render::{resolved_of, spec::{from_json, pearl::PearlSpec}};
+/// # let text = include_str!("../../tests/akoya-rg.json");
+/// let pearl: PearlSpec = from_json(text)?;
+/// assert!(resolved_of(&pearl).iter().any(|(key, value)| *key == "film.outer_um" && *value > 36.0));
+/// # Ok::<(), nacreous_render::RenderError>(())
+/// ```
+pub fn resolved_of(pearl: &PearlSpec) -> Vec<(&'static str, f64)> {
+    let (knobs, grain) = (parameters_of(pearl), grain_of(pearl));
+    let mut keys = vec![
+        ("surface.facet_spread_rad", facet_spread_rad_of(pearl)),
+        ("texture.hue_weight", grain.hue_rad),
+        ("texture.chroma_weight", grain.chroma),
+        ("texture.value_weight", grain.value),
+    ];
+    match pearl {
+        PearlSpec::Transport(pearl) => {
+            keys.push(("film.outer_um", outer_um_of(pearl)));
+            keys.push(("inside.spread", spread_of(pearl)));
+        }
+        PearlSpec::Illuminant(pearl) => {
+            let (how, surface) = (&pearl.interference, &pearl.surface);
+            let loss = how.diffuse_loss.unwrap_or(knobs.diffuse_loss);
+            keys.push(("interference.diffuse_loss", loss));
+            keys.push(("interference.mixing", how.mixing.unwrap_or(knobs.mixing)));
+            let mirror_weight = surface.mirror_weight.unwrap_or(knobs.mirror_weight);
+            keys.push(("surface.mirror_weight", mirror_weight));
+        }
+    }
+    keys
+}
+
 /// The numbers behind a pearl's knobs depth, shininess and grain.
-pub fn parameters_of(pearl: &PearlSpec) -> Parameters {
+pub(crate) fn parameters_of(pearl: &PearlSpec) -> Parameters {
     let [depth, shininess, grain] = pearl.common().knobs;
     Parameters::new(depth, shininess, grain)
 }
 
 /// Spread of the facets' slopes: the file's, or what shininess makes of it.
-pub fn facet_spread_rad_of(pearl: &PearlSpec) -> f64 {
+pub(crate) fn facet_spread_rad_of(pearl: &PearlSpec) -> f64 {
     pearl.common().facet_spread_rad.unwrap_or_else(|| parameters_of(pearl).facet_spread_rad)
 }
 
 /// How strongly the grain acts: the file's weights, or what the knob grain makes of them.
-pub fn grain_of(pearl: &PearlSpec) -> Grain {
+pub(crate) fn grain_of(pearl: &PearlSpec) -> Grain {
     let (texture, knobs) = (pearl.common().texture, parameters_of(pearl));
     Grain {
         hue_rad: texture.hue_weight.unwrap_or(knobs.hue_weight),
@@ -31,7 +65,7 @@ pub fn outer_um_of(pearl: &TransportSpec) -> f64 {
 }
 
 /// How far light wanders inside: the file's, or what depth makes of it.
-pub fn spread_of(pearl: &TransportSpec) -> f64 {
+pub(crate) fn spread_of(pearl: &TransportSpec) -> f64 {
     pearl.inside.spread.unwrap_or_else(|| knobs(pearl).spread)
 }
 

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use nacreous_image::{
-    Body, Facets, Film, Grain, Progress, Relief, Rgb, Rings, Surface, grain::texture::Texture,
+    Body, Film, Grain, Microfacets, Progress, Rgb, Rings, Surface, TorranceSparrow,
+    grain::texture::Texture,
 };
 use nacreous_optics::IlluminantModel;
 
@@ -36,7 +37,7 @@ pub(crate) enum Optics {
 /// What the model of 1996 asks of a pearl beside its layers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Look {
-    pub(crate) facets: Facets,
+    pub(crate) facets: TorranceSparrow,
     pub(crate) mixing: f64,
     pub(crate) body_colour: Rgb,
     pub(crate) mirror_weight: f64,
@@ -170,7 +171,7 @@ impl OpticsStage {
 }
 
 /// The facets of a pearl's surface.
-pub(crate) fn microfacets_of(pearl: &PearlSpec) -> Relief {
+pub(crate) fn microfacets_of(pearl: &PearlSpec) -> Microfacets {
     let facets = match pearl {
         PearlSpec::Transport(spec) => spec.surface.facets,
         PearlSpec::Illuminant(_) => FacetsSpec::TorranceSparrow,
@@ -178,10 +179,10 @@ pub(crate) fn microfacets_of(pearl: &PearlSpec) -> Relief {
     microfacets(facets, facet_spread_rad_of(pearl))
 }
 
-fn microfacets(facets: FacetsSpec, spread_rad: f64) -> Relief {
+fn microfacets(facets: FacetsSpec, spread_rad: f64) -> Microfacets {
     match facets {
-        FacetsSpec::TorranceSparrow => Relief::grooves(spread_rad),
-        FacetsSpec::Ggx => Relief::ggx(spread_rad),
+        FacetsSpec::TorranceSparrow => Microfacets::grooves(spread_rad),
+        FacetsSpec::Ggx => Microfacets::ggx(spread_rad),
     }
 }
 
@@ -209,7 +210,7 @@ fn look_of(pearl: &PearlSpec, spec: &IlluminantSpec) -> Result<Look, RenderError
     let (knobs, surface) = (parameters_of(pearl), &spec.surface);
     let index = stack_of(&spec.nacre)?.aragonite().index("aragonite")?.n();
     Ok(Look {
-        facets: Facets::new(facet_spread_rad_of(pearl), index, surface.layer_reflectance),
+        facets: TorranceSparrow::new(facet_spread_rad_of(pearl), index, surface.layer_reflectance),
         mixing: spec.interference.mixing.unwrap_or(knobs.mixing),
         body_colour: spec.body_colour.0,
         mirror_weight: surface.mirror_weight.unwrap_or(knobs.mirror_weight),

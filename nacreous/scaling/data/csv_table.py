@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.fault import Faults
+from nacreous.scaling.data.fault import Faults
 
 _BOMS = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
 

@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.door.label import labels_of, numbered
-from nacreous.scaling.door.matrix import (
+from nacreous.scaling.data.label import labels_of, numbered
+from nacreous.scaling.data.matrix import (
     check_counts,
     check_proportions,
     check_ties,
     labelled_matrix,
     read_matrix,
 )
-from nacreous.scaling.door.table import is_table
+from nacreous.scaling.data.table import is_table
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,7 +203,7 @@ def comparisons_of(data: Any) -> Comparisons:
     >>> comparisons_of([("a", "b"), ("b", "c")])
     Comparisons(2 answers, 3 stimuli, 2 pairs)
     """
-    from nacreous.scaling.door.answers import Answers  # which needs this module
+    from nacreous.scaling.data.answers import Answers  # which needs this module
 
     if isinstance(data, Comparisons):
         return data

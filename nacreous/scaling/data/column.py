@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.deprecation import keep_former_names
 from nacreous.problem import InputError
-from nacreous.scaling.door.fault import Faults, quoted
-from nacreous.scaling.door.label import LONGEST_LABEL, natural
-from nacreous.scaling.door.table import Table
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.label import LONGEST_LABEL, natural
+from nacreous.scaling.data.table import Table
 
 
 @dataclass(frozen=True, eq=False)
-class Group:
+class Grouping:
     """A column that sorts answers into groups, such as `sex` or `cohort`.
 
     `levels` are its values in natural order; `code` is int64 [answer], an index into them, or -1
@@ -77,9 +78,9 @@ def codes_of(text: Any) -> tuple[tuple[str, ...], NDArray[np.int64]]:
     return tuple(levels), order[rows]
 
 
-def group_column(table: Table, name: str) -> Group:
+def group_column(table: Table, name: str) -> Grouping:
     """Any column as a group."""
-    return Group(*codes_of(text_column(table, name)))
+    return Grouping(*codes_of(text_column(table, name)))
 
 
 def number_column(table: Table, name: str, faults: Faults, least: float) -> NDArray[np.float64]:
@@ -142,3 +143,6 @@ def _whole_where_possible(array: Any) -> Any:
     if np.all((np.abs(values) < 2**53) & (values == np.rint(values))):
         return pc.cast(array, pa.int64())
     return array
+
+
+keep_former_names(__name__, {"Group": "Grouping"}, "nacreous.scaling")

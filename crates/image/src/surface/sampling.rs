@@ -2,60 +2,60 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
-use crate::surface::relief::{Relief, Shape, ggx_density, smith_over_cosine};
+use crate::surface::microfacets::{Microfacets, Shape, ggx_density, smith_over_cosine};
 
-/// Where a draw of facets falls, wherever the eye is.
+/// Where a sample of the facets falls, wherever the eye is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Draw {
+pub struct FacetSample {
     /// Grooves: the facet's normal. GGX: a point of the unit disc.
     place: DVec3,
     /// Grooves: facets by solid angle there.
     density: f64,
 }
 
-/// A facet that the eye sees, drawn from all those it sees.
+/// A facet that the eye sees, sampled from all those it sees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facet {
     /// Where the mirrored light comes from, in the frame of [`FacetsSeen`].
     pub light: DVec3,
-    /// How much it counts; its mean over all drawn is the share that leaves after one facet.
+    /// How much it counts; its mean over all samples is the share that leaves after one facet.
     pub weight: f64,
     /// Cosine of the angle of incidence on the facet.
     pub cos_half: f64,
-    /// Draws for each unit of solid angle of `light`, over the number of draws.
+    /// Samples for each unit of solid angle of `light`, over the number of samples.
     pub density: f64,
 }
 
-impl Relief {
-    /// `count` draws for [`FacetsSeen::facet`], even over all facets in whole and nearly so in runs.
-    pub fn draws(&self, count: usize) -> Vec<Draw> {
-        self.drawn((0..count).map(even))
+impl Microfacets {
+    /// `count` samples for [`FacetsSeen::facet`], even over all facets in whole and nearly so in runs.
+    pub fn samples(&self, count: usize) -> Vec<FacetSample> {
+        self.sampled((0..count).map(even))
     }
 
     /// The same, evener in whole (Fibonacci's lattice) and not in runs.
-    pub fn lattice(&self, count: usize) -> Vec<Draw> {
+    pub fn lattice(&self, count: usize) -> Vec<FacetSample> {
         const GOLDEN: f64 = 0.618_033_988_749_894_8;
         let point = |i: usize| [(i as f64 + 0.5) / count as f64, (i as f64 * GOLDEN).fract()];
-        self.drawn((0..count).map(point))
+        self.sampled((0..count).map(point))
     }
 
-    /// Draws at points of the unit square.
-    fn drawn(&self, points: impl Iterator<Item = [f64; 2]>) -> Vec<Draw> {
+    /// Samples at points of the unit square.
+    fn sampled(&self, points: impl Iterator<Item = [f64; 2]>) -> Vec<FacetSample> {
         let lean = self.leans();
-        let draw = |[u, v]: [f64; 2]| {
+        let sample = |[u, v]: [f64; 2]| {
             let (sin, cos) = libm::sincos(2.0 * PI * v);
             match self.shape {
                 Shape::Grooves { .. } => {
                     let (across, along) = libm::sincos(lean(u));
                     let place = DVec3::new(across * cos, across * sin, along);
-                    Draw { place, density: self.density(along) }
+                    FacetSample { place, density: self.density(along) }
                 }
                 Shape::Ggx { .. } => {
-                    Draw { place: DVec3::new(cos, sin, 0.0) * u.sqrt(), density: 0.0 }
+                    FacetSample { place: DVec3::new(cos, sin, 0.0) * u.sqrt(), density: 0.0 }
                 }
             }
         };
-        points.map(draw).collect()
+        points.map(sample).collect()
     }
 
     /// The lean below which a share of the facets' projected area lies, by the share.
@@ -101,13 +101,13 @@ pub struct FacetsSeen {
 }
 
 impl FacetsSeen {
-    /// The facet of one of the [`Relief::draws`], if light comes to it from outside.
+    /// The facet of one of the [`Microfacets::samples`], if light comes to it from outside.
     #[inline]
-    pub fn facet(&self, draw: Draw) -> Option<Facet> {
+    pub fn facet(&self, sample: FacetSample) -> Option<Facet> {
         let (view, cos_view) = (self.view, self.view.z);
         let lean = match self.shape {
-            Shape::Grooves { .. } => draw.place,
-            Shape::Ggx { alpha } => visible(alpha, draw.place, self.stretched),
+            Shape::Grooves { .. } => sample.place,
+            Shape::Ggx { alpha } => visible(alpha, sample.place, self.stretched),
         };
         let cos_half = view.dot(lean);
         let light = 2.0 * cos_half * lean - view;
@@ -117,7 +117,7 @@ impl FacetsSeen {
         Some(match self.shape {
             Shape::Grooves { .. } => Facet {
                 weight: (cos_half / (cos_view * lean.z)).min(2.0).min(2.0 * light.z / cos_view),
-                density: draw.density * lean.z / (4.0 * cos_half),
+                density: sample.density * lean.z / (4.0 * cos_half),
                 light,
                 cos_half,
             },
@@ -157,10 +157,10 @@ mod tests {
 
     use super::*;
 
-    const RELIEFS: [fn(f64) -> Relief; 2] = [Relief::grooves, Relief::ggx];
+    const MICROFACETS: [fn(f64) -> Microfacets; 2] = [Microfacets::grooves, Microfacets::ggx];
 
     /// The integral over all light of what mirrors show to `view`.
-    fn albedo(relief: &Relief, view: DVec3) -> f64 {
+    fn albedo(microfacets: &Microfacets, view: DVec3) -> f64 {
         let (rings, spokes) = (600, 1200);
         let mut sum = 0.0;
         for i in 0..rings {
@@ -169,8 +169,8 @@ mod tests {
                 let phi = (f64::from(j) + 0.5) * 2.0 * PI / f64::from(spokes);
                 let light =
                     DVec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos());
-                sum +=
-                    relief.mirrored(DVec3::Z, view, light).map_or(0.0, |g| g.share) * theta.sin();
+                sum += microfacets.mirrored(DVec3::Z, view, light).map_or(0.0, |g| g.share)
+                    * theta.sin();
             }
         }
         sum * (FRAC_PI_2 / f64::from(rings)) * (2.0 * PI / f64::from(spokes))
@@ -181,32 +181,35 @@ mod tests {
     }
 
     #[test]
-    fn facets_drawn_agree_with_the_integral_over_all_light() {
-        for make in RELIEFS {
+    fn facets_sampled_agree_with_the_integral_over_all_light() {
+        for make in MICROFACETS {
             for spread in [0.05, 0.2, 0.5] {
-                let relief = make(spread);
-                let draws = relief.draws(4096);
+                let microfacets = make(spread);
+                let samples = microfacets.samples(4096);
                 for cosine in [1.0, 0.7, 0.3] {
-                    let seen = relief.seen_at(cosine);
-                    let facets = draws.iter().filter_map(|draw| seen.facet(*draw));
-                    let drawn = facets.map(|facet| facet.weight).sum::<f64>() / 4096.0;
-                    let exact = albedo(&relief, towards(cosine));
-                    assert!((drawn - exact).abs() < 0.01, "{relief:?} {cosine}: {drawn} {exact}");
-                    assert!(exact < 1.002, "{relief:?} {cosine}: {exact}");
+                    let seen = microfacets.seen_at(cosine);
+                    let facets = samples.iter().filter_map(|sample| seen.facet(*sample));
+                    let sampled = facets.map(|facet| facet.weight).sum::<f64>() / 4096.0;
+                    let exact = albedo(&microfacets, towards(cosine));
+                    assert!(
+                        (sampled - exact).abs() < 0.01,
+                        "{microfacets:?} {cosine}: {sampled} {exact}"
+                    );
+                    assert!(exact < 1.002, "{microfacets:?} {cosine}: {exact}");
                 }
             }
         }
     }
 
     #[test]
-    fn draws_are_as_dense_as_they_say() {
-        // The mean of 1 / density over the draws is the solid angle that they can reach: for narrow
+    fn samples_are_as_dense_as_they_say() {
+        // The mean of 1 / density over the samples is the solid angle that they can reach: for narrow
         // facets weight times density is what `mirrored` states.
-        for make in RELIEFS {
-            let relief = make(0.2);
-            for draw in relief.draws(64) {
-                let Some(facet) = relief.seen_at(0.6).facet(draw) else { continue };
-                let stated = relief.mirrored(DVec3::Z, towards(0.6), facet.light).unwrap();
+        for make in MICROFACETS {
+            let microfacets = make(0.2);
+            for sample in microfacets.samples(64) {
+                let Some(facet) = microfacets.seen_at(0.6).facet(sample) else { continue };
+                let stated = microfacets.mirrored(DVec3::Z, towards(0.6), facet.light).unwrap();
                 assert!((stated.share / (facet.weight * facet.density) - 1.0).abs() < 1e-6);
                 assert!((stated.cos_half - facet.cos_half).abs() < 1e-9);
             }
@@ -214,36 +217,36 @@ mod tests {
     }
 
     /// Where facets throw light that comes from a patch of directions: the flux into another patch, and
-    /// how well it is known, by random starts and the facets that are drawn for them.
-    fn flux(relief: &Relief, from: (f64, f64), to: (f64, f64), seed: u64) -> (f64, f64) {
+    /// how well it is known, by random starts and the facets that are sampled for them.
+    fn flux(microfacets: &Microfacets, from: (f64, f64), to: (f64, f64), seed: u64) -> (f64, f64) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-        let draws = relief.draws(40_000);
+        let samples = microfacets.samples(40_000);
         let (mut sum, mut squares) = (0.0, 0.0);
-        for draw in &draws {
+        for sample in &samples {
             // Patches: a range of the cosine, all around.
             let cos_view = from.0 + (from.1 - from.0) * uniform();
-            let thrown = relief.seen_at(cos_view).facet(*draw);
+            let thrown = microfacets.seen_at(cos_view).facet(*sample);
             let hit = thrown.filter(|facet| to.0 <= facet.light.z && facet.light.z < to.1);
             let flux = hit.map_or(0.0, |facet| cos_view * facet.weight) * (from.1 - from.0);
             sum += flux;
             squares += flux * flux;
         }
-        let count = draws.len() as f64;
+        let count = samples.len() as f64;
         let mean = sum / count;
         (mean, ((squares / count - mean * mean) / count).sqrt())
     }
 
     #[test]
     fn as_much_light_goes_one_way_as_the_other() {
-        // Helmholtz's reciprocity of what is drawn, statistically: within four standard errors.
-        for (i, make) in RELIEFS.iter().enumerate() {
+        // Helmholtz's reciprocity of what is sampled, statistically: within four standard errors.
+        for (i, make) in MICROFACETS.iter().enumerate() {
             for spread in [0.1, 0.3] {
-                let relief = make(spread);
+                let microfacets = make(spread);
                 for (one, other) in [((0.9, 1.0), (0.6, 0.8)), ((0.3, 0.5), (0.5, 0.9))] {
                     let seed = i as u64;
-                    let (there, error) = flux(&relief, one, other, seed);
-                    let (back, error_back) = flux(&relief, other, one, seed + 9);
+                    let (there, error) = flux(&microfacets, one, other, seed);
+                    let (back, error_back) = flux(&microfacets, other, one, seed + 9);
                     let allowed = 4.0 * error.hypot(error_back);
                     assert!(
                         there > 0.0 && (there - back).abs() < allowed,
@@ -257,8 +260,8 @@ mod tests {
     #[test]
     fn light_and_view_may_change_places() {
         // Helmholtz, on directions all over the hemisphere: radiance over the cosine of incidence is the same.
-        for make in [Relief::grooves, Relief::ggx] {
-            let relief = make(0.3);
+        for make in [Microfacets::grooves, Microfacets::ggx] {
+            let microfacets = make(0.3);
             for i in 0..400 {
                 let direction = |k: usize| {
                     let [u, v] = even(2 * i + k);
@@ -267,8 +270,8 @@ mod tests {
                     DVec3::new(across * cos, across * sin, u.max(0.01)).normalize()
                 };
                 let (a, b) = (direction(0), direction(1));
-                let there = relief.mirrored(DVec3::Z, a, b).unwrap().share / b.z;
-                let back = relief.mirrored(DVec3::Z, b, a).unwrap().share / a.z;
+                let there = microfacets.mirrored(DVec3::Z, a, b).unwrap().share / b.z;
+                let back = microfacets.mirrored(DVec3::Z, b, a).unwrap().share / a.z;
                 assert!((there - back).abs() <= 1e-12 * there, "{a} {b}: {there} {back}");
             }
         }

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.door.fault import Faults, listed, quoted
-from nacreous.scaling.door.label import LONGEST_LABEL, check_number, labels_of, natural
+from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.label import LONGEST_LABEL, check_number, labels_of, natural
 
 _ALLOWED = "allowed: (winner, loser), each text or a whole number"
 

@@ -2,11 +2,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
-/// The surface's relief: microscopic facets that lean about the normal and mirror, each by itself.
+/// The surface's microfacets: they lean about the normal and mirror, each by itself.
 ///
 /// What a facet mirrors is up to whoever asks: shares here are those of perfect mirrors.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Relief {
+pub struct Microfacets {
     pub(crate) shape: Shape,
     /// Density at the normal, for facets whose areas projected on the surface add up to it.
     density_at_normal: f64,
@@ -29,12 +29,12 @@ pub struct Glint {
     pub cos_half: f64,
 }
 
-impl Relief {
+impl Microfacets {
     /// Torrance and Sparrow's facets; `spread_rad` from 0.002 to 0.7 is the standard deviation of the lean.
     pub fn grooves(spread_rad: f64) -> Self {
-        let mut relief = Self { shape: Shape::Grooves { spread_rad }, density_at_normal: 1.0 };
-        relief.density_at_normal = 1.0 / relief.projected_area();
-        relief
+        let mut microfacets = Self { shape: Shape::Grooves { spread_rad }, density_at_normal: 1.0 };
+        microfacets.density_at_normal = 1.0 / microfacets.projected_area();
+        microfacets
     }
 
     /// GGX facets; `alpha` from 0.002 to 1 is about the root of two times the slopes' spread.

@@ -4,9 +4,9 @@ use crate::rgb::{self, Rgb};
 
 /// Linear RGB by direction, as far as nine spherical harmonics tell it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Nine([Rgb; 9]);
+pub(crate) struct SecondOrder([Rgb; 9]);
 
-impl Nine {
+impl SecondOrder {
     pub(crate) const ZERO: Self = Self([[0.0; 3]; 9]);
 
     /// What is nearest, in the mean square, to directions given as (direction, share of the sphere,

@@ -51,7 +51,7 @@ impl Body {
 /// Enters through the film, wanders over the ball as heat would **(ours)**, leaves through the film:
 /// its colour in a direction depends on the angle to the normal by the film, on the place by the light.
 #[derive(Debug, Clone)]
-pub struct Inside {
+pub struct Subsurface {
     /// By direction of the normal, [`ROWS`] rows: light about to leave, by band, and what would leave of it
     /// through a film without colour, in linear RGB.
     places: Vec<[f32; PLACE]>,
@@ -66,7 +66,7 @@ const COSINES: usize = 8 * STEPS;
 /// The bands, RGB and one number to fill the registers.
 const PLACE: usize = BANDS + 4;
 
-impl Inside {
+impl Subsurface {
     /// Lets in the light of `surroundings` around ball `ball`, and that of the lamps.
     pub fn new(
         surface: &Surface,

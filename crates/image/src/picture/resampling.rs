@@ -1,7 +1,7 @@
 /// How cells of a fine sheet make the cells of a coarser one: tents over equal steps, mirrored at the edges.
 /// Seen the other way round, how the coarse cells are laid on the fine ones.
 #[derive(Debug)]
-pub(crate) struct Scale {
+pub(crate) struct Resampling {
     pub(crate) fine: usize,
     /// For each coarse cell, the first fine cell and the weights from there, which add up to 1.
     pub(crate) down: Vec<(usize, Vec<f32>)>,
@@ -9,7 +9,7 @@ pub(crate) struct Scale {
     pub(crate) up: Vec<(usize, Vec<f32>)>,
 }
 
-impl Scale {
+impl Resampling {
     /// To cells about `step` fine cells wide.
     pub(crate) fn new(fine: usize, step: f64) -> Self {
         let coarse = ((fine as f64 / step).round().max(1.0) as usize).min(fine);

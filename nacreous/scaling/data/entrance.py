@@ -1,4 +1,4 @@
-"""The one door of answers: a table's rows checked, or every fault named by row and column."""
+"""The one way in for answers: a table's rows checked, or every fault named by row and column."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.column import (
-    Group,
+from nacreous.scaling.data.column import (
+    Grouping,
     check_labels,
     codes_of,
     group_column,
@@ -18,9 +18,9 @@ from nacreous.scaling.door.column import (
     text_column,
     time_column,
 )
-from nacreous.scaling.door.fault import Faults, listed, nearest, quoted
-from nacreous.scaling.door.label import check_number, labels_of
-from nacreous.scaling.door.table import Table
+from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
+from nacreous.scaling.data.label import check_number, labels_of
+from nacreous.scaling.data.table import Table
 
 
 class Names(TypedDict, total=False):
@@ -46,7 +46,7 @@ class Fields(TypedDict):
     outcome: NDArray[np.int8]
     people: tuple[str, ...]
     person: NDArray[np.int64] | None
-    groups: Mapping[str, Group]
+    groups: Mapping[str, Grouping]
     response_s: NDArray[np.float64] | None
     time: NDArray[np.float64] | None
     sided: bool

@@ -10,7 +10,7 @@ import numpy as np
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.door.fault import quoted
+from nacreous.scaling.data.fault import quoted
 
 #: The largest design that is taken. A matrix of counts of that size fills 800 MB.
 MOST_STIMULI = 10_000

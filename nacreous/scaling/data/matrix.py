@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.door.csv_table import parse_csv
-from nacreous.scaling.door.fault import Faults, quoted
-from nacreous.scaling.door.label import MOST_STIMULI
-from nacreous.scaling.door.table import read_bytes
+from nacreous.scaling.data.csv_table import parse_csv
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.label import MOST_STIMULI
+from nacreous.scaling.data.table import read_bytes
 
 #: How far a proportion and its mirror may be from 1 together: two roundings to two decimals.
 ROUNDING = 0.011

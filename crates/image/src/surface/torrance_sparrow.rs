@@ -1,25 +1,25 @@
-use crate::surface::relief::Relief;
+use crate::surface::microfacets::Microfacets;
 
 /// The pearl's surface as small mirrors that lean about the normal: Torrance and Sparrow 1967.
 ///
 /// Facets lean by an angle alpha with density proportional to exp(-alpha^2 / (2 spread^2)), shadow and
-/// mask each other as V-shaped grooves ([`Relief`]), and reflect by [`Self::reflectance`].
+/// mask each other as V-shaped grooves ([`Microfacets`]), and reflect by [`Self::reflectance`].
 ///
 /// The paper has Fresnel's reflectance alone; the layers below return light in the mirror direction
 /// too, which `layer_reflectance` adds **(ours)**, at 0 the paper exactly.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Facets {
+pub struct TorranceSparrow {
     /// How the facets lean.
-    pub relief: Relief,
+    pub microfacets: Microfacets,
     index: f64,
     layer_reflectance: f64,
 }
 
-impl Facets {
+impl TorranceSparrow {
     /// `spread_rad` from 0.002 to 0.7: the standard deviation of the lean. `index` is that of the outermost
     /// layer, `layer_reflectance` (0..1) the share of what enters that the layers return.
     pub fn new(spread_rad: f64, index: f64, layer_reflectance: f64) -> Self {
-        Self { relief: Relief::grooves(spread_rad), index, layer_reflectance }
+        Self { microfacets: Microfacets::grooves(spread_rad), index, layer_reflectance }
     }
 
     /// Share of natural light mirrored at an angle whose cosine is given: Fresnel's share R1, and the

@@ -2,7 +2,7 @@ use std::{ops::Range, sync::Arc};
 
 use crate::{
     parallel,
-    pearl::{model::Pearl, net::Net, sight::Sight},
+    pearl::{model::Pearl, reflection_cache::ReflectionCache, sight::Sight},
     picture::{channels::CHANNELS, pixel::Pixel},
     progress::Progress,
     rgb::{self, Rgb},
@@ -30,14 +30,15 @@ pub struct Sampler {
 /// What satin pearls show a camera of their surroundings, each in its place; they have no detail that would
 /// have to be worked out at every pixel.
 #[derive(Debug)]
-pub struct Reflections(Vec<Option<Net>>);
+pub struct Reflections(Vec<Option<ReflectionCache>>);
 
 impl Reflections {
     /// Of `pearls[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
     pub fn new(pearls: &[Pearl], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
         let pixel_mm = pixels_mm(surroundings, camera, size_px);
-        let of =
-            |(i, pearl): (usize, &Pearl)| pearl.model.net(surroundings, i, camera, pixel_mm[i]);
+        let of = |(i, pearl): (usize, &Pearl)| {
+            pearl.model.reflection_cache(surroundings, i, camera, pixel_mm[i])
+        };
         Self(pearls.iter().enumerate().map(of).collect())
     }
 }
@@ -154,7 +155,7 @@ impl Sampler {
         for (place, hit) in &view.hits {
             let ball = view.balls[*place];
             let pixel_mm = self.pixel_mm[ball];
-            let around = self.reflections.0[ball].as_ref().map(|net| net.at(hit.normal));
+            let around = self.reflections.0[ball].as_ref().map(|cache| cache.at(hit.normal));
             let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part, around };
             let shade = self.pearls[ball].shade(&self.surroundings, &sight);
             view.parts[*place].add(&shade, weight * left * hit.coverage);

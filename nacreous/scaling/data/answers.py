@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.column import Group
-from nacreous.scaling.door.comparisons import Comparisons
-from nacreous.scaling.door.entrance import Names, fields_of
-from nacreous.scaling.door.fault import listed, nearest
-from nacreous.scaling.door.pairs import codes_of_pairs
-from nacreous.scaling.door.table import read_table, table_of
+from nacreous.scaling.data.column import Grouping
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.entrance import Names, fields_of
+from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.pairs import codes_of_pairs
+from nacreous.scaling.data.table import read_table, table_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +29,7 @@ class Answers:
     - `outcome`: int8 [answer]: 1 left chosen, -1 right chosen, 0 a tie
     - `people`, `person`: labels of people and int64 [answer], an index into them; () and None
       where unknown
-    - `groups`: every other column by name, a `Group` of `levels` and `code` [answer]
+    - `groups`: every other column by name, a `Grouping` of `levels` and `code` [answer]
     - `response_s`: float64 [answer], seconds until the answer, NaN where empty; or None
     - `time`: float64 [answer], when or in which order (column time, else trial or order); or None
     - `sided`: left and right are places before the eye, and not only an order of listing
@@ -45,7 +45,7 @@ class Answers:
     outcome: NDArray[np.int8]
     people: tuple[str, ...] = ()
     person: NDArray[np.int64] | None = None
-    groups: Mapping[str, Group] = field(default_factory=lambda: MappingProxyType({}))
+    groups: Mapping[str, Grouping] = field(default_factory=lambda: MappingProxyType({}))
     response_s: NDArray[np.float64] | None = None
     time: NDArray[np.float64] | None = None
     sided: bool = True
@@ -148,7 +148,7 @@ class Answers:
             return None if column is None else column[chosen]
 
         groups = {
-            name: Group(group.levels, group.code[chosen]) for name, group in self.groups.items()
+            name: Grouping(group.levels, group.code[chosen]) for name, group in self.groups.items()
         }
         return replace(
             self,
@@ -179,11 +179,11 @@ class Answers:
                 parts[level] = self.take(rows)._with_own_people()
         return parts
 
-    def _group(self, column: str) -> Group:
+    def _group(self, column: str) -> Grouping:
         if column in self.groups:
             return self.groups[column]
         if column == "person" and self.person is not None:
-            return Group(self.people, self.person)
+            return Grouping(self.people, self.person)
         near = nearest(column, self.groups)
         allowed = listed(self.groups) or "none, for the answers have no other columns"
         hint = f"did you mean {near}?" if near else f"allowed: {allowed}"

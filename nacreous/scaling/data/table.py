@@ -16,8 +16,8 @@ import numpy as np
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.door.csv_table import parse_csv
-from nacreous.scaling.door.fault import listed
+from nacreous.scaling.data.csv_table import parse_csv
+from nacreous.scaling.data.fault import listed
 
 #: The largest file that is opened: about 30 million answers.
 MOST_BYTES = 2**30

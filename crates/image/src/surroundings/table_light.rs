@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::{rgb::Rgb, shape::ball::Ball, surroundings::chart::Chart};
+use crate::{rgb::Rgb, shape::ball::Ball, surroundings::light_map::LightMap};
 
 /// How finely the light on a table is worked out around the pearls, and how far.
 #[derive(Debug, Clone, Copy)]
@@ -20,13 +20,13 @@ pub(crate) const FAR: Reach = Reach { steps: 2.0, radii: 40.0 };
 /// A grid over pearls of very unlike sizes stays this small.
 const MOST_CELLS: f64 = 400_000.0;
 
-/// A chart of the table by x and z; `None` without pearls. `light` works out a point of the table.
-pub(crate) fn chart(
+/// A light map of the table by x and z; `None` without pearls. `light` works out a point of the table.
+pub(crate) fn light_map(
     balls: &[Ball],
     table_y_mm: f64,
     reach: Reach,
     light: impl Fn(DVec3) -> Rgb + Sync,
-) -> Option<Chart> {
+) -> Option<LightMap> {
     let least_mm = balls.iter().map(|ball| ball.radius_mm).reduce(f64::min)?;
     let margin_mm = reach.radii * balls.iter().map(|ball| ball.radius_mm).fold(0.0, f64::max);
     let end = |sign: f64, axis: fn(DVec3) -> f64| {
@@ -39,7 +39,7 @@ pub(crate) fn chart(
     let finest_mm = (widths_mm[0] * widths_mm[1] / MOST_CELLS).sqrt();
     let step_mm = (least_mm / reach.steps).max(finest_mm);
     let counts = widths_mm.map(|width_mm| (width_mm / step_mm) as usize + 1);
-    Some(Chart::new(corner, opposite, counts, |[x, z]| light(DVec3::new(x, table_y_mm, z))))
+    Some(LightMap::new(corner, opposite, counts, |[x, z]| light(DVec3::new(x, table_y_mm, z))))
 }
 
 #[cfg(test)]
@@ -50,9 +50,9 @@ mod tests {
     fn contact_shadows_are_met_near_and_far() {
         let ball = Ball::alone(4.0);
         let exact = |point: DVec3| [ball.sky_past(point), 1.0, 0.0];
-        let near = chart(&[ball], -4.0, NEAR, exact).unwrap();
-        let far = chart(&[ball], -4.0, FAR, exact).unwrap();
-        let error = |chart: &Chart, x: f64, z: f64| {
+        let near = light_map(&[ball], -4.0, NEAR, exact).unwrap();
+        let far = light_map(&[ball], -4.0, FAR, exact).unwrap();
+        let error = |chart: &LightMap, x: f64, z: f64| {
             (chart.at([x, z]).unwrap()[0] - exact(DVec3::new(x, -4.0, z))[0]).abs()
         };
         for i in 0..160 {
@@ -61,6 +61,6 @@ mod tests {
             assert!(error(&far, 8.0 + 0.9 * t, 12.0) < 0.003, "{i}");
         }
         assert_eq!(near.at([30.0, 0.0]), None);
-        assert!(chart(&[], 0.0, NEAR, exact).is_none());
+        assert!(light_map(&[], 0.0, NEAR, exact).is_none());
     }
 }

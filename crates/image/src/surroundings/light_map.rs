@@ -5,7 +5,7 @@ use crate::{
 
 /// Light over a plane that changes softly, worked out on a grid; straight lines between.
 #[derive(Debug, Clone)]
-pub(crate) struct Chart {
+pub(crate) struct LightMap {
     corner_mm: [f64; 2],
     step_mm: [f64; 2],
     columns: usize,
@@ -13,7 +13,7 @@ pub(crate) struct Chart {
     light: Vec<Rgb>,
 }
 
-impl Chart {
+impl LightMap {
     /// Over a rectangle from one corner to the other, in `counts` steps or so. `light` works out a place.
     pub(crate) fn new(
         corner_mm: [f64; 2],
@@ -54,14 +54,15 @@ mod tests {
 
     #[test]
     fn a_slope_comes_back_and_ends_at_the_edges() {
-        let chart = Chart::new([-1.0, 2.0], [3.0, 4.0], [8, 5], |[x, y]| [x, y, x + 2.0 * y]);
+        let light_map =
+            LightMap::new([-1.0, 2.0], [3.0, 4.0], [8, 5], |[x, y]| [x, y, x + 2.0 * y]);
         for place in [[-1.0, 2.0], [0.3, 2.9], [2.99, 3.99]] {
             let [x, y] = place;
-            let found = chart.at(place).unwrap();
+            let found = light_map.at(place).unwrap();
             assert!((0..3).all(|i| (found[i] - [x, y, x + 2.0 * y][i]).abs() < 1e-12));
         }
         for outside in [[-1.1, 3.0], [3.1, 3.0], [0.0, 1.9], [0.0, 4.1], [f64::NAN, 3.0]] {
-            assert_eq!(chart.at(outside), None);
+            assert_eq!(light_map.at(outside), None);
         }
     }
 }

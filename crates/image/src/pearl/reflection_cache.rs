@@ -6,17 +6,17 @@ use crate::{
     parallel,
     rgb::{self, Rgb},
     shape::ball::{Ball, Hit},
-    surface::{draw::Draw, relief::Relief},
+    surface::{microfacets::Microfacets, sampling::FacetSample},
     view::camera::Camera,
 };
 
-/// What a satin pearl's facets show of the surroundings, at the knots of a net over the side that the eye
+/// What a satin pearl's facets show of the surroundings, cached at the knots of a grid over the side that the eye
 /// sees, with cubics between them.
 ///
 /// The facets blur whatever they mirror: a picture of it has no detail finer than their spread, and need not
 /// be worked out at every pixel. What the film makes of it changes faster, and is left to the pixel.
 #[derive(Debug)]
-pub(crate) struct Net {
+pub(crate) struct ReflectionCache {
     /// From the ball's centre to the eye, and two directions across.
     axis: DVec3,
     across: [DVec3; 2],
@@ -38,52 +38,52 @@ pub struct Around {
 /// Knots beyond the edge on each side, for the cubics.
 const BORDER: usize = 2;
 
-/// Steps of the net for each standard deviation of the facets' lean.
+/// Steps of the grid for each standard deviation of the facets' lean.
 const STEPS_PER_SPREAD: f64 = 1.4;
 
-/// The net's share of the facets that it spares, and how many a knot has.
+/// The cache's share of the facets that it spares, and how many a knot has.
 const SHARE: f64 = 0.4;
 const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;
 
-impl Net {
-    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good net's knots.
-    /// `gather` works out a knot for a point, the direction to the eye, and draws of facets.
+impl ReflectionCache {
+    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots.
+    /// `gather` works out a knot for a point, the direction to the eye, and samples of facets.
     pub(crate) fn new(
         ball: &Ball,
         camera: &Camera,
-        relief: &Relief,
+        microfacets: &Microfacets,
         facets: f64,
-        gather: impl Fn(Hit, DVec3, &[Draw]) -> Around + Sync,
+        gather: impl Fn(Hit, DVec3, &[FacetSample]) -> Around + Sync,
     ) -> Option<Self> {
         let (axis, far_mm) = camera.toward_eye(ball.centre);
         if far_mm <= ball.radius_mm {
             return None;
         }
         let reach_rad = libm::acos(ball.radius_mm / far_mm);
-        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / relief.spread_rad()) as usize;
+        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / microfacets.spread_rad()) as usize;
         let side = 2 * (half + BORDER) + 1;
         // The knots lie in the disc; those beside it cost nothing.
         let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
         if each < FEWEST {
             return None;
         }
-        let draws = relief.lattice((each as usize).min(MOST));
+        let samples = microfacets.lattice((each as usize).min(MOST));
         let (u, v) = axis.any_orthonormal_pair();
-        let mut net = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
+        let mut cache = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
             let at = |i: usize| (i as f64 - (half + BORDER) as f64) / half as f64;
-            let normal = net.normal(at(i % side), at(i / side))?;
+            let normal = cache.normal(at(i % side), at(i / side))?;
             let point = ball.centre + normal * ball.radius_mm;
             let view = camera.toward_eye(point).0;
             let cos_view = normal.dot(view).max(0.02);
-            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &draws))
+            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &samples))
         };
-        net.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
-        Some(net)
+        cache.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
+        Some(cache)
     }
 
-    /// The normal at a place of the net; the edge of what the eye sees has radius 1. Beyond it, where cubics
+    /// The normal at a place of the grid; the edge of what the eye sees has radius 1. Beyond it, where cubics
     /// need knots, the edge's goes on; `None` where none is needed.
     fn normal(&self, x: f64, y: f64) -> Option<DVec3> {
         let radius = (x * x + y * y).sqrt();
@@ -138,22 +138,29 @@ mod tests {
         [0, 1, 2].map(|i| 1.0 + libm::sin(8.0 * hit.normal[i]))
     }
 
-    fn net(projection: Projection, spread_rad: f64) -> Option<Net> {
+    fn cache(projection: Projection, spread_rad: f64) -> Option<ReflectionCache> {
         let camera = Camera::new(projection, 0.3, -0.5, 12.0);
-        let gather = |hit, _, _: &[Draw]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
-        Net::new(&Ball::alone(4.0), &camera, &Relief::grooves(spread_rad), 1e7, gather)
+        let gather =
+            |hit, _, _: &[FacetSample]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
+        ReflectionCache::new(
+            &Ball::alone(4.0),
+            &camera,
+            &Microfacets::grooves(spread_rad),
+            1e7,
+            gather,
+        )
     }
 
     #[test]
     fn between_knots_is_what_a_knot_there_would_be() {
         for projection in [Projection::Orthographic, Projection::Perspective { distance_mm: 60.0 }]
         {
-            let net = net(projection, 0.1).unwrap();
+            let cache = cache(projection, 0.1).unwrap();
             let camera = Camera::new(projection, 0.3, -0.5, 12.0);
             for i in 0..400 {
                 let (x, y) = (f64::from(i % 20) / 14.0 - 0.68, f64::from(i / 20) / 14.0 - 0.68);
                 let Some(hit) = Ball::alone(4.0).hit(&camera.ray(x, y), 1e-6) else { continue };
-                let found = net.at(hit.normal).light;
+                let found = cache.at(hit.normal).light;
                 let expected = wave(hit);
                 assert!((0..3).all(|i| (found[i] - expected[i]).abs() < 0.01), "{hit:?} {found:?}");
             }
@@ -162,6 +169,6 @@ mod tests {
 
     #[test]
     fn a_mirror_has_no_net() {
-        assert!(net(Projection::Orthographic, 0.01).is_none());
+        assert!(cache(Projection::Orthographic, 0.01).is_none());
     }
 }

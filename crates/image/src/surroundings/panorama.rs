@@ -10,7 +10,7 @@ use crate::{
 /// A panorama around the scene in latitude and longitude (width twice the height), linear RGB, with coarser copies of
 /// itself so that a wide lobe costs as much as a narrow one.
 #[derive(Debug, Clone)]
-pub struct Dome {
+pub struct Panorama {
     levels: Vec<Level>,
 }
 
@@ -21,7 +21,7 @@ struct Level {
     pixels: Vec<[f32; 3]>,
 }
 
-impl Dome {
+impl Panorama {
     /// `pixels` row by row from the zenith down, each row from the back (azimuth -180 degrees) round by
     /// the left to the right. At least one row and one column, `width * height` pixels, all finite:
     /// the readers of picture files see to that.
@@ -106,10 +106,10 @@ mod tests {
     use super::*;
 
     /// Brighter to the right, darker downward.
-    fn slope() -> Dome {
+    fn slope() -> Panorama {
         let (width, height) = (64, 32);
         let pixel = |i: usize| [(i % width) as f32, (i / width) as f32, 1.0];
-        Dome::new(width, height, (0..width * height).map(pixel).collect())
+        Panorama::new(width, height, (0..width * height).map(pixel).collect())
     }
 
     #[test]

@@ -3,7 +3,7 @@ use crate::{shape::ball::Ball, view::ray::Ray};
 /// Who lies near whom among the balls on a table, so that light on its way up or down need not be asked about
 /// those that it cannot reach.
 #[derive(Debug, Clone)]
-pub(crate) struct Crowd {
+pub(crate) struct Neighbours {
     /// All balls lie between these heights.
     low_mm: f64,
     high_mm: f64,
@@ -11,7 +11,7 @@ pub(crate) struct Crowd {
     others: Vec<Vec<(f64, usize)>>,
 }
 
-impl Crowd {
+impl Neighbours {
     pub(crate) fn new(balls: &[Ball]) -> Self {
         let gap_mm = |a: &Ball, b: &Ball| a.centre.distance(b.centre) - a.radius_mm - b.radius_mm;
         let others = |(this, ball)| {
@@ -70,12 +70,12 @@ mod tests {
                 Ball { centre: place(i) + low, ..Ball::alone(size(i)) }
             })
             .collect();
-        let crowd = Crowd::new(&balls);
+        let neighbours = Neighbours::new(&balls);
         let mut spared = 0;
         for (from, (along, _)) in (0..20).cycle().zip(directions(24)) {
             for spread_rad in [1e-3, 0.1, 0.6] {
                 let ray = Ray { from: balls[from].centre + along * balls[from].radius_mm, along };
-                let near: Vec<usize> = crowd.near(from, &ray, spread_rad).collect();
+                let near: Vec<usize> = neighbours.near(from, &ray, spread_rad).collect();
                 spared += 19 - near.len();
                 for (i, ball) in balls.iter().enumerate().filter(|(i, _)| *i != from) {
                     assert!(near.contains(&i) || ball.stops(&ray, spread_rad).is_none(), "{i}");

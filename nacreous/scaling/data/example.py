@@ -12,7 +12,7 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 
 #: Answers a pair, the number of people the paper states; that each answered each pair is assumed.
 ANSWERS = 104
@@ -42,6 +42,6 @@ def paper_proportions() -> NDArray[np.float64]:
 
 
 def _numbers(name: str) -> NDArray[np.float64]:
-    text = files("nacreous.scaling.door").joinpath("data", name).read_text("utf-8")
+    text = files("nacreous.scaling.data").joinpath("examples", name).read_text("utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     return np.array([[float(cell) for cell in line.split(",")] for line in lines])
