@@ -87,7 +87,7 @@ test-processors:
 # Write the fingerprints of pictures anew, tests/golden/pictures.csv, after a change that is meant
 [group("trust")]
 fingerprints: setup
-    python tests/picture/fingerprint.py
+    python -m tests.picture.fingerprint
 
 # Measure the speed of the main jobs
 [group("trust")]

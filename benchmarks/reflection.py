@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from optics import processor
 
 import nacreous as nc
-from nacreous.film import columns_of
+from nacreous.nacre import columns_of
 
 ROOT = Path(__file__).parent.parent
 SIZE = 512

@@ -1,8 +1,8 @@
 """The compiled rooms, as mypy sees them; `just check` compares this file with the built module."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from os import PathLike
-from typing import Any, TypeAlias, final
+from typing import TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,22 +86,11 @@ class Stack:
         ambient: _Medium,
         substrate: _Medium,
     ) -> Stack: ...
+    def __len__(self) -> int: ...
+    def thickness_nm(self) -> NDArray[np.float64]: ...
     def total_um(self) -> float: ...
     def outer(self, depth_um: float) -> tuple[int, float, float]: ...
 
-def grow(
-    *,
-    days: int,
-    peak_day: float,
-    season_days: float,
-    thickness_winter_nm: float,
-    thickness_summer_nm: float,
-    layers_winter: float,
-    layers_summer: float,
-    thickness_noise_nm: float,
-    layers_noise: float,
-    seed: int,
-) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
 def media() -> list[str]: ...
 
 # optics
@@ -149,18 +138,41 @@ def interference_iridescence(
 # image
 MAX_SIZE_PX: int
 
-def render(
-    pearls: list[tuple[Mapping[str, Any], Texture | None]],
-    scene: Mapping[str, Any],
-    size_px: int,
-    samples_side: int,
-    report: Callable[[int], object] | None,
-) -> NDArray[np.float32]: ...
-def parts() -> list[tuple[str, int, int]]: ...
-def parameters(depth: float, shininess: float, grain: float) -> dict[str, float]: ...
 def develop(
     linear: NDArray[np.float32], space: str, gamut: str, bits: int
 ) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]: ...
+
+# pearl, by its JSON
+def stack_of_nacre(nacre: str) -> tuple[Stack, bool]: ...
+def grow(growth: str) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
+def film_columns(pearl: str, outer_um: float | None) -> list[NDArray[np.float64]]: ...
+def body_reflectance(pearl: str, of_layers_mm: float) -> NDArray[np.float64]: ...
+def resolved_keys(pearl: str) -> dict[str, float]: ...
+
+# render
+MAX_SAMPLES: int
+Grain: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+@final
+class Picture:
+    def parts(self) -> tuple[NDArray[np.float32], list[tuple[str, int, int]]]: ...
+    def save_png(
+        self,
+        path: str | PathLike[str],
+        space: str,
+        gamut: str,
+        bits: int,
+        text: list[tuple[str, str]],
+    ) -> float: ...
+    def save_exr(self, path: str | PathLike[str], text: list[tuple[str, str]]) -> None: ...
+
+def render(
+    recipe: str,
+    spectra: list[tuple[str, list[float]]],
+    panoramas: list[tuple[str, NDArray[np.float32]]],
+    grains: list[tuple[int, Grain]],
+    report: Callable[[int], object] | None,
+) -> Picture: ...
 
 # scaling
 @final
@@ -222,15 +234,12 @@ class Texture:
     def at(self, directions: NDArray[np.float64], footprint_rad: float) -> NDArray[np.float32]: ...
     def grid(self) -> NDArray[np.float32]: ...
 
-def procedural_grain() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+def procedural_grain() -> Grain: ...
+def limited_grain(grain: Grain, low_per_mm: float, high_per_mm: float) -> Grain: ...
 def synthesise_texture(
-    cycles_per_mm: NDArray[np.float64],
-    density: NDArray[np.float64],
-    correlation: NDArray[np.float64],
-    radius_mm: float,
-    seed: int,
-    footprint_rad: float,
+    grain: Grain, radius_mm: float, seed: int, footprint_rad: float
 ) -> Texture: ...
+def texture_of(pearl: str, measured: Grain | None, footprint_rad: float) -> Texture: ...
 def synthesise_harmonics(
     coefficients: NDArray[np.complex128], rows: int
 ) -> NDArray[np.float64]: ...

@@ -93,15 +93,8 @@ def reflectance_of_body(pearl: Pearl, nacre_mm_of_stack: float) -> Array:
     >>> bool(thin[60] > thick[60])  # at 440 nm
     True
     """
-    body = pearl.body
-    nacre_mm = body.nacre_mm
-    if nacre_mm is None:
-        nacre_mm = min(
-            within("nacre_mm_of_stack", nacre_mm_of_stack, 0, 1e6), pearl.diameter_mm / 2
-        )
-    return reflectance(
-        body.pigment, nacre_mm, body.pigment_strength, body.scattering_per_mm, body.nucleus
-    )
+    of_layers_mm = within("nacre_mm_of_stack", nacre_mm_of_stack, 0, 1e6)
+    return _core.body_reflectance(pearl.model_dump_json(), of_layers_mm)
 
 
 keep_former_names(__name__, {"of_pearl": "reflectance_of_body"})

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import json
-import math
 import platform
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from numbers import Integral
 from pathlib import Path
-from typing import Any, Literal, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeAlias, TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
-from nacreous import _core, colour, file, look, texture
-from nacreous.arrangement import Arrangement, arrange
+from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
+from nacreous.rows import Filled, fill
 from nacreous.spec import Growth, Pearl, Scene
 from nacreous.spec.row import MOST_PEARLS
 
-__all__ = ["SUFFIXES", "Image", "render"]
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+__all__ = ["SUFFIXES", "Image", "recipe_json", "render"]
 
 #: The kinds of picture file that can be written.
 SUFFIXES = (".png", ".exr")
@@ -29,19 +29,52 @@ Spec = TypeVar("Spec", Pearl, Scene)
 Given: TypeAlias = str | Path | Pearl
 
 
-@dataclass(frozen=True)
 class Image:
-    """Rendered pearls in linear light, and the recipe they can be made from again.
+    """A picture in linear light, and the recipe that it can be made from again.
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
-    leave 0..1. layers: the parts "interference", "diffuse", "mirror" and "surroundings", which add
-    up to linear, and "texture" (hue, value, chroma) and "coverage" (of all pearls). recipe: texts
-    "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others.
+    leave 0..1. layers: of a rendered picture, the parts "interference", "diffuse", "mirror" and
+    "surroundings", which add up to linear, and "texture" (hue, value, chroma) and "coverage" (of
+    all pearls). recipe: texts "pearl" (of several different pearls "pearl.0", "pearl.1" and so on),
+    "scene" and others.
     """
 
-    linear: NDArray[np.float32]
-    layers: Mapping[str, NDArray[np.float32]]
-    recipe: Mapping[str, str] = field(default_factory=dict)
+    def __init__(
+        self,
+        linear: NDArray[np.float32],
+        layers: Mapping[str, NDArray[np.float32]],
+        recipe: Mapping[str, str] | None = None,
+    ) -> None:
+        self._arrays: _Arrays | None = (linear, layers)
+        self._picture: _core.Picture | None = None
+        self.recipe: Mapping[str, str] = recipe or {}
+
+    @classmethod
+    def _rendered(cls, picture: _core.Picture, recipe: Mapping[str, str]) -> Image:
+        """A picture whose arrays, and NumPy with them, are loaded when they are first asked for."""
+        image = cls.__new__(cls)
+        image._arrays, image._picture, image.recipe = None, picture, recipe
+        return image
+
+    @property
+    def linear(self) -> NDArray[np.float32]:
+        """The picture's light."""
+        return self._loaded()[0]
+
+    @property
+    def layers(self) -> Mapping[str, NDArray[np.float32]]:
+        """The parts of that light, and what they were made with."""
+        return self._loaded()[1]
+
+    def _loaded(self) -> _Arrays:
+        if self._arrays is None:
+            if self._picture is None:
+                raise TypeError("an image has neither arrays nor a picture")
+            pixels, parts = self._picture.parts()
+            layers = {name: pixels[..., first:end] for name, first, end in parts}
+            first_four = list(layers.values())[:4]
+            self._arrays = sum(first_four[1:], first_four[0]), layers
+        return self._arrays
 
     def develop(
         self,
@@ -58,8 +91,7 @@ class Image:
         >>> codes.dtype, codes.shape
         (dtype('uint8'), (8, 8, 3))
         """
-        if bits not in (8, 16):
-            raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
+        _check_bits(bits)
         return _core.develop(self.linear, str(space), str(gamut), bits)
 
     def save(
@@ -76,13 +108,27 @@ class Image:
         is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
+        _check_bits(bits)
         outside = 0.0
         with file.atomic(path) as temporary:
-            if suffix == ".exr":
-                _core.write_exr(temporary, [("", self.linear), *self.layers.items()], self._texts())
+            if self._picture is None or self._arrays is not None:
+                outside = self._save_arrays(temporary, suffix, (bits, str(space), str(gamut)))
+            elif suffix == ".exr":
+                self._picture.save_exr(temporary, self._texts())
             else:
-                codes, outside = self.develop(bits, space, gamut)
-                _core.write_png(temporary, codes, space, self._texts())
+                texts = self._texts()
+                outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
+        return outside
+
+    def _save_arrays(
+        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str]
+    ) -> float:
+        """Write the arrays, which may have been changed since they were rendered."""
+        if suffix == ".exr":
+            _core.write_exr(path, [("", self.linear), *self.layers.items()], self._texts())
+            return 0.0
+        codes, outside = self.develop(*how)
+        _core.write_png(path, codes, how[1], self._texts())
         return outside
 
     def _texts(self) -> list[tuple[str, str]]:
@@ -108,24 +154,46 @@ def render(
 
     >>> image = render("paper", size=16, samples=4)
     >>> parts = ("interference", "diffuse", "mirror", "surroundings")
-    >>> bool(np.abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
+    >>> bool(abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
     True
     """
-    scene = _loaded(Scene, scene)
-    size, side = _size(size), _samples_side(samples)
-    arrangement = arrange(_given(pearl), scene)
+    filled = fill(_given(pearl), _loaded(Scene, scene))
+    size, samples = _whole("size", size), _whole("samples", samples)
     report = None if progress is None else lambda rows: progress(rows / size)
-    pixels = _core.render(
-        _prepared(arrangement.pearls, arrangement.field_mm() / size * arrangement.nearest()),
-        _surroundings(arrangement),
-        size,
-        side,
+    picture = _core.render(
+        _json(filled, size, samples),
+        _spectra(filled.scene),
+        _panoramas(filled.scene),
+        _measured_grains(filled.pearls),
         report,
     )
-    layers = {name: pixels[..., first:end] for name, first, end in _core.parts()}
-    first_four = list(layers.values())[:4]
-    linear = sum(first_four[1:], first_four[0])
-    return Image(linear, layers, _recipe(arrangement, size, side * side))
+    return Image._rendered(picture, _recipe(filled, size, samples))
+
+
+def recipe_json(
+    pearl: Given | Sequence[Given] = "paper",
+    scene: str | Path | Scene = "paper",
+    size: int = 512,
+    samples: int = 16,
+) -> str:
+    """Everything that makes a picture, complete, as the JSON that every renderer of ours takes.
+
+    Arguments as for `render`. Each key of the pearls and of the scene stands in it, with null where
+    it is left out and the renderer finds its value; rows name pearls by number. Contents of files
+    (measured lights, panoramas, photographs) are handed over beside it.
+
+    >>> import json
+    >>> sorted(json.loads(recipe_json("akoya-rg", "booth", size=64)))
+    ['pearls', 'samples', 'scene', 'size']
+    """
+    filled = fill(_given(pearl), _loaded(Scene, scene))
+    return _json(filled, _whole("size", size), _whole("samples", samples))
+
+
+def _json(filled: Filled, size: int, samples: int) -> str:
+    pearls = ", ".join(pearl.model_dump_json() for pearl in filled.pearls)
+    scene = filled.scene.model_dump_json()
+    return f'{{"pearls": [{pearls}], "scene": {scene}, "size": {size}, "samples": {samples}}}'
 
 
 def _given(pearl: Given | Sequence[Given]) -> list[Pearl]:
@@ -145,122 +213,54 @@ def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
     raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
 
 
-def _size(size: int) -> int:
-    if _is_whole(size) and 1 <= size <= _core.MAX_SIZE_PX:
-        return int(size)
-    raise InputError(f"size is {said(size)}; allowed: a whole number from 1 to {_core.MAX_SIZE_PX}")
+def _whole(name: str, value: int) -> int:
+    """A whole number; its range is the renderer's business."""
+    if isinstance(value, Integral) and not isinstance(value, bool) and value >= 0:
+        return int(value)
+    raise InputError(f"{name} is {said(value)}; allowed: {_COUNTS[name]}")
 
 
-def _samples_side(samples: int) -> int:
-    side = math.isqrt(samples) if _is_whole(samples) and 1 <= samples <= 1024 else 0
-    if side and side * side == samples:
-        return side
-    allowed = "a square number from 1 to 1024, such as 16"
-    raise InputError(f"samples is {said(samples)}; allowed: {allowed}")
+_COUNTS = {
+    "size": f"a whole number from 1 to {_core.MAX_SIZE_PX}",
+    "samples": f"a square number from 1 to {_core.MAX_SAMPLES}, such as 16",
+}
 
 
-def _is_whole(value: object) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+def _spectra(scene: Scene) -> list[tuple[str, list[float]]]:
+    """The measured lights that a scene names, of lamps and windows that are on."""
+    lit = [lamp.spectrum for lamp in scene.lamps if lamp.intensity > 0]
+    lit += [window.spectrum for window in scene.windows if window.luminance > 0]
+    names = sorted({name for name in lit if name.lower().endswith(".csv")})
+    if not names:
+        return []
+    from nacreous.colour import spectrum_from_csv
+
+    return [(name, spectrum_from_csv(name).tolist()) for name in names]
 
 
-def _prepared(
-    pearls: list[Pearl], pixel_mm: float
-) -> list[tuple[Mapping[str, Any], _core.Texture | None]]:
-    """Each pearl's look, and its grain if it shows any; pearls of the same grain share it.
-
-    pixel_mm: the least width on a pearl that a pixel has.
-    """
-    grains: dict[Any, _core.Texture] = {}
-    prepared: list[tuple[Mapping[str, Any], _core.Texture | None]] = []
-    for pearl in pearls:
-        seen, grain = look.subject_of(pearl), (pearl.texture, pearl.diameter_mm, pearl.texture_seed)
-        if not any(seen[weight] for weight in look.GRAIN):
-            prepared.append((seen, None))
-            continue
-        if grain not in grains:
-            grains[grain] = texture.texture_of(pearl, 2 * pixel_mm / pearl.diameter_mm)
-        prepared.append((seen, grains[grain]))
-    return prepared
+def _panoramas(scene: Scene) -> list[tuple[str, NDArray[np.float32]]]:
+    path = scene.sky.path
+    return [] if path is None else [(path, file.read_panorama(path))]
 
 
-def _surroundings(arrangement: Arrangement) -> dict[str, Any]:
-    scene = arrangement.scene
-    camera, walls, table = scene.camera, scene.walls, scene.table
-    return {
-        "observer": scene.observer,
-        "white": None if camera.white == "auto" else colour.light(camera.white),
-        "camera": {
-            "distance_mm": camera.distance_mm if camera.projection == "perspective" else None,
-            "elevation_rad": math.radians(camera.elevation_deg),
-            "azimuth_rad": math.radians(camera.azimuth_deg),
-            "field_mm": arrangement.field_mm(),
-            "exposure": camera.exposure,
-            "glare": camera.glare,
-            "glare_mm": camera.distance_mm * math.tan(math.radians(camera.glare_deg)),
-        },
-        "places": [place._asdict() for place in arrangement.places],
-        # A lamp or window switched off has no say in what looks white either.
-        "lamps": [_lamp(lamp) for lamp in scene.lamps if lamp.intensity > 0],
-        "windows": [
-            arrangement.frame(window)._asdict()
-            | {"spectrum": colour.light(window.spectrum), "luminance": window.luminance}
-            for window in scene.windows
-            if window.luminance > 0
-        ],
-        "table": None if table.kind == "none" else _coloured(table.model_dump()),
-        "walls": None if walls is None else _coloured(walls.model_dump()),
-        "sky": _sky(scene),
-    }
+def _measured_grains(pearls: list[Pearl]) -> list[tuple[int, _core.Grain]]:
+    """The grain of each pearl that has a photograph."""
+    numbers = [i for i, pearl in enumerate(pearls) if pearl.texture.source != "procedural"]
+    if not numbers:
+        return []
+    from nacreous.texture import measured_grain
+
+    return [(i, measured_grain(pearls[i])) for i in numbers]
 
 
-def _lamp(lamp: Any) -> dict[str, Any]:
-    direction = None
-    if lamp.position_mm is None:
-        azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
-        flat = math.cos(elevation)
-        direction = (math.sin(azimuth) * flat, math.sin(elevation), math.cos(azimuth) * flat)
-    return {
-        "direction": direction,
-        "position_mm": lamp.position_mm or (0.0, 0.0, 0.0),
-        "angular_radius_rad": math.radians(lamp.angular_radius_deg),
-        "spectrum": colour.light(lamp.spectrum),
-        "intensity": lamp.intensity,
-    }
-
-
-def _sky(scene: Scene) -> dict[str, Any]:
-    sky = scene.sky
-    zenith = sky.zenith if sky.kind == "gradient" else sky.horizon
-    return {
-        "horizon": colour.linear_from_hex(sky.horizon),
-        "zenith": colour.linear_from_hex(zenith),
-        "panorama": None if sky.path is None else file.read_panorama(sky.path),
-        "rotation_rad": math.radians(sky.rotation_deg),
-        "intensity": sky.intensity,
-    }
-
-
-def _coloured(section: dict[str, Any]) -> dict[str, Any]:
-    """The section with its colours as linear RGB."""
-    return {
-        key: colour.linear_from_hex(value) if key.endswith("colour") else value
-        for key, value in section.items()
-    }
-
-
-def _recipe(arrangement: Arrangement, size: int, samples: int) -> dict[str, str]:
+def _recipe(filled: Filled, size: int, samples: int) -> dict[str, str]:
     """Everything that makes the picture again, as texts for its file."""
     from nacreous import __version__
 
-    pearls = arrangement.pearls
+    pearls = filled.pearls
     seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
     texture_seeds = [p.texture_seed for p in pearls]
     one = len(pearls) == 1
-    versions = {
-        "nacreous": __version__,
-        "python": platform.python_version(),
-        "numpy": np.__version__,
-    }
     settings = {
         "size": size,
         "samples": samples,
@@ -269,7 +269,16 @@ def _recipe(arrangement: Arrangement, size: int, samples: int) -> dict[str, str]
     }
     return {
         **{"pearl" if one else f"pearl.{i}": p.to_toml() for i, p in enumerate(pearls)},
-        "scene": arrangement.scene.to_toml(),
+        "scene": filled.scene.to_toml(),
         "settings": json.dumps(settings),
-        "versions": json.dumps(versions),
+        "versions": json.dumps({"nacreous": __version__, "python": platform.python_version()}),
     }
+
+
+def _check_bits(bits: int) -> None:
+    if bits not in (8, 16):
+        raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
+
+
+if TYPE_CHECKING:
+    _Arrays: TypeAlias = tuple[NDArray[np.float32], Mapping[str, NDArray[np.float32]]]

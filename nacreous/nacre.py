@@ -18,7 +18,7 @@ from nacreous.problem import InputError
 if TYPE_CHECKING:
     from nacreous.spec import Growth, Layers, Pearl
 
-__all__ = ["Diary", "LayerStack", "diary", "grow", "stack_of"]
+__all__ = ["Diary", "LayerStack", "columns_of", "diary", "grow", "stack_of"]
 
 
 class LayerStack:
@@ -141,25 +141,9 @@ def diary(growth: Growth) -> Diary:
     >>> days.date[-1] < Growth().harvest_date
     True
     """
-    day, thickness_nm = _grown(growth)
+    day, thickness_nm = _core.grow(growth.model_dump_json())
     seeding = growth.seeding_date
     return Diary([seeding + dt.timedelta(days=int(days)) for days in day], thickness_nm)
-
-
-def _grown(growth: Growth) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
-    """Day and thickness of each layer, from the nucleus outward."""
-    return _core.grow(
-        days=growth.days,
-        peak_day=float((growth.peak_date - growth.seeding_date).days),
-        season_days=growth.season_days,
-        thickness_winter_nm=growth.thickness_winter_nm,
-        thickness_summer_nm=growth.thickness_summer_nm,
-        layers_winter=growth.layers_winter,
-        layers_summer=growth.layers_summer,
-        thickness_noise_nm=growth.thickness_noise_nm,
-        layers_noise=growth.layers_noise,
-        seed=growth.seed,
-    )
 
 
 def grow(growth: str | Growth = "paper", **parameters: Any) -> LayerStack:
@@ -197,18 +181,28 @@ def stack_of(pearl: Pearl) -> LayerStack:
     return _stack(pearl.nacre)
 
 
-def _stack(nacre: Growth | Layers) -> LayerStack:
-    """Grown or listed layers on their core.
+def columns_of(pearl: Pearl, outer_um: float | None = None) -> list[LayerStack]:
+    """The columns of tablets of a transport pearl's film, the outer `outer_um` of each.
 
-    The core is the crystal of the layers where a name or two indices tell it, else the paper's
-    index 1.53.
+    outer_um: depth in um; left out, the pearl's own. Grown nacre: each column grows by the same
+    season with a seed of its own, the first with the pearl's. Listed layers are the same in all.
+    Both are spread by film.column_spread_nm, layer by layer. Same pearl, same columns. Raises
+    `InputError` for a pearl of the other model.
+
+    >>> from nacreous.spec import Pearl
+    >>> columns = columns_of(Pearl(), 10.0)
+    >>> len(columns), len(columns[0])
+    (64, 24)
     """
-    from nacreous.spec import Growth
+    columns = _core.film_columns(pearl.model_dump_json(), outer_um)
+    stack = stack_of(pearl)
+    media = (stack.protein_nm, *(getattr(stack, name) for name in _MEDIA))
+    return [LayerStack(thickness_nm, *media) for thickness_nm in columns]
 
-    if isinstance(nacre, Growth):
-        thickness_nm = _grown(nacre)[1][::-1]
-    else:
-        thickness_nm = np.asarray(nacre.thickness_nm)
+
+def _stack(nacre: Growth | Layers) -> LayerStack:
+    """Grown or listed layers on their core."""
+    stack, on_crystal = _core.stack_of_nacre(nacre.model_dump_json())
     aragonite, protein = nacre.aragonite_medium, nacre.protein_medium
-    core = 1.53 if isinstance(aragonite, complex) else aragonite
-    return LayerStack(thickness_nm, nacre.protein_nm, aragonite, protein, substrate=core)
+    core = {"substrate": aragonite} if on_crystal else {}
+    return LayerStack(stack.thickness_nm(), nacre.protein_nm, aragonite, protein, **core)

@@ -11,13 +11,14 @@ spatial frequency; `synthesise` draws from it a texture that covers a pearl with
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nacreous._core import Texture, procedural_grain, synthesise_texture
+from nacreous import _core
+from nacreous._core import Texture, limited_grain, procedural_grain, synthesise_texture
 from nacreous.colour import hvc_from_rgb
 from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
@@ -25,6 +26,7 @@ from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
+    from nacreous._core import Grain
     from nacreous.spec import Pearl
 
 __all__ = ["Analysis", "GrainSpectrum", "Texture", "analyse", "synthesise", "texture_of"]
@@ -79,16 +81,13 @@ class GrainSpectrum:
         >>> grain.variance.tolist()
         [1.0, 1.0, 1.0]
         """
-        ends = np.clip([low_per_mm, high_per_mm], self.cycles_per_mm[0], self.cycles_per_mm[-1])
-        if not low_per_mm < high_per_mm or ends[0] >= ends[1]:
-            raise InputError(
-                f"texture: the band is {low_per_mm:g} to {high_per_mm:g} cycles per mm; allowed: "
-                f"part of {self.cycles_per_mm[0]:g} to {self.cycles_per_mm[-1]:g}"
-            )
-        inner = self.cycles_per_mm[(self.cycles_per_mm > ends[0]) & (self.cycles_per_mm < ends[1])]
-        frequency = np.concatenate([ends[:1], inner, ends[1:]])
-        density = np.stack([np.interp(frequency, self.cycles_per_mm, row) for row in self.density])
-        return replace(self, cycles_per_mm=frequency, density=density)
+        limited = limited_grain(self.numbers, float(low_per_mm), float(high_per_mm))
+        return type(self)(*limited, source=self.source)
+
+    @property
+    def numbers(self) -> Grain:
+        """Frequencies, density and correlation, as the renderer takes them."""
+        return self.cycles_per_mm, self.density, self.correlation
 
     @property
     def variance(self) -> Array:
@@ -180,14 +179,7 @@ def synthesise(
     if spectrum.cycles_per_mm.ndim != 1 or spectrum.density.ndim != 2:
         shapes = spectrum.cycles_per_mm.shape, spectrum.density.shape
         raise InputError(f"grain spectrum: shapes are {shapes}; allowed: (k,) and (3, k)")
-    return synthesise_texture(
-        spectrum.cycles_per_mm,
-        spectrum.density,
-        spectrum.correlation,
-        radius_mm,
-        seed,
-        footprint_rad,
-    )
+    return synthesise_texture(spectrum.numbers, radius_mm, seed, footprint_rad)
 
 
 def texture_of(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
@@ -199,16 +191,18 @@ def texture_of(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
     >>> texture_of(Pearl(diameter_mm=2.0)).band_limit
     75
     """
+    photographed = pearl.texture.source != "procedural"
+    measured = measured_grain(pearl) if photographed else None
+    return _core.texture_of(pearl.model_dump_json(), measured, footprint_rad)
+
+
+def measured_grain(pearl: Pearl) -> Grain:
+    """The numbers of the grain on the photograph that a pearl file names."""
     wanted = pearl.texture
+    photograph = read_photograph(wanted.source)
     low, high = wanted.low_per_mm, wanted.high_per_mm
-    if wanted.source == "procedural":
-        spectrum = GrainSpectrum.procedural().limited(low or 0.0, high or np.inf)
-    else:
-        photograph = read_photograph(wanted.source)
-        spectrum = analyse(
-            photograph, wanted.mm_per_pixel, wanted.side_px, low=low, high=high
-        ).spectrum
-    return synthesise(spectrum, pearl.diameter_mm / 2, pearl.texture_seed, footprint_rad)
+    found = analyse(photograph, wanted.mm_per_pixel, wanted.side_px, low=low, high=high)
+    return found.spectrum.numbers
 
 
 def _band(

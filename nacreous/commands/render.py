@@ -91,12 +91,12 @@ def _report(
     args: argparse.Namespace, pearls: list[Pearl], scene: Scene, seconds: float, outside: float
 ) -> str:
     """One line: what was made, where, and how far the screen falls short of it."""
-    from nacreous.nacre import stack_of
+    from nacreous import _core
 
     shown = f"{len(pearls)} pearls"
     if len(pearls) == 1:
-        stack = stack_of(pearls[0])
-        nacre = f"{len(stack)} layers, {stack.total_um:.0f} um of nacre"
+        stack, _ = _core.stack_of_nacre(pearls[0].nacre.model_dump_json())
+        nacre = f"{len(stack)} layers, {stack.total_um():.0f} um of nacre"
         shown = f"pearl {pearls[0].name} ({nacre})"
     line = (
         f"{args.output}: {shown} in scene {scene.name}, "

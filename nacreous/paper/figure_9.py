@@ -35,9 +35,7 @@ def spectra(pearl: Pearl) -> Array:
     White light of the same strength at all wavelengths has gone in.
     """
     how = pearl.interference
-    loss = how.diffuse_loss
-    if loss is None:
-        loss = _core.parameters(pearl.depth, pearl.shininess, pearl.grain)["diffuse_loss"]
+    loss = _core.resolved_keys(pearl.model_dump_json())["interference.diffuse_loss"]
     view_rad, wavelength_nm = np.radians(np.arange(81.0)), colour.WAVELENGTH_NM
     return optics.illuminant(
         stack_of(pearl), view_rad, wavelength_nm, how.coherence_nm, how.threshold, loss

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 from pydantic import Field
 
@@ -15,36 +15,8 @@ from nacreous.spec.texts import SPECTRUM, SPECTRUM_EXAMPLES, Spectrum
 
 #: Windows stay clear of the largest pearl (radius 15 mm), as lamps do.
 _NEAREST_MM = 20.0
-#: Where a window stands whose distance is left out.
-_FAR_MM = 1000.0
 
-Vector = tuple[float, float, float]
 _Coordinate = Annotated[float, Field(ge=-100_000, le=100_000)]
-
-
-class Frame(NamedTuple):
-    """Where a window is: its middle, and from there to its right and its upper edge, in mm.
-
-    It shines along right x up.
-    """
-
-    centre_mm: Vector
-    right_mm: Vector
-    up_mm: Vector
-
-    def distance_mm(self, point: Vector) -> float:
-        """Distance from a point to the nearest point of the window.
-
-        >>> Frame((0, 0, -9), (3, 0, 0), (0, 2, 0)).distance_mm((7, 0, -6))
-        5.0
-        """
-        away = tuple(a - b for a, b in zip(point, self.centre_mm, strict=True))
-        for edge in (self.right_mm, self.up_mm):
-            length = math.hypot(*edge)
-            along = sum(a * b for a, b in zip(away, edge, strict=True)) / length
-            share = max(-length, min(length, along)) / length
-            away = tuple(a - share * b for a, b in zip(away, edge, strict=True))
-        return math.hypot(*away)
 
 
 class Window(Section):
@@ -173,37 +145,3 @@ class Window(Section):
                 f"is {shown(self.position_mm)}, {math.hypot(*self.position_mm):.3g} mm from the "
                 f"centre; allowed: at least {_NEAREST_MM:g} mm, clear of any pearl",
             )
-
-    def frame(self, lowest_mm: float) -> Frame:
-        """Where the window is, given the height of the pearls' lowest point.
-
-        >>> window = Window(azimuth_deg=0, elevation_deg=0, distance_mm=50, width_mm=8)
-        >>> [round(x, 9) for x in window.frame(-4.0).right_mm]
-        [-4.0, 0.0, 0.0]
-        """
-        half = (0.5 * self.width_mm, 0.5 * self.height_mm)
-        if self.below_mm is not None:
-            return _framed((0.0, lowest_mm - self.below_mm, 0.0), (0.0, 1.0, 0.0), *half)
-        if self.position_mm is not None:
-            return _framed(self.position_mm, self.facing or _scaled(self.position_mm, -1.0), *half)
-        azimuth = math.radians(self.azimuth_deg or 0.0)
-        elevation = math.radians(self.elevation_deg or 0.0)
-        flat = math.cos(elevation)
-        toward = (math.sin(azimuth) * flat, math.sin(elevation), math.cos(azimuth) * flat)
-        return _framed(_scaled(toward, self.distance_mm or _FAR_MM), _scaled(toward, -1.0), *half)
-
-
-def _scaled(vector: Vector, factor: float) -> Vector:
-    x, y, z = vector
-    return factor * x, factor * y, factor * z
-
-
-def _framed(centre: Vector, facing: Vector, half_width_mm: float, half_height_mm: float) -> Frame:
-    """A level width, and a height at right angles to it and to the direction of the light."""
-    x, y, z = (part / math.hypot(*facing) for part in facing)
-    level = math.hypot(x, z)
-    # A window that lies flat has its width along x.
-    right = (z / level, 0.0, -x / level) if level > 1e-9 else (1.0, 0.0, 0.0)
-    a, _, c = right
-    up = (y * c, z * a - x * c, -y * a)
-    return Frame(centre, _scaled(right, half_width_mm), _scaled(up, half_height_mm))

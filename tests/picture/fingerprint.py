@@ -1,6 +1,6 @@
 """Fingerprints of pictures: 12 pearls in all scenes, small, by hash and mean of each part.
 
-    python tests/picture/fingerprint.py      writes tests/golden/pictures.csv anew
+    python -m tests.picture.fingerprint      writes tests/golden/pictures.csv and recipes/ anew
 
 A change of a shade that no law forbids shows here first. What changes a row says so in
 CHANGELOG.md, under "Numbers that changed".
@@ -13,7 +13,7 @@ import hashlib
 from pathlib import Path
 from typing import NamedTuple
 
-from nacreous.image import Image, render
+from nacreous.image import Image, recipe_json, render
 from nacreous.spec import Scene, preset
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "pictures.csv"
@@ -36,6 +36,13 @@ PEARLS = (
 )
 SCENES = tuple(preset.names("scene"))
 
+#: Of these the recipes lie beside, for the renderer's own tests, in Rust and in Node.js.
+RECIPES = (
+    ("paper", "paper"),
+    ("akoya-rg", "north-window-white"),
+    ("tahitian", "north-window-black"),
+)
+
 #: The rows of the trade's scene are too narrow for the largest pearls.
 WIDER = {"two-tier": [("pitch_mm", "14"), ("row_gap_mm", "16")]}
 
@@ -45,6 +52,11 @@ class Fingerprint(NamedTuple):
 
     digest: str
     means: tuple[float, ...]
+
+
+def recipe_file(pearl: str, scene: str) -> Path:
+    """Where a recipe lies."""
+    return GOLDEN.parent / "recipes" / f"{pearl}-{scene}.json"
 
 
 def pictured(pearl: str, scene: str) -> Image:
@@ -78,6 +90,11 @@ def _rewrite() -> None:
         table.writerow(["pearl", "scene", "sha256_16", *(f"mean_{part}" for part in parts)])
         for (pearl, scene), (digest, means) in found.items():
             table.writerow([pearl, scene, digest, *(f"{mean:.9g}" for mean in means)])
+
+
+    for pearl, scene in RECIPES:
+        text = recipe_json(pearl, scene, SIZE_PX) + "\n"
+        recipe_file(pearl, scene).write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 import nacreous as nc
-from nacreous.film import columns_of
+from nacreous.nacre import columns_of
 from nacreous.spec import Body, Pearl
 
 ROOT = Path(__file__).parent.parent.parent

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nacreous as nc
-from nacreous.film import columns_of
+from nacreous.nacre import columns_of
 from nacreous.spec import Pearl, Scene
 
 Array = NDArray[np.float64]

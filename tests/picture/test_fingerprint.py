@@ -2,11 +2,27 @@
 
 import pytest
 
-from tests.picture.fingerprint import PEARLS, SCENES, Fingerprint, fingerprint, golden, pictured
+from nacreous.image import recipe_json
+from tests.picture.fingerprint import (
+    PEARLS,
+    RECIPES,
+    SCENES,
+    SIZE_PX,
+    Fingerprint,
+    fingerprint,
+    golden,
+    pictured,
+    recipe_file,
+)
 
 
 def test_the_file_has_every_pearl_in_every_scene():
     assert list(golden()) == [(pearl, scene) for scene in SCENES for pearl in PEARLS]
+
+
+@pytest.mark.parametrize(("pearl", "scene"), RECIPES)
+def test_recipes_that_other_programs_are_tested_with_are_those_of_today(pearl, scene):
+    assert recipe_file(pearl, scene).read_text() == recipe_json(pearl, scene, SIZE_PX) + "\n"
 
 
 @pytest.mark.parametrize("scene", SCENES)

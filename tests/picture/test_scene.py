@@ -12,7 +12,7 @@ import pytest
 
 import nacreous as nc
 from nacreous import cli
-from nacreous.arrangement import arrange
+from nacreous.rows import fill
 from nacreous.spec import Camera, Lamp, Pearl, Row, Scene, Sky, Table, Walls, Window, preset
 from tests.picture.stage import BLACK, LEFT, NO_TABLE, SUM, luminance, pearl, refusal
 
@@ -28,25 +28,10 @@ def rows(*pearls: list[str], **keys: Any) -> Scene:
 # --- who lies where -----------------------------------------------------------------------------
 
 
-def test_all_pearls_lie_on_one_table_around_the_middle_the_first_row_behind() -> None:
-    made = arrange([LARGE, SMALL], rows(["*", "*"], ["*1"], pitch_mm=11, row_gap_mm=10))
-    centres = [place.centre_mm for place in made.places]
-    assert centres == [(-5.5, 0.0, -5.0), (5.5, -1.5, -5.0), (0.0, -1.5, 5.0)]
-    assert {centre[1] - radius for centre, radius in made.balls()} == {-4.5}
-
-
-def test_left_out_distances_leave_room_between_the_largest() -> None:
-    made = arrange([LARGE], rows(["*"] * 3, ["*"] * 2))
-    centres = [np.array(place.centre_mm) for place in made.places]
-    nearest = min(math.dist(a, b) for i, a in enumerate(centres) for b in centres[:i])
-    assert 9.0 < nearest < 1.2 * 9.0
-
-
 def test_stars_take_the_given_pearls_in_turn_and_numbers_name_one() -> None:
-    made = arrange([LARGE, SMALL], rows(["*", "paper", "*", "*"], ["*1", "*0"]))
-    names = [made.pearls[place.pearl].name for place in made.places]
-    assert names == ["large", "paper", "small", "large", "small", "large"]
+    made = fill([LARGE, SMALL], rows(["*", "paper", "*", "*"], ["*1", "*0"]))
     assert [p.name for p in made.pearls] == ["large", "paper", "small"]
+    assert [row.pearls for row in made.scene.rows] == [("*0", "*1", "*2", "*0"), ("*2", "*0")]
 
 
 @pytest.mark.parametrize(
@@ -103,7 +88,7 @@ def test_rows_refuse_nonsense_in_one_line(values: Any, message: str) -> None:
 def test_files_in_rows_are_relative_to_the_scene(tmp_path: Path) -> None:
     (tmp_path / "master.toml").write_text('name = "master"\n')
     (tmp_path / "s.toml").write_text('[[rows]]\npearls = ["master.toml", "*"]\n')
-    made = arrange([SMALL], Scene.load(tmp_path / "s.toml"))
+    made = fill([SMALL], Scene.load(tmp_path / "s.toml"))
     assert [p.name for p in made.pearls] == ["master", "small"]
 
 
@@ -419,7 +404,8 @@ def test_the_booth_is_neutral_and_lit_evenly() -> None:
 
 
 def test_masters_lie_above_the_goods_in_the_order_of_their_steps() -> None:
-    made = arrange([SMALL], Scene.load("two-tier"))
-    names = [made.pearls[place.pearl].name for place in made.places]
-    assert names == [*(f"akoya-rg-{step}" for step in ("1.0", "0.7", "0.4", "0.0")), *["small"] * 4]
-    assert made.places[0].centre_mm[2] < made.places[4].centre_mm[2]
+    made = fill([SMALL], Scene.load("two-tier"))
+    masters, goods = made.scene.rows
+    names = [made.pearls[int(place[1:])].name for place in masters.pearls]
+    assert names == [f"akoya-rg-{step}" for step in ("1.0", "0.7", "0.4", "0.0")]
+    assert {made.pearls[int(place[1:])].name for place in goods.pearls} == {"small"}

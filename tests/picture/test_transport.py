@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import nacreous as nc
-from nacreous import look
-from nacreous.film import columns_of
+from nacreous.nacre import columns_of
 from nacreous.spec import Pearl, Scene
 
 LOSSLESS = {"pigment": "none", "nucleus": "#ffffff"}
@@ -54,7 +53,7 @@ def test_with_absorption_the_loss_is_the_bodys() -> None:
     # leave by the film or be mirrored back. The film's share by exact optics of the same columns.
     gold = pearl(body={"pigment": "gold", "nacre_mm": 0.5})
     nm = np.arange(380.0, 781.0)
-    columns = columns_of(gold, look.outer_um_of(gold))
+    columns = columns_of(gold)
     cosine = (np.arange(64) + 0.5) / 64
     T = 1 - np.mean([nc.optics.energies(c, np.arccos(cosine), nm).R for c in columns[:16]], axis=0)
     hemisphere = 2 * (T * cosine[:, None]).mean(axis=0)

@@ -41,6 +41,8 @@ mod _core {
     #[pymodule_export]
     use super::image::develop;
     #[pymodule_export]
+    const MAX_SAMPLES: usize = nacreous_render::MAX_SAMPLES;
+    #[pymodule_export]
     const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
     #[pymodule_export]
     use super::iridescence::{interference_iridescence, iridescence};

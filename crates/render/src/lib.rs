@@ -30,4 +30,4 @@ pub use pearl::{
     nacre::{Core, core_under, diary_of, stack_of},
 };
 pub use resources::Resources;
-pub use stages::{around::BOUNCES, job::Job, view::View};
+pub use stages::{around::BOUNCES, job::{Job, MAX_SAMPLES}, view::View};

@@ -22,7 +22,7 @@ use crate::{
 };
 
 /// The most samples a pixel, 32 x 32.
-const MAX_SAMPLES: usize = 1024;
+pub const MAX_SAMPLES: usize = 1024;
 
 /// A recipe and all stages on its way to a picture.
 ///
