@@ -1,3 +1,8 @@
+//! From linear RGB to light in bands and back.
+//!
+//! Three smooth curves that add up to 1, times the scene's white **(ours)**.
+//! Left out: the true spectra of surroundings, of which only RGB is known.
+
 use nacreous_colour::{
     Matrix, Observer, Spectrum,
     matrix::{apply, inverse},

@@ -1,3 +1,8 @@
+//! What a satin pearl's facets show of the surroundings, worked out at knots.
+//!
+//! Cubics between knots (Catmull and Rom 1974); a lobe leaves no finer detail.
+//! Left out: the film's colour, which changes faster and is left to the pixel.
+
 use std::f64::consts::FRAC_PI_4;
 
 use glam::DVec3;

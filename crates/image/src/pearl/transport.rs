@@ -1,3 +1,8 @@
+//! A pearl by the transport model: light mirrored by the film, and light that has been inside.
+//!
+//! Ozaki and others 2021; microfacets sampled, with a control variate for what all of them mirror.
+//! Left out: polarisation between film and surroundings, and light that meets two facets.
+
 use std::f64::consts::PI;
 
 use nacreous_colour::{Matrix, matrix::apply};

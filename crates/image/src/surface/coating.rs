@@ -1,3 +1,8 @@
+//! A film of nacre on microfacets: what enters, what leaves again.
+//!
+//! The film's reflectance averaged over sampled facets; Funk and Hecke's theorem; a geometric series over all ways inside.
+//! Left out: colours of light that meets two facets, which is taken to enter.
+
 use crate::{
     light::bands::{BANDS, Bands},
     surface::{

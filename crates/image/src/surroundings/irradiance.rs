@@ -1,3 +1,8 @@
+//! The light of the surroundings on a matt surface, by its normal.
+//!
+//! Ramamoorthi and Hanrahan 2001: spherical harmonics to the second order.
+//! Left out: 3 % of the light at most, and that a pearl hides the table from its own flanks.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;

@@ -1,3 +1,8 @@
+//! What a ray meets of the surroundings.
+//!
+//! From front to back, each thing covers its share of the ray's cone.
+//! Left out: where within the cone a thing lies, so that two that cover half each never hide each other.
+
 use glam::DVec3;
 
 use crate::{

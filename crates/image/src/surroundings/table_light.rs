@@ -1,3 +1,8 @@
+//! The soft light on a table around the pearls, as a light map.
+//!
+//! What `incident` tells at the nodes of two grids, a fine one near and a coarse one far off.
+//! Left out: the shadows of lamps, whose edges are sharper than a grid.
+
 use glam::DVec3;
 
 use crate::{rgb::Rgb, shape::ball::Ball, surroundings::light_map::LightMap};

@@ -1,3 +1,8 @@
+//! Upright walls around the pearls, and the light on them.
+//!
+//! Where a ray leaves a square; light maps of the four sides.
+//! Left out: light from wall to wall, and shadows.
+
 use glam::DVec3;
 
 use crate::{rgb::Rgb, surroundings::light_map::LightMap, view::ray::Ray};

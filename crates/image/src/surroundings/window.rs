@@ -1,3 +1,8 @@
+//! A rectangle of even light: how it is seen and what it gives.
+//!
+//! Lambert's sum over the edges, 1760; solid angles of rectangles; a Gaussian cone against straight edges.
+//! Left out: that a cone wider than a corner sees it sharp.
+
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use glam::DVec3;
