@@ -29,7 +29,7 @@ pub struct Palette {
     amounts: Matrix,
 }
 
-/// Where the curves of blue and green, green and red cross, and how softly.
+/// Where the curves of blue and green, green and red cross, and how softly; by eye **(ours)**: every colour comes back for any.
 const CROSSINGS_NM: [f64; 2] = [492.0, 580.0];
 const SOFTNESS_NM: f64 = 12.0;
 

@@ -113,7 +113,7 @@ impl Pearl<'_> {
     }
 }
 
-/// Rings of equal area, with so many points each, that stand for the disc.
+/// Rings of equal area, with so many points each, that stand for the disc **(ours)**.
 const RINGS: usize = 4;
 const SPOKES: usize = 16;
 

@@ -43,10 +43,11 @@ pub struct Around {
 /// Knots beyond the edge on each side, for the cubics.
 const BORDER: usize = 2;
 
-/// Steps of the grid for each standard deviation of the facets' lean.
+/// Steps of the grid for each standard deviation of the facets' lean **(ours)**; `tests/transport.rs` holds the cache
+/// against all facets: within 0.004 and 2 %.
 const STEPS_PER_SPREAD: f64 = 1.4;
 
-/// The cache's share of the facets that it spares, and how many a knot has.
+/// The cache's share of the facets that it spares, and how many a knot has; by eye **(ours)**.
 const SHARE: f64 = 0.4;
 const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;

@@ -152,7 +152,7 @@ impl Surroundings {
     }
 }
 
-/// Between points of a window, and how finely each is looked at.
+/// Between points of a window, and how finely each is looked at; by eye **(ours)**.
 const WINDOW_RAD: f64 = 0.05;
 const FINE_RAD: f64 = 1e-6;
 
