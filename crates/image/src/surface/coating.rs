@@ -25,7 +25,7 @@ pub struct Surface {
     entering: Vec<Bands>,
 }
 
-/// Facets to average over, at every angle; a hemisphere of 4096 is right to 0.01 (test in `sampling.rs`).
+/// Facets to average over, at every angle **(ours)**; 4096 agree with the integral to 0.01 (test in `sampling.rs`).
 const FACETS: usize = 512;
 
 /// Steps of integrals over the hemisphere.
