@@ -43,8 +43,8 @@ pub struct Around {
 /// Knots beyond the edge on each side, for the cubics.
 const BORDER: usize = 2;
 
-/// Steps of the grid for each standard deviation of the facets' lean **(ours)**; `tests/transport.rs` holds the cache
-/// against all facets: within 0.004 and 2 %.
+/// Steps of the grid for each standard deviation of the facets' lean **(ours)**: between knots the light is that
+/// of a knot there to 0.01 of it (the test below).
 const STEPS_PER_SPREAD: f64 = 1.4;
 
 /// The cache's share of the facets that it spares, and how many a knot has; by eye **(ours)**.
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirror_has_no_net() {
+    fn a_mirror_has_no_cache() {
         assert!(cache(Projection::Orthographic, 0.01).is_none());
     }
 }
