@@ -1,3 +1,8 @@
+//! Surroundings whose light has fallen: what the table and the walls send on.
+//!
+//! Soft light on the table is worked out on light maps where that is cheaper; lamps where they are looked up.
+//! Left out: light that the walls receive from the pearls.
+
 use std::ops::Deref;
 
 use glam::DVec3;

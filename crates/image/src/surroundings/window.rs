@@ -1,3 +1,8 @@
+//! A rectangle of even light: how it is seen and what it gives.
+//!
+//! Lambert's sum over the edges, 1760; solid angles of rectangles; a Gaussian cone against straight edges.
+//! Left out: that a cone wider than a corner sees it sharp.
+
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use glam::DVec3;
@@ -243,10 +248,11 @@ fn edge_sum(a: DVec3, b: DVec3, normal: DVec3) -> f64 {
 const FINEST_RAD: f64 = 1e-9;
 /// Beyond this many standard deviations a Gaussian is nothing.
 const CUT: f64 = 6.0;
-/// Size of the patches by which a window's shadow is found **(ours)**.
+/// Size of the patches by which a window's shadow is found **(ours)**: a ball's shadow is within 0.006 of the light
+/// (the test in `incident.rs`).
 const PATCH_RAD: f64 = 0.35;
 const MOST_PATCHES: usize = 9;
-/// Most steps along a side of a window.
+/// Most steps along a side of a window, which bounds the work **(ours)**.
 const MOST_STEPS: u32 = 64;
 
 #[cfg(test)]
