@@ -30,4 +30,8 @@ pub use pearl::{
     nacre::{Core, core_under, diary_of, stack_of},
 };
 pub use resources::Resources;
-pub use stages::{around::BOUNCES, job::{Job, MAX_SAMPLES}, view::View};
+pub use stages::{
+    around::BOUNCES,
+    job::{Job, MAX_SAMPLES},
+    view::View,
+};

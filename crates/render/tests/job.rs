@@ -1,0 +1,81 @@
+//! A job that is kept and asked again gives what a new one would, and works out only what changed.
+
+mod common;
+
+use std::sync::atomic::Ordering;
+
+use nacreous_image::{CHANNELS, Progress};
+use nacreous_render::{Job, Resources, spec::Recipe};
+use serde_json::{Value, json};
+
+fn picture(job: &mut Job) -> Vec<f32> {
+    let progress = Progress::default();
+    job.view(&progress).unwrap().unwrap().picture(&progress).unwrap()
+}
+
+fn new(recipe: Recipe) -> Job {
+    Job::new(recipe, Resources::default()).unwrap()
+}
+
+const NAME: &str = "akoya-rg-north-window-white";
+
+/// Every knob of the viewer, one after the other.
+fn changes() -> Vec<(&'static str, Value)> {
+    vec![
+        ("/pearls/0/depth", json!(0.3)),
+        ("/pearls/0/shininess", json!(0.4)),
+        ("/pearls/0/grain", json!(0.9)),
+        ("/pearls/0/body/pigment", json!("gold")),
+        ("/pearls/0/nacre/harvest", json!("11-20")),
+        ("/pearls/0/diameter_mm", json!(7.0)),
+        ("/scene/camera/azimuth_deg", json!(30.0)),
+        ("/scene/camera/exposure", json!(0.5)),
+        ("/scene/camera/glare", json!(0.2)),
+        ("/scene/windows/0/azimuth_deg", json!(20.0)),
+        ("/scene/table/kind", json!("plain")),
+        ("/scene/sky/intensity", json!(0.9)),
+        ("/size", json!(16)),
+        ("/samples", json!(4)),
+    ]
+}
+
+#[test]
+fn a_job_that_was_changed_gives_the_bytes_of_a_new_one() {
+    let mut job = new(common::recipe(NAME, &[]));
+    picture(&mut job);
+    let mut so_far: Vec<(&str, Value)> = Vec::new();
+    for change in changes() {
+        so_far.push(change.clone());
+        let recipe = common::recipe(NAME, &so_far);
+        job.change(recipe.clone(), Resources::default()).unwrap();
+        assert!(picture(&mut job) == picture(&mut new(recipe)), "{change:?}");
+    }
+}
+
+#[test]
+fn rows_asked_for_by_range_are_those_of_the_whole_picture() {
+    let (mut job, progress) = (new(common::recipe(NAME, &[])), Progress::default());
+    let view = job.view(&progress).unwrap().unwrap();
+    let whole = view.rows(0..24, &progress).unwrap();
+    let parts = [0..5, 5..6, 6..24, 24..99].map(|rows| view.rows(rows, &progress).unwrap());
+    assert!(parts.concat() == whole);
+    assert_eq!(whole.len(), 24 * 24 * CHANNELS);
+}
+
+#[test]
+fn a_refused_change_leaves_the_job_as_it_was() {
+    let mut job = new(common::recipe(NAME, &[]));
+    let before = picture(&mut job);
+    let refused = job.change(common::recipe(NAME, &[("/size", json!(0))]), Resources::default());
+    assert!(refused.is_err());
+    assert!(picture(&mut job) == before);
+}
+
+#[test]
+fn a_job_that_was_stopped_can_go_on() {
+    let mut job = new(common::recipe(NAME, &[]));
+    let stopped = Progress::default();
+    stopped.stop_flag().store(true, Ordering::Relaxed);
+    assert!(job.view(&stopped).unwrap().is_none());
+    assert!(picture(&mut job) == picture(&mut new(common::recipe(NAME, &[]))));
+}
