@@ -2,13 +2,17 @@
 //! (`cargo bench -p nacreous-image --bench transport`): the pearl `akoya-rg` with `outer_um = 37` under
 //! the scene `north-window-white`, 64 columns of some 103 tablets. The grain's texture is left out.
 
-use std::{hint::black_box, sync::atomic::AtomicBool, time::Instant};
+use std::{
+    hint::black_box,
+    sync::{Arc, atomic::AtomicBool},
+    time::Instant,
+};
 
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, SAMPLES};
 use nacreous_image::{
-    Ball, Body, Film, Glow, Grain, Light, Model, Palette, Pearl, Relief, Sky, Source, Surface,
-    Surroundings, Table, Transport, Window,
+    Ball, Body, Film, Glow, Grain, Light, Model, Palette, Pearl, Relief, Response, Sky, Source,
+    Surface, Surroundings, Table, Transport, Window,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Medium, Season};
 
@@ -52,12 +56,13 @@ fn one_run() -> Vec<(&'static str, f64)> {
     let film = film.expect("media known in the light").expect("never stopped");
     let relief = Relief::grooves(FACET_SPREAD_RAD);
     let surface = timed(&mut parts, "surface", || Surface::new(film, relief));
+    let response = timed(&mut parts, "response", || response(&surface, &palette));
     timed(&mut parts, "settle", || around.settle());
-    let first = timed(&mut parts, "pearl", || pearl(&surface, &palette, &around));
+    let first = timed(&mut parts, "pearl", || pearl(&response, &around));
     let glow: Glow = timed(&mut parts, "glow", || first.glow(&around, 0));
     around.set_glow(0, glow);
     timed(&mut parts, "settle again", || around.settle());
-    timed(&mut parts, "pearl again", || pearl(&surface, &palette, &around));
+    timed(&mut parts, "pearl again", || pearl(&response, &around));
     parts
 }
 
@@ -122,9 +127,13 @@ fn scene() -> (Surroundings, Palette) {
     (bare.with_windows(vec![window(pane)]), light.palette())
 }
 
-fn pearl(surface: &Surface, palette: &Palette, around: &Surroundings) -> Pearl<'static> {
+fn response(surface: &Surface, palette: &Palette) -> Arc<Response> {
     let body = Body::new(&[0.8; SAMPLES], INSIDE_SPREAD);
-    let transport = Transport::new(surface.clone(), &body, palette, around, 0, &[], 4);
+    Arc::new(Response::new(surface, &body, palette, &[]))
+}
+
+fn pearl(response: &Arc<Response>, around: &Surroundings) -> Pearl<'static> {
+    let transport = Transport::new(Arc::clone(response), around, 0, 4);
     let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
     Pearl { model: Model::Transport(Box::new(transport)), texture: None, grain }
 }

@@ -17,6 +17,10 @@ pub(crate) const NEAR: Reach = Reach { steps: 10.0, radii: 3.0 };
 /// Farther off shadows are wide and weak.
 pub(crate) const FAR: Reach = Reach { steps: 2.0, radii: 40.0 };
 
+/// Where straight lines over two or more steps are right to this share of the light, no point between is worked
+/// out: a quarter of it is left then, far less than a step between 8-bit codes.
+const TOLERANCE: f64 = 5e-4;
+
 /// A grid over pearls of very unlike sizes stays this small.
 const MOST_CELLS: f64 = 400_000.0;
 
@@ -39,7 +43,8 @@ pub(crate) fn chart(
     let finest_mm = (widths_mm[0] * widths_mm[1] / MOST_CELLS).sqrt();
     let step_mm = (least_mm / reach.steps).max(finest_mm);
     let counts = widths_mm.map(|width_mm| (width_mm / step_mm) as usize + 1);
-    Some(Chart::new(corner, opposite, counts, |[x, z]| light(DVec3::new(x, table_y_mm, z))))
+    let at = |[x, z]: [f64; 2]| light(DVec3::new(x, table_y_mm, z));
+    Some(Chart::adaptive(corner, opposite, counts, TOLERANCE, at))
 }
 
 #[cfg(test)]

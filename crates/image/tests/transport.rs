@@ -10,7 +10,7 @@ use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
     BANDS, Ball, Bands, Body, Camera, Dome, Film, Grain, Lamp, Light, Model, Pearl, Place,
-    Projection, Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
+    Projection, Relief, Response, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
@@ -55,7 +55,8 @@ fn scene(horizon: [f64; 3], zenith: [f64; 3], lamp: Option<(DVec3, f64)>) -> Sce
 impl Scene {
     fn pearl(&self, surface: Surface, body: &Body) -> Pearl<'static> {
         let (palette, around) = (self.light.palette(), &self.surroundings);
-        let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
+        let response = Arc::new(Response::new(&surface, body, &palette, &self.lamps));
+        let transport = Transport::new(response, around, 0, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         Pearl { model: Model::Transport(Box::new(transport)), texture: None, grain }
     }
@@ -328,7 +329,8 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
     for relief in [Relief::grooves(0.1), Relief::ggx(0.15)] {
         let surface = Surface::new(film(), relief);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
-        let many = Transport::new(surface.clone(), &white(0.0), &palette, around, 0, &[], 64);
+        let response = Arc::new(Response::new(&surface, &white(0.0), &palette, &[]));
+        let many = Transport::new(response, around, 0, 64);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         let pearl = Pearl { model: Model::Transport(Box::new(many)), texture: None, grain };
         for place in MIRRORING {

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use nacreous_colour::{Gamut, Observer, RgbSpace, Spectrum};
 use nacreous_image::{
-    Ball, Bands, CHANNELS, Camera, Glow, Lamp, Light, MAX_SIZE_PX, PARTS, Palette, Parameters,
-    Pearl, Progress, Source, Surroundings, eight_bit, spread_glare,
+    Ball, Bands, CHANNELS, Camera, Glow, Lamp, Light, MAX_SIZE_PX, PARTS, Parameters, Pearl,
+    Progress, Source, Surroundings, eight_bit, spread_glare,
 };
 use nacreous_optics::OpticsError;
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
@@ -24,7 +24,6 @@ struct Job<'a> {
     /// Which of them lies in each place.
     places: Vec<usize>,
     light: Light,
-    palette: Palette,
     /// Power of each lamp, by band.
     lamp_bands: Vec<Bands>,
     surroundings: Surroundings,
@@ -37,7 +36,7 @@ impl Job<'_> {
     fn run(mut self, progress: &Progress) -> Result<Option<Vec<f32>>, OpticsError> {
         let mut films = Vec::new();
         for subject in &self.subjects {
-            match subject.prepared(&self.light, progress)? {
+            match subject.prepared(&self.light, &self.lamp_bands, progress)? {
                 Some(found) => films.push(found),
                 None => return Ok(None),
             }
@@ -71,12 +70,7 @@ impl Job<'_> {
     /// The pearls in their places, in the light that there is; `None` once `progress` says to stop, which for
     /// hundreds of pearls need not wait for all of them.
     fn pearls(&self, prepared: &[Prepared], progress: &Progress) -> Option<Vec<Pearl<'_>>> {
-        let scene = Around {
-            surroundings: &self.surroundings,
-            palette: &self.palette,
-            lamps: &self.lamp_bands,
-            samples_side: self.samples_side,
-        };
+        let scene = Around { surroundings: &self.surroundings, samples_side: self.samples_side };
         let places = self.places.par_iter().enumerate();
         places
             .map(|(ball, &subject)| {
@@ -115,7 +109,6 @@ fn job<'a>(
     let walls = scene.walls.as_ref().map(WallsSpec::walls);
     let table = scene.table.as_ref().map(TableSpec::table);
     Ok(Job {
-        palette: light.palette(),
         lamp_bands: lamp_bands(&light, &sources)?,
         surroundings: Surroundings::new(table, walls, sky, lamps, balls).with_windows(windows),
         subjects,

@@ -1,9 +1,11 @@
 //! Pearls as look.py hands them over, into the rooms' types.
 
+use std::sync::Arc;
+
 use nacreous_colour::SAMPLES;
 use nacreous_image::{
-    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Model, Palette, Pearl,
-    Progress, Relief, Rgb, Rings, Surface, Surroundings, Transport, grain,
+    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Model, Pearl, Progress,
+    Relief, Response, Rgb, Rings, Surface, Surroundings, Transport, grain,
 };
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
@@ -78,14 +80,12 @@ struct Look {
 /// A pearl's optics, the same in all its places.
 pub enum Prepared {
     Illuminant(Rings),
-    Transport(Box<Surface>),
+    Transport(Arc<Response>),
 }
 
 /// What is around a pearl.
 pub struct Around<'a> {
     pub surroundings: &'a Surroundings,
-    pub palette: &'a Palette,
-    pub lamps: &'a [Bands],
     pub samples_side: usize,
 }
 
@@ -113,18 +113,24 @@ impl<'a> Subject<'a> {
         })
     }
 
-    /// The pearl's optics; `None` once `progress` says to stop.
+    /// The pearl's optics, `lamps` the power of each lamp by band; `None` once `progress` says to stop.
     pub fn prepared(
         &self,
         light: &Light,
+        lamps: &[Bands],
         progress: &Progress,
     ) -> Result<Option<Prepared>, OpticsError> {
         Ok(match &self.model {
             Known::Illuminant { model, stack, .. } => {
                 Rings::new(stack, model, light, progress)?.map(Prepared::Illuminant)
             }
-            Known::Transport { columns, .. } => Film::new(columns, progress.stop_flag())?
-                .map(|film| Prepared::Transport(Box::new(Surface::new(film, self.relief)))),
+            Known::Transport { columns, body } => {
+                Film::new(columns, progress.stop_flag())?.map(|film| {
+                    let surface = Surface::new(film, self.relief);
+                    let response = Response::new(&surface, body, &light.palette(), lamps);
+                    Prepared::Transport(Arc::new(response))
+                })
+            }
         })
     }
 
@@ -142,27 +148,14 @@ impl<'a> Subject<'a> {
                     falloff_mm: look.falloff_mm,
                 }))
             }
-            (Known::Transport { body, .. }, Prepared::Transport(surface)) => {
-                Model::Transport(Box::new(around.transport(surface, body, ball)))
+            (Known::Transport { .. }, Prepared::Transport(response)) => {
+                let (response, surroundings) = (Arc::clone(response), around.surroundings);
+                let transport = Transport::new(response, surroundings, ball, around.samples_side);
+                Model::Transport(Box::new(transport))
             }
             _ => unreachable!("a pearl is prepared by its own model"),
         };
         Pearl { model, texture: self.texture, grain: self.grain }
-    }
-}
-
-impl Around<'_> {
-    fn transport(&self, surface: &Surface, body: &Body, ball: usize) -> Transport {
-        let surface = surface.clone();
-        Transport::new(
-            surface,
-            body,
-            self.palette,
-            self.surroundings,
-            ball,
-            self.lamps,
-            self.samples_side,
-        )
     }
 }
 
