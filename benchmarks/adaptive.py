@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
-from test_study_adaptive import KINDS, simulated
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from tests.study.test_adaptive import KINDS, simulated
 
 STUDIES = 60
 #: Spread of the scale in z, and how many observers enter at a time.

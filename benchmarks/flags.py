@@ -14,8 +14,8 @@ import numpy as np
 
 from nacreous.server.rehearsal import scale_of
 from nacreous.study.design import Design
-from nacreous.study.outcome.consistent import consistency_flags
 from nacreous.study.plan import trials
+from nacreous.study.results.consistent import consistency_flags
 
 STUDIES, PEOPLE = 40, 104
 KINDS = ("repeats", "side", "circles")

@@ -27,8 +27,8 @@ from nacreous.study.design import freeze, open_frozen
 from nacreous.study.running import Running
 from nacreous.study.store import Store
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
-import database
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from tests.support import database
 
 EVERY_S = 2.0
 LAB_EVERY_S = 3.0

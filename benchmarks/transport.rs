@@ -11,8 +11,8 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, SAMPLES};
 use nacreous_image::{
-    Ball, Body, Film, Glow, Grain, Light, Model, Palette, Pearl, Relief, Response, Sky, Source,
-    Surface, Surroundings, Table, Transport, Window,
+    Ball, Body, Film, Glow, Grain, Light, Microfacets, Model, Palette, Pearl, Response, Sky,
+    Source, Surface, Surroundings, Table, Transport, Window,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Medium, Season};
 
@@ -54,8 +54,8 @@ fn one_run() -> Vec<(&'static str, f64)> {
     let never = AtomicBool::new(false);
     let film = timed(&mut parts, "film", || Film::new(&columns, &never));
     let film = film.expect("media known in the light").expect("never stopped");
-    let relief = Relief::grooves(FACET_SPREAD_RAD);
-    let surface = timed(&mut parts, "surface", || Surface::new(film, relief));
+    let microfacets = Microfacets::grooves(FACET_SPREAD_RAD);
+    let surface = timed(&mut parts, "surface", || Surface::new(film, microfacets));
     let response = timed(&mut parts, "response", || response(&surface, &palette));
     timed(&mut parts, "settle", || around.settle());
     let first = timed(&mut parts, "pearl", || pearl(&response, &around));

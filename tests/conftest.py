@@ -1,25 +1,20 @@
-"""Stores and a browser to test with: what takes `place` runs on SQLite and on PostgreSQL."""
+"""Stores to test with: what takes `place` runs on SQLite and on PostgreSQL."""
 
 from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import httpx
 import pytest
-from database import Server, start
 from fastapi import FastAPI
-from server_process import in_thread, prepare, served, small_study, some_pages
 
 from nacreous.server.app import create_app
 from nacreous.server.service import Service
 from nacreous.study.design import open_frozen
 from nacreous.study.running import Running
 from nacreous.study.store import Store
-
-if TYPE_CHECKING:
-    from browser import Site
-    from playwright.sync_api import Browser
+from tests.support.database import Server, start
+from tests.support.server_process import in_thread, prepare, small_study, some_pages
 
 _NAMES = count()
 
@@ -60,32 +55,3 @@ def server(app: FastAPI) -> Iterator[httpx.Client]:
     """A client of its server, which runs on a thread of this process."""
     with in_thread(app) as url, httpx.Client(base_url=url, verify=False) as client:
         yield client
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator["Browser"]:
-    """Chromium. Of one module alone: Playwright's event loop is in the way of others' own."""
-    from browser import chromium
-
-    with chromium() as running:
-        yield running
-
-
-@pytest.fixture(scope="module")
-def plain(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iterator["Site"]:
-    """A study of nothing but pairs, served to whoever comes."""
-    from browser import PLAIN, Site, frozen
-
-    folder = frozen(PLAIN, tmp_path_factory.mktemp("plain") / "study")
-    with served(folder) as server:
-        yield Site(folder, server.url, browser)
-
-
-@pytest.fixture(scope="module")
-def whole(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iterator["Site"]:
-    """A study with everything that a participant can see."""
-    from browser import WHOLE, Site, frozen
-
-    folder = frozen(WHOLE, tmp_path_factory.mktemp("whole") / "study")
-    with served(folder) as server:
-        yield Site(folder, server.url, browser)

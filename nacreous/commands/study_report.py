@@ -41,7 +41,7 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file
     from nacreous.commands.progress import bar
     from nacreous.study.design import open_frozen
-    from nacreous.study.outcome import report
+    from nacreous.study.results import report
     from nacreous.study.running import Running
     from nacreous.study.store import Store
 

@@ -11,9 +11,9 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 import nacreous
-from nacreous.server import lab, login, pages, participant, results
+from nacreous.server import analysis, lab, login, pages, participant
 from nacreous.server.description import Described
-from nacreous.server.door import Door
+from nacreous.server.middleware import GuardMiddleware
 from nacreous.server.service import Service
 from nacreous.server.worker import Worker
 from nacreous.study.running import Running
@@ -44,9 +44,9 @@ def create_app(
     service = Service(running, url, worker)
     app.state.service = service
     app.state.pages = pages.Pages(built or pages.FOLDER)
-    for part in (participant, login, lab, results, pages):
+    for part in (participant, login, lab, analysis, pages):
         app.include_router(part.router)
-    app.add_middleware(Door, service=service)
+    app.add_middleware(GuardMiddleware, service=service)
     return app
 
 

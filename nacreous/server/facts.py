@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from nacreous.server.told import ChoiceTold, GroupTold, QuestionTold, SittingRules, StudyTold, Words
+from nacreous.server.responses import (
+    ChoiceTold,
+    GroupTold,
+    QuestionTold,
+    SittingRules,
+    StudyTold,
+    Words,
+)
 from nacreous.study.design import Design
 
 

@@ -12,13 +12,13 @@ from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
-from nacreous.server.asked import Excluding, Inviting, Opening, Registering, asked, asks
+from nacreous.server.analysis import state_of
 from nacreous.server.login import CHANGES, READS, Who
 from nacreous.server.refusal import BODIES, MISSING, PROBLEMS
-from nacreous.server.results import state_of
+from nacreous.server.requests import Excluding, Inviting, Opening, Registering, body_of, body_schema
+from nacreous.server.responses import EventTold, InvitationTold, LinksTold, ProgressTold
 from nacreous.server.service import Service, service_of
-from nacreous.server.told import EventTold, InvitationTold, LinksTold, ProgressTold
-from nacreous.study import outcome
+from nacreous.study import results
 from nacreous.study.store import Session
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
@@ -36,8 +36,8 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
     service = service_of(request)
     running = service.running
     found = await run_in_threadpool(service.store.progress, running.study)
-    mark = partial(service.works_out, outcome.people_flags)
-    flags = await service.outcomes.get("flags", state_of(found), mark)
+    mark = partial(service.works_out, results.people_flags)
+    flags = await service.results.get("flags", state_of(found), mark)
 
     def work() -> ProgressTold:
         return ProgressTold(
@@ -54,13 +54,13 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
 
 
 @router.post(
-    "/state", status_code=204, responses=BODIES, openapi_extra={**CHANGES, **asks(Opening)}
+    "/state", status_code=204, responses=BODIES, openapi_extra={**CHANGES, **body_schema(Opening)}
 )
 async def state(request: Request, who: Who) -> None:
     """Open, pause or close the study."""
     service = service_of(request)
     store = service.store
-    wanted = await asked(request, Opening)
+    wanted = await body_of(request, Opening)
     change = {"open": store.reopen, "paused": store.pause, "closed": store.close_study}
     await run_in_threadpool(change[wanted.state], service.running.study, who)
 
@@ -69,12 +69,12 @@ async def state(request: Request, who: Who) -> None:
     "/registration",
     status_code=204,
     responses=BODIES,
-    openapi_extra={**CHANGES, **asks(Registering)},
+    openapi_extra={**CHANGES, **body_schema(Registering)},
 )
 async def registration(request: Request, who: Who) -> None:
     """Let anybody enter, or invited people alone."""
     service = service_of(request)
-    wanted = await asked(request, Registering)
+    wanted = await body_of(request, Registering)
     set_it = service.store.set_registration
     await run_in_threadpool(set_it, service.running.study, wanted.registration, who)
 
@@ -89,11 +89,11 @@ def invitations(request: Request, _who: Who) -> list[InvitationTold]:
     ]
 
 
-@router.post("/invitations", responses=BODIES, openapi_extra={**CHANGES, **asks(Inviting)})
+@router.post("/invitations", responses=BODIES, openapi_extra={**CHANGES, **body_schema(Inviting)})
 async def invite(request: Request, who: Who) -> LinksTold:
     """Make invitations. The token stands behind #, which browsers send to no server."""
     service = service_of(request)
-    wanted = await asked(request, Inviting)
+    wanted = await body_of(request, Inviting)
     invite = service.store.invite
     study = service.running.study
     tokens = await run_in_threadpool(invite, study, wanted.count, wanted.label, who)
@@ -120,12 +120,12 @@ def revoke_invitation(request: Request, who: Who, invitation: Number) -> None:
     "/people/{number}/exclude",
     status_code=204,
     responses={**BODIES, **MISSING},
-    openapi_extra={**CHANGES, **asks(Excluding)},
+    openapi_extra={**CHANGES, **body_schema(Excluding)},
 )
 async def exclude(request: Request, who: Who, number: Number) -> None:
     """Mark somebody's answers as not to be counted."""
     service = service_of(request)
-    wanted = await asked(request, Excluding)
+    wanted = await body_of(request, Excluding)
 
     def work() -> None:
         with _changing(service, number) as session:

@@ -10,11 +10,11 @@ from fastapi import APIRouter, Depends, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 
-from nacreous.server.asked import LoggingIn, asked, asks
 from nacreous.server.origin import SAFE
 from nacreous.server.refusal import BODIES, PROBLEMS, Refusal
+from nacreous.server.requests import LoggingIn, body_of, body_schema
+from nacreous.server.responses import WhoTold
 from nacreous.server.service import Service, address, service_of
-from nacreous.server.told import WhoTold
 from nacreous.study.store import UnknownToken
 
 COOKIE = "nacreous_lab"
@@ -53,11 +53,11 @@ def experimenter(request: Request) -> str:
 Who = Annotated[str, Depends(experimenter)]
 
 
-@router.post("/login", responses=BODIES, openapi_extra=asks(LoggingIn))
+@router.post("/login", responses=BODIES, openapi_extra=body_schema(LoggingIn))
 async def login(request: Request, response: Response) -> WhoTold:
     """Log in. Five tries a minute from one address, ten in fifteen minutes for one name."""
     service = service_of(request)
-    wanted = await asked(request, LoggingIn)
+    wanted = await body_of(request, LoggingIn)
     tries = (("logins of an address", address(request.scope)), ("logins of a name", wanted.name))
     # Counted before, for many could come at once, and given back to who was right.
     for limit, who in tries:

@@ -12,11 +12,11 @@ from fastapi import APIRouter, Path, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 
-from nacreous.server.asked import Answering, Checking, Entering, asked, asks
 from nacreous.server.refusal import BODIES, MISSING, PROBLEMS
+from nacreous.server.requests import Answering, Checking, Entering, body_of, body_schema
+from nacreous.server.responses import ReceiptTold, ScreenTold, SittingTold, StudyTold
 from nacreous.server.service import Service, address, service_of
 from nacreous.server.sitting import sitting_of
-from nacreous.server.told import ReceiptTold, ScreenTold, SittingTold, StudyTold
 from nacreous.study.store import NotAllowed, Session, UnknownToken
 
 _BEARER: dict[str, Any] = {"security": [{"token": []}]}
@@ -54,12 +54,14 @@ def changing(request: Request) -> Iterator[tuple[Service, Session]]:
 
 
 # First of all routes, for it is asked the most, and routes are tried in turn.
-@router.put("/answers/{trial}", responses=BODIES, openapi_extra={**_BEARER, **asks(Answering)})
+@router.put(
+    "/answers/{trial}", responses=BODIES, openapi_extra={**_BEARER, **body_schema(Answering)}
+)
 async def answer(request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1)]) -> ReceiptTold:
     """Answer a trial. The receipt says that it is on the disk; the same again is welcome."""
     service = service_of(request)
     token = token_of(request)
-    wanted = await asked(request, Answering)
+    wanted = await body_of(request, Answering)
     session = await service.sessions.find(token)
     request.state.session = session.id
     # The plan is in memory since the session was read: nothing here waits but for the receipt.
@@ -87,13 +89,13 @@ def study(request: Request) -> StudyTold:
     "/enter",
     status_code=201,
     responses={200: {"model": SittingTold}, **BODIES},
-    openapi_extra={**_BEARER, **asks(Entering)},
+    openapi_extra={**_BEARER, **body_schema(Entering)},
 )
 async def enter(request: Request, response: Response) -> SittingTold:
     """Enter with a fresh token or an invitation's; the same token again is the same person."""
     service = service_of(request)
     token = token_of(request)
-    wanted = await asked(request, Entering)
+    wanted = await body_of(request, Entering)
     service.rates.take("entries of an address", address(request.scope))
 
     def work() -> tuple[bool, SittingTold]:
@@ -126,11 +128,11 @@ def consent(request: Request) -> None:
         service.store.consent(session.id)
 
 
-@router.post("/screen", responses=BODIES, openapi_extra={**_BEARER, **asks(Checking)})
+@router.post("/screen", responses=BODIES, openapi_extra={**_BEARER, **body_schema(Checking)})
 async def screen(request: Request) -> ScreenTold:
     """What the screen is like; the last check counts."""
     token_of(request)
-    wanted = await asked(request, Checking)
+    wanted = await body_of(request, Checking)
 
     def work() -> ScreenTold:
         with changing(request) as (service, session):

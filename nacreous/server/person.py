@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from nacreous.server.told import FlagTold, PersonTold
+from nacreous.server.responses import FlagTold, PersonTold
 from nacreous.study.plan import trials
 from nacreous.study.running import Running
 from nacreous.study.store import PersonProgress, Progress

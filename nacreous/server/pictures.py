@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from starlette.responses import FileResponse
 
-from nacreous.server.told import PictureTold
+from nacreous.server.responses import PictureTold
 from nacreous.study.design import Frozen
 
 _FOR_EVER = {"Cache-Control": "private, max-age=31536000, immutable"}

@@ -13,13 +13,13 @@ from starlette.types import Scope
 
 from nacreous.server.facts import Facts
 from nacreous.server.origin import origin_of
-from nacreous.server.outcomes import Outcomes
 from nacreous.server.person import People
 from nacreous.server.pictures import Pictures
 from nacreous.server.rates import Rates, address_of
 from nacreous.server.refusal import Refusal
+from nacreous.server.responses import StudyTold
+from nacreous.server.result_cache import ResultCache
 from nacreous.server.sessions import Sessions
-from nacreous.server.told import StudyTold
 from nacreous.server.worker import Worker
 from nacreous.study.running import Running
 from nacreous.study.store import Store, StoreError, tokens
@@ -41,7 +41,7 @@ class Service:
         self.running = running
         self.rates = Rates()
         self.sessions = Sessions(running)
-        self.outcomes = Outcomes()
+        self.results = ResultCache()
         self._worker = worker
         self.people = People(running)
         self.pictures = Pictures(running.frozen)

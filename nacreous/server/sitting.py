@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nacreous.server.facts import words
+from nacreous.server.responses import PictureTold, SittingTold, TrialTold
 from nacreous.server.service import Service
-from nacreous.server.told import PictureTold, SittingTold, TrialTold
 from nacreous.study.plan import Trial
 from nacreous.study.store import Session
 

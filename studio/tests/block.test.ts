@@ -2,8 +2,8 @@ import { expect, test } from "vitest";
 import type { Trial } from "../src/participant/api";
 import { blocksOf, placeOf } from "../src/participant/block";
 import { barred } from "../src/participant/entering";
-import { linked } from "../src/participant/keep/kept";
-import { claim } from "../src/participant/keep/tabs";
+import { linked } from "../src/participant/storage/kept";
+import { claim } from "../src/participant/storage/tabs";
 import type { Study } from "../src/participant/api";
 
 const trials: Trial[] = [0, 1, 2, 3, 4, 5].map((trial) => ({

@@ -1,10 +1,10 @@
 import "fake-indexeddb/auto";
 import { IDBFactory } from "fake-indexeddb";
 import { beforeEach, expect, test } from "vitest";
-import { openDatabase } from "../src/participant/keep/database";
-import { Kept } from "../src/participant/keep/kept";
-import { LastingLog, PassingLog } from "../src/participant/keep/log";
-import { resume } from "../src/participant/keep/resume";
+import { openDatabase } from "../src/participant/storage/database";
+import { Kept } from "../src/participant/storage/kept";
+import { LastingLog, PassingLog } from "../src/participant/storage/log";
+import { resume } from "../src/participant/storage/resume";
 import { answer } from "./answer";
 
 beforeEach(() => {

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { Problem } from "../src/shared/http";
 import type { Answer } from "../src/participant/api";
-import { backoff_ms, Sender } from "../src/participant/keep/sender";
+import { backoff_ms, Sender } from "../src/participant/storage/sender";
 import { answer } from "./answer";
 
 /** A server that takes answers in order, and fails as told before each. */

@@ -59,7 +59,7 @@ fn noise_has_the_spread_of_a_uniform_distribution() {
 #[test]
 fn the_same_seed_gives_the_same_bytes_on_every_platform() {
     // Written down once on x86-64 Linux, where an independent ChaCha8 in Python agrees
-    // (tests/test_nacre.py); every other platform must print the same.
+    // (tests/nacre/test_nacre.py); every other platform must print the same.
     let diary = paper().grow(7).unwrap();
     let bits: Vec<u64> = diary.deposits()[..3].iter().map(|d| d.thickness_nm.to_bits()).collect();
     assert_eq!(

@@ -13,7 +13,7 @@ robust-wald       differences of the scales against their covariance with people
 
 With people who differ, the likelihood-ratio test finds differences where there are none: at a
 spread of 0.5 z between people, 7 stimuli and 50 people a group, in a fifth of all studies
-instead of 5 % (tests/test_scaling_recovery.py).
+instead of 5 % (tests/scaling/test_recovery.py).
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ from nacreous.scaling.compare.estimate import (
 )
 from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.pool import pooled
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import comparisons_of
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model

@@ -10,7 +10,7 @@ of entry: whoever comes back goes on where they were.
 (28, 0, ['training', 'training', 'training', 'pair'])
 """
 
-from nacreous.study.plan.lottery import drawn_groups
+from nacreous.study.plan.allocation import drawn_groups
 from nacreous.study.plan.sequence import trials
 from nacreous.study.plan.trial import Trial, repetitions
 

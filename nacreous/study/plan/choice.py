@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.planning.design import random_design
 from nacreous.scaling.planning.selection import next_pairs
 from nacreous.scaling.planning.sequence import balanced_sides
 from nacreous.study.design.design import Design
-from nacreous.study.plan.stream import PAIRS, TELLING, stream
+from nacreous.study.plan.random_streams import PAIRS, TELLING, stream
 
 __all__ = ["Choice", "choices", "chosen"]
 

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.planning.sequence import in_sequence
 from nacreous.study.design.design import Design
 from nacreous.study.plan.choice import Choice, choices
 from nacreous.study.plan.order import Shown, in_order
-from nacreous.study.plan.stream import ORDER, numbered, stream
+from nacreous.study.plan.random_streams import ORDER, numbered, stream
 from nacreous.study.plan.trial import Trial
 
 __all__ = ["trials"]

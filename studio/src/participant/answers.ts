@@ -2,9 +2,9 @@
 
 import type { Problem } from "../shared/http";
 import type { Answer, Api } from "./api";
-import type { Log } from "./keep/log";
-import { resume } from "./keep/resume";
-import { Sender } from "./keep/sender";
+import type { Log } from "./storage/log";
+import { resume } from "./storage/resume";
+import { Sender } from "./storage/sender";
 import { pause } from "./reach";
 
 export class Answers {

@@ -51,7 +51,7 @@ export interface Picture {
   width_mm: number;
 }
 
-export interface Sitting {
+export interface SittingTold {
   /** Its name, which no other sitting gets, whatever becomes of token or number. */
   sitting: string;
   number: number;
@@ -87,12 +87,12 @@ export const study = (): Promise<Study> => ask<Study>("/api/study");
 export class Api {
   constructor(readonly token: string) {}
 
-  enter(language: Language, groups: Record<string, string>): Promise<Sitting> {
+  enter(language: Language, groups: Record<string, string>): Promise<SittingTold> {
     return this.post("/api/enter", { language, groups });
   }
 
-  sitting(): Promise<Sitting> {
-    return ask<Sitting>("/api/sitting", { headers: this.headers });
+  sitting(): Promise<SittingTold> {
+    return ask<SittingTold>("/api/sitting", { headers: this.headers });
   }
 
   consent(): Promise<void> {

@@ -2,7 +2,7 @@
 
 import { fill, said } from "../shared/language";
 import type { Language } from "../shared/language";
-import type { Answer, Picture, Sitting, Study, Trial } from "./api";
+import type { Answer, Picture, SittingTold, Study, Trial } from "./api";
 import { PairPlugin } from "./pair";
 import type { Pair } from "./pair";
 import type { PairWords, Sizes } from "./pair-view";
@@ -37,7 +37,7 @@ export class Presenter {
 
   constructor(
     private readonly study: Study,
-    private readonly sitting: Sitting,
+    private readonly sitting: SittingTold,
     private readonly words: Words,
     private readonly language: Language,
     private readonly scale: Scale,

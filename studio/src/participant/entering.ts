@@ -3,7 +3,7 @@
 import { Problem } from "../shared/http";
 import { preferred, said } from "../shared/language";
 import type { Language } from "../shared/language";
-import type { Api, Sitting, Study } from "./api";
+import type { Api, SittingTold, Study } from "./api";
 import { consentPage } from "./pages/consent";
 import { Ended } from "./pages/ends";
 import { groupsPage } from "./pages/groups";
@@ -21,7 +21,7 @@ export class Entering {
   ) {}
 
   /** Let somebody in who was not here before. `keep` keeps the token before it is first used. */
-  async enter(keep: () => Promise<void>): Promise<Sitting> {
+  async enter(keep: () => Promise<void>): Promise<SittingTold> {
     const language = await this.agree(await this.language());
     const words = WORDS[language];
     const factors = this.study.groups;
@@ -33,12 +33,12 @@ export class Entering {
   }
 
   /** Ask somebody again who entered, and left before the server heard that they agree. */
-  async again(sitting: Sitting): Promise<Sitting> {
+  async again(sitting: SittingTold): Promise<SittingTold> {
     await this.agree(sitting.language, []);
     return this.consented();
   }
 
-  private async consented(): Promise<Sitting> {
+  private async consented(): Promise<SittingTold> {
     await this.reach(() => this.api.consent());
     return this.reach(() => this.api.sitting());
   }
@@ -74,7 +74,7 @@ export function barred(study: Study, linked: boolean): "paused" | "closed" | "in
 }
 
 /** The sitting of a token, or null for a token that has not entered. */
-export async function sittingOf(api: Api): Promise<Sitting | null> {
+export async function sittingOf(api: Api): Promise<SittingTold | null> {
   try {
     return await api.sitting();
   } catch (reason) {

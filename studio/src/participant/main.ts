@@ -1,13 +1,13 @@
-/** The participant's page: a course through the study, and what stands at its end. */
+/** The participant's page: a way through the study, and what stands at its end. */
 
 import "../shared/style.css";
 import "./participant.css";
 import { element } from "../shared/dom";
 import { Problem } from "../shared/http";
 import { preferred } from "../shared/language";
-import { Course, studyTold } from "./course";
-import { Kept } from "./keep/kept";
-import { claim } from "./keep/tabs";
+import { Sitting, studyTold } from "./sitting";
+import { Kept } from "./storage/kept";
+import { claim } from "./storage/tabs";
 import { Notice } from "./notice";
 import { Ended, endOf, endPage } from "./pages/ends";
 import type { End } from "./pages/ends";
@@ -26,19 +26,19 @@ async function main(): Promise<void> {
   const stage = new Stage(root, simulation());
   const study = await studyTold((yes) => (yes ? notice.hide() : notice.show(words.unreachable)));
   const kept = await Kept.open();
-  const course = new Course(stage, notice, kept, study);
-  const end = (await claim(study.name)) ? await ended(course) : "tabs";
+  const sitting = new Sitting(stage, notice, kept, study);
+  const end = (await claim(study.name)) ? await ended(sitting) : "tabs";
   const another = end === "thanks" && study.registration === "open";
-  if ((await stage.show(endPage(course.words, end, another))) === "next") {
+  if ((await stage.show(endPage(sitting.words, end, another))) === "next") {
     await kept.forgetToken(study.name);
   }
   location.reload();
 }
 
-/** How a course ends. */
-async function ended(course: Course): Promise<End> {
+/** How a sitting ends. */
+async function ended(sitting: Sitting): Promise<End> {
   try {
-    await course.run();
+    await sitting.run();
     return "thanks";
   } catch (reason) {
     if (reason instanceof Ended) return reason.end;

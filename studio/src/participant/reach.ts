@@ -1,7 +1,7 @@
 /** Requests that are made again until the server answers. */
 
 import { Problem } from "../shared/http";
-import { backoff_ms } from "./keep/sender";
+import { backoff_ms } from "./storage/sender";
 
 /** Wait, but no longer than until the browser says that the network is back. */
 export function pause(wait_ms: number): Promise<void> {

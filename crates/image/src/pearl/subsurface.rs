@@ -1,0 +1,228 @@
+use std::{f64::consts::PI, sync::Arc};
+
+use glam::DVec3;
+use nacreous_colour::{SAMPLES, matrix::apply};
+
+use crate::{
+    harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
+    light::bands::{BANDS, Bands, means},
+    parallel,
+    pearl::passage::Passage,
+    rgb::Rgb,
+    surface::coating::legendre,
+    surroundings::environment::Surroundings,
+};
+
+/// A lamp as the inside of a pearl meets it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Beam {
+    /// Towards the lamp.
+    pub(crate) direction: DVec3,
+    /// Radius of its disc.
+    pub(crate) angular_radius_rad: f64,
+    /// Light in bands of a white matt surface that faces it.
+    pub(crate) power: Bands,
+}
+
+/// What a pearl does to light that has entered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Share that nacre and nucleus send back, by band.
+    pub reflectance: Bands,
+    /// How far light wanders before it leaves: waves of degree l fade by exp(-l (l + 1) spread). 0 leaves a
+    /// matt body, much a body that shines alike on all sides.
+    pub spread: f64,
+}
+
+impl Body {
+    /// Of a reflectance by wavelength.
+    pub fn new(reflectance: &[f64; SAMPLES], spread: f64) -> Self {
+        Self { reflectance: means(reflectance), spread }
+    }
+}
+
+/// Light that has been inside, ready to be looked at.
+///
+/// Enters through the film, wanders over the ball as heat would **(ours)**, leaves through the film:
+/// its colour in a direction depends on the angle to the normal by the film, on the place by the light.
+#[derive(Debug, Clone)]
+pub(crate) struct Subsurface {
+    /// By direction of the normal, [`ROWS`] rows: light about to leave, by band, and what would leave of it
+    /// through a film without colour, in linear RGB.
+    places: Vec<[f32; PLACE]>,
+    passage: Arc<Passage>,
+}
+
+const ROWS: usize = 64;
+/// The bands, RGB and one number to fill the registers.
+const PLACE: usize = BANDS + 4;
+
+impl Subsurface {
+    /// Lets in the light of `surroundings` around ball `ball`, and that of the lamps.
+    pub(crate) fn new(
+        passage: Arc<Passage>,
+        surroundings: &Surroundings,
+        ball: usize,
+        beams: &[Beam],
+    ) -> Self {
+        let outside = Outside::new(&passage, surroundings, ball, beams);
+        let mut places = vec![[0.0_f32; PLACE]; 2 * ROWS * ROWS];
+        let mut grid = vec![[0.0_f64; CHANNELS]; 2 * ROWS * ROWS];
+        for first in (0..BANDS).step_by(CHANNELS) {
+            let bands: [usize; CHANNELS] = std::array::from_fn(|i| (first + i).min(BANDS - 1));
+            let waves = outside.waves(bands);
+            synthesise(&waves, passage.top(), (ROWS, 2 * ROWS), |texel| texel, &mut grid);
+            for (place, values) in places.iter_mut().zip(&grid) {
+                for (value, band) in values.iter().zip(bands) {
+                    // A cut-off sum of waves swings below zero beside a lamp's terminator.
+                    place[band] = value.max(0.0) as f32;
+                }
+            }
+        }
+        for place in &mut places {
+            for (channel, weights) in passage.leaving_plain().iter().enumerate() {
+                place[BANDS + channel] = dot(weights, place);
+            }
+        }
+        Self { places, passage }
+    }
+
+    /// Linear RGB of the light that leaves where the normal is `normal`, at an angle to it, and what it
+    /// would be if the film let through the same everywhere.
+    pub(crate) fn radiance(&self, normal: DVec3, cos_view: f64) -> (Rgb, Rgb) {
+        let light = self.light(Place::towards(to_grid(normal)));
+        let leaving = self.passage.leaving(cos_view);
+        let whole = leaving.each_ref().map(|weights| f64::from(dot(weights, &light)));
+        (whole, [0, 1, 2].map(|channel| f64::from(light[BANDS + channel])))
+    }
+
+    /// Between the four nearest places.
+    #[inline]
+    fn light(&self, place: Place) -> [f32; PLACE] {
+        let scale = ROWS as f32 / std::f32::consts::PI;
+        let (columns, rows) = (2 * ROWS, ROWS as f32);
+        // A turn and a row more keep both positive.
+        let across = place.longitude * scale + columns as f32;
+        let down = (place.colatitude * scale + 0.5).min(rows + 0.4999);
+        let (column, row) = (across as usize, down as usize);
+        let (aside, below) = (across - column as f32, down - row as f32);
+        let mut sum = [0.0; PLACE];
+        for (r, row_share) in [(row, 1.0 - below), (row + 1, below)] {
+            // Beyond a pole lies the same ring, half way round.
+            let (ring, turn) = match r {
+                0 => (0, ROWS),
+                r if r > ROWS => (ROWS - 1, ROWS),
+                r => (r - 1, 0),
+            };
+            for (c, share) in [(column, 1.0 - aside), (column + 1, aside)] {
+                let cell = &self.places[ring * columns + (c + turn) % columns];
+                let share = share * row_share;
+                for (sum, value) in sum.iter_mut().zip(cell) {
+                    *sum += share * value;
+                }
+            }
+        }
+        sum
+    }
+}
+
+#[inline]
+fn dot(weights: &[f32; BANDS], place: &[f32; PLACE]) -> f32 {
+    let mut sums = [0.0_f32; 8];
+    for (a, b) in weights.chunks_exact(8).zip(place.chunks_exact(8)) {
+        for lane in 0..8 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    sums.iter().sum()
+}
+
+/// The grid's pole is the scene's zenith.
+fn to_grid(direction: DVec3) -> DVec3 {
+    DVec3::new(direction.z, direction.x, direction.y)
+}
+
+fn from_grid(direction: DVec3) -> DVec3 {
+    DVec3::new(direction.y, direction.z, direction.x)
+}
+
+/// The light around a pearl in waves on the sphere of directions, before it enters.
+struct Outside<'a> {
+    passage: &'a Passage,
+    /// As amounts of the palette's curves.
+    around: Coefficients,
+    beams: &'a [Beam],
+    /// Unit light from each lamp's direction.
+    lamps: Vec<Coefficients>,
+}
+
+impl<'a> Outside<'a> {
+    fn new(
+        passage: &'a Passage,
+        surroundings: &Surroundings,
+        ball: usize,
+        beams: &'a [Beam],
+    ) -> Self {
+        let unit = |beam: &Beam| point(to_grid(beam.direction), passage.top());
+        let around = around(passage, surroundings, ball);
+        Self { passage, around, beams, lamps: beams.iter().map(unit).collect() }
+    }
+
+    /// The waves of some bands when they are about to leave.
+    fn waves(&self, bands: [usize; CHANNELS]) -> Coefficients {
+        let top = self.passage.top();
+        let mut waves = Coefficients::zero(top);
+        for l in 0..=top {
+            let shares = bands.map(|band| self.passage.share(l)[band]);
+            for m in 0..=l {
+                *waves.at_mut(l, m) = std::array::from_fn(|channel| {
+                    self.wave((l, m), bands[channel]).map(|part| part * shares[channel])
+                });
+            }
+        }
+        waves
+    }
+
+    /// One wave of one band.
+    fn wave(&self, (l, m): (usize, usize), band: usize) -> [f64; 2] {
+        let amounts = self.around.at(l, m);
+        let curves = self.passage.palette().curves_of_white(band);
+        let mut sum = [0, 1].map(|part| (0..3).map(|i| curves[i] * amounts[i][part]).sum::<f64>());
+        for (beam, lamp) in self.beams.iter().zip(&self.lamps) {
+            // Unit light on a surface that faces it is pi of radiance times solid angle.
+            let factor = PI * beam.power[band] * disc(beam.angular_radius_rad, l);
+            for (sum, part) in sum.iter_mut().zip(lamp.at(l, m)[0]) {
+                *sum += factor * part;
+            }
+        }
+        sum
+    }
+}
+
+/// The light around in waves, as amounts of the palette's curves.
+fn around(passage: &Passage, surroundings: &Surroundings, ball: usize) -> Coefficients {
+    let step_rad = PI / ROWS as f64;
+    let directions: Vec<DVec3> =
+        directions_of_grid(ROWS).map(|(direction, _)| from_grid(direction)).collect();
+    let amounts = |seen: Rgb| apply(passage.palette().amounts(), seen);
+    let values = parallel::map(directions.len(), |i| {
+        amounts(surroundings.seen_without_windows(ball, directions[i], step_rad))
+    });
+    let mut waves = analyse(ROWS, &values, passage.top());
+    for (along, solid_angle, more) in surroundings.window_points(ball) {
+        let amounts = amounts(more).map(|amount| amount * solid_angle);
+        waves.add(&point(to_grid(along), passage.top()), amounts);
+    }
+    waves
+}
+
+/// What a disc of an angular radius leaves of a wave of degree l, against a point.
+fn disc(radius_rad: f64, l: usize) -> f64 {
+    let cosine = libm::cos(radius_rad);
+    if l == 0 || 1.0 - cosine < 1e-9 {
+        return 1.0;
+    }
+    let mut two = legendre(cosine).skip(l - 1).step_by(2);
+    let (below, above) = (two.next().unwrap_or(1.0), two.next().unwrap_or(1.0));
+    (below - above) / ((2 * l + 1) as f64 * (1.0 - cosine))
+}

@@ -1,0 +1,193 @@
+use std::{f64::consts::PI, sync::Arc};
+
+use nacreous_colour::{Matrix, matrix::apply};
+
+use crate::{
+    light::bands::Bands,
+    pearl::{
+        reflection_cache::{Around, ReflectionCache},
+        response::Response,
+        shade::Shade,
+        sight::Sight,
+        subsurface::{Beam, Subsurface},
+    },
+    rgb::{self, Rgb},
+    surface::sampling::FacetSample,
+    surroundings::{environment::Surroundings, lamp::Lamp, viewpoint::Viewpoint},
+    view::camera::Camera,
+};
+
+/// A pearl by the transport model (Ozaki and others 2021): what one sees is light that the film mirrors,
+/// and light that has been inside and leaves through the film in the complementary colour.
+#[derive(Debug, Clone)]
+pub struct Transport {
+    response: Arc<Response>,
+    /// Facets sampled once for all pixels, shared out among the samples along a pixel's side.
+    samples: Vec<FacetSample>,
+    facets_per_sample: usize,
+    lamps: Vec<Lamp>,
+    subsurface: Subsurface,
+}
+
+impl Transport {
+    /// Lets the light of `surroundings`, whose lamps are those of `response`, into ball `ball`;
+    /// `samples_side` samples stand along a pixel's side.
+    pub fn new(
+        response: Arc<Response>,
+        surroundings: &Surroundings,
+        ball: usize,
+        samples_side: usize,
+    ) -> Self {
+        let microfacets = response.microfacets();
+        let facets_per_sample = facets_per_sample(microfacets.spread_rad());
+        let centre = surroundings.balls[ball].centre;
+        let beam = |(lamp, power): (&Lamp, &Bands)| Beam {
+            direction: lamp.toward(centre),
+            angular_radius_rad: lamp.angular_radius_rad(),
+            // Neighbours shade the whole pearl as they shade its middle.
+            power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
+        };
+        let beams: Vec<Beam> = surroundings.lamps.iter().zip(response.powers()).map(beam).collect();
+        let subsurface = Subsurface::new(response.passage(), surroundings, ball, &beams);
+        let lamps = surroundings.lamps.iter().map(|lamp| lamp.clone().resolved_for(microfacets));
+        let lamps = lamps.collect();
+        let samples = microfacets.samples(samples_side * facets_per_sample);
+        Self { response, samples, facets_per_sample, lamps, subsurface }
+    }
+
+    /// What goes from the point towards the eye, without the grain.
+    pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+        let hit = &sight.hit;
+        let (whole, plain) = self.subsurface.radiance(hit.normal, hit.cos_view);
+        let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
+        let mut mirror = apply(self.response.mirrored_by_all(hit.cos_view), around.light);
+        rgb::add(&mut mirror, around.rest);
+        for (number, lamp) in self.lamps.iter().enumerate() {
+            let reflected = |cos_half| self.response.lamp_mirrored(number, cos_half);
+            let microfacets = self.response.microfacets();
+            let image = lamp.image(microfacets, hit.point, hit.normal, sight.view, reflected);
+            if image.iter().any(|part| *part > 0.0) {
+                let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
+                rgb::add(&mut mirror, rgb::scaled(image, past));
+            }
+        }
+        let interference = std::array::from_fn(|i| whole[i] - plain[i]);
+        Shade { interference, diffuse: plain, mirror, ..Shade::default() }
+    }
+
+    /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
+    /// what is finer is averaged where it is looked up.
+    fn around(&self, surroundings: &Surroundings, sight: &Sight) -> Around {
+        let first = sight.part * self.facets_per_sample;
+        let all = self.samples.iter().cycle().skip(first % self.samples.len());
+        let some = all.take(self.facets_per_sample).copied();
+        self.gathered(surroundings, sight, some, (self.samples.len(), LOBE))
+    }
+
+    /// The cache of what the facets show `camera`, if pixels are finer.
+    pub(crate) fn reflection_cache(
+        &self,
+        surroundings: &Surroundings,
+        ball: usize,
+        camera: &Camera,
+        pixel_mm: f64,
+    ) -> Option<ReflectionCache> {
+        let microfacets = self.response.microfacets();
+        let place = &surroundings.balls[ball];
+        let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
+        let facets = pixels * self.samples.len() as f64;
+        ReflectionCache::new(place, camera, microfacets, facets, |hit, view, samples| {
+            let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
+            self.gathered(surroundings, &sight, samples.iter().copied(), (samples.len(), KNOT_LOBE))
+        })
+    }
+
+    /// The surroundings in the facets of some samples, of which `count` stand for all facets, each
+    /// looked up with `lobe_width` of what it stands for.
+    fn gathered(
+        &self,
+        surroundings: &Surroundings,
+        sight: &Sight,
+        samples: impl Iterator<Item = FacetSample>,
+        (count, lobe_width): (usize, f64),
+    ) -> Around {
+        let Sight { ball, hit, view, pixel_mm, .. } = *sight;
+        let (normal, cos_view) = (hit.normal, hit.cos_view);
+        let aside = view - normal * cos_view;
+        // Straight from above, what is left of the view aside is rounding.
+        let x = if aside.length_squared() > 1e-12 {
+            aside.normalize()
+        } else {
+            normal.any_orthonormal_vector()
+        };
+        let y = normal.cross(x);
+        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
+        // a slanted surface turns it faster.
+        let radius_mm = surroundings.balls[ball].radius_mm;
+        let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
+        let (mut lobe, facets) = (Lobe::default(), self.response.microfacets().seen_at(cos_view));
+        let windows = &surroundings.windows;
+        let viewpoint = Viewpoint::new(surroundings, windows, hit.point, Some(ball));
+        for sample in samples {
+            let Some(facet) = facets.facet(sample) else { continue };
+            let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
+            let share_rad2 = lobe_width / (facet.density * count as f64);
+            let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
+            let seen = viewpoint.seen(along, spread_rad);
+            lobe.add(facet.weight, self.response.mirrored(facet.cos_half), seen.radiance);
+        }
+        lobe.around(self.response.mirrored_by_all(cos_view))
+    }
+}
+
+/// Some facets' view of the surroundings.
+#[derive(Debug, Default)]
+struct Lobe {
+    weight: f64,
+    /// Sum of what the film mirrors, from RGB to RGB.
+    film: Matrix,
+    /// Sum of the surroundings' light, before the film and after it.
+    light: Rgb,
+    mirrored: Rgb,
+}
+
+impl Lobe {
+    fn add(&mut self, weight: f64, film: &Matrix, light: Rgb) {
+        self.weight += weight;
+        for (sum, row) in self.film.iter_mut().zip(film) {
+            rgb::add(sum, rgb::scaled(*row, weight));
+        }
+        rgb::add(&mut self.light, rgb::scaled(light, weight));
+        rgb::add(&mut self.mirrored, rgb::scaled(apply(film, light), weight));
+    }
+
+    /// Few facets give the surroundings' colours; `all` of them how much is mirrored: exactly where the
+    /// surroundings are even (a control variate).
+    fn around(&self, all: &Matrix) -> Around {
+        let of_white = |film: &Matrix| rgb::luminance(apply(film, [1.0; 3]));
+        let some = of_white(&self.film);
+        if some <= 0.0 {
+            return Around::default();
+        }
+        let share = of_white(all) / some;
+        let light = rgb::scaled(self.light, 1.0 / self.weight);
+        let even = apply(&self.film, light);
+        Around { light, rest: std::array::from_fn(|i| (self.mirrored[i] - even[i]) * share) }
+    }
+}
+
+/// Squared width of what a sample is looked up with, in units of its solid angle: neighbours overlap, so that an
+/// edge that moves across them leaves no steps.
+const LOBE: f64 = 4.0;
+
+/// The same for the knots of a cache, whose many samples need overlap less.
+const KNOT_LOBE: f64 = 2.0;
+
+/// A mirror needs few facets, satin more.
+fn facets_per_sample(spread_rad: f64) -> usize {
+    match spread_rad {
+        spread if spread < 0.02 => 4,
+        spread if spread < 0.08 => 8,
+        _ => 16,
+    }
+}

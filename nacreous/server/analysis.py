@@ -1,0 +1,114 @@
+"""What the answers say so far: the scale, the report, the answers themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Query, Response
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+
+from nacreous.problem import InputError
+from nacreous.server.login import READS, Who
+from nacreous.server.refusal import PROBLEMS
+from nacreous.server.responses import ScaleTold, TooFew
+from nacreous.server.service import Service, service_of
+from nacreous.study import results
+from nacreous.study.store import Progress, export
+
+router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
+
+Question = Annotated[str, Query(max_length=40)]
+
+
+def state_of(progress: Progress) -> Hashable:
+    """What a scale hangs on: the answers, and whose of them count."""
+    left_out = tuple(
+        person.session.number
+        for person in progress.people
+        if person.session.excluded_reason is not None
+    )
+    return progress.answers, progress.erased, left_out
+
+
+async def _state(service: Service) -> Hashable:
+    return state_of(await run_in_threadpool(service.store.progress, service.running.study))
+
+
+def _known(service: Service, question: str | None) -> str:
+    """A question of the study; the first where none is named."""
+    ids = [question.id for question in service.running.frozen.design.questions]
+    if question is None:
+        return ids[0]
+    if question not in ids:
+        raise InputError(f"question is {question!a}; allowed: {', '.join(ids)}")
+    return question
+
+
+@router.get("/scale", openapi_extra=READS)
+async def scale(
+    request: Request, _who: Who, question: Question | None = None, simulated: bool = False
+) -> ScaleTold | TooFew:
+    """The scale so far, or why there is none yet."""
+    service = service_of(request)
+    asked = _known(service, question)
+    work = partial(_scale, service, asked, simulated)
+    return await service.results.get(("scale", asked, simulated), await _state(service), work)
+
+
+async def _scale(service: Service, question: str, simulated: bool) -> ScaleTold | TooFew:
+    try:
+        found = await service.works_out(results.scale_so_far, question, simulated)
+    except InputError as problem:
+        return TooFew(problem=str(problem))
+    return ScaleTold.model_validate(found, from_attributes=True)
+
+
+@router.get(
+    "/report",
+    response_class=Response,
+    responses={200: {"content": {"text/html": {}}}},
+    openapi_extra=READS,
+)
+async def report(
+    request: Request,
+    _who: Who,
+    question: Question | None = None,
+    language: Literal["en", "ja"] = "en",
+    simulated: bool = False,
+) -> Response:
+    """The report as one page, to be kept."""
+    service = service_of(request)
+    asked = _known(service, question)
+    work = partial(service.works_out, results.report, asked, language, simulated)
+    key = ("report", asked, language, simulated)
+    page = await service.results.get(key, await _state(service), work, good_for=0)
+    return Response(page, media_type="text/html", headers=_named("report.html"))
+
+
+@router.get(
+    "/answers.csv",
+    response_class=Response,
+    responses={200: {"content": {"text/csv": {}}}},
+    openapi_extra=READS,
+)
+async def answers(request: Request, _who: Who) -> Response:
+    """All answers, the excluded, simulated and erased ones marked."""
+    service = service_of(request)
+    content = await run_in_threadpool(_csv, service)
+    return Response(content, media_type="text/csv", headers=_named("answers.csv"))
+
+
+def _csv(service: Service) -> bytes:
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "answers.csv"
+        export(service.store, service.running.study, path)
+        return path.read_bytes()
+
+
+def _named(name: str) -> dict[str, str]:
+    return {"Content-Disposition": f'attachment; filename="{name}"'}

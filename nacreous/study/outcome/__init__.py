@@ -1,8 +1,0 @@
-"""What a study has found so far: the people, the scale, the report."""
-
-from nacreous.study.outcome.flag import Flag
-from nacreous.study.outcome.people import people_flags
-from nacreous.study.outcome.report import report
-from nacreous.study.outcome.scale import Placed, ScaleSoFar, scale_so_far
-
-__all__ = ["Flag", "Placed", "ScaleSoFar", "people_flags", "report", "scale_so_far"]

@@ -1,0 +1,77 @@
+"""The report of a study: that of `nacreous.scaling`, with the study's question and groups."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from nacreous.problem import InputError
+from nacreous.study.results.scale import counted, question_of
+from nacreous.study.store.codebook import group_column
+
+if TYPE_CHECKING:
+    from nacreous.scaling import Answers
+    from nacreous.scaling.report.analysis import Analysis
+    from nacreous.study.running import Running
+
+__all__ = ["report"]
+
+
+def report(
+    running: Running,
+    question: str,
+    language: str = "en",
+    simulated: bool = False,
+    group: str | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> str:
+    """A page in a language, "en" or "ja", that reads without statistics.
+
+    Groups are compared by the factor `group`; unless it is given, by the first of the study's
+    factors by which they can be. Raises `InputError` for what there is not, and while there is no
+    scale (`scale_so_far` says why).
+    """
+    from nacreous.scaling.report.page import html
+
+    asked = question_of(running, question)
+    known = [factor.name for factor in running.frozen.design.groups]
+    if group is not None and group not in known:
+        allowed = ", ".join(known) or "none, for the study has no groups"
+        raise InputError(f"group is {group!a}; allowed: {allowed}")
+    answers = counted(running, question, simulated)
+    text = asked.text.in_language(language) or asked.text.in_language(
+        "en" if language == "ja" else "ja"
+    )
+    column = None if group is None else group_column(group).name
+    if group is None:
+        column = _comparable(answers, [group_column(name).name for name in known])
+    return html(_analysis(answers, text, column, simulated, progress), language)
+
+
+def _comparable(answers: Answers, columns: list[str]) -> str | None:
+    """The first column whose groups each have a scale, so that they can be compared."""
+    from nacreous.scaling import thurstone
+
+    for column in columns:
+        parts = answers.split(column) if column in answers.groups else {}
+        if len(parts) < 2:
+            continue
+        try:
+            for part in parts.values():
+                thurstone(part)
+        except InputError:  # the report says what can be said without them
+            continue
+        return column
+    return None
+
+
+def _analysis(
+    answers: Answers,
+    text: str,
+    column: str | None,
+    simulated: bool,
+    progress: Callable[[float], None] | None,
+) -> Analysis:
+    from nacreous.scaling import analyse
+
+    return analyse(answers, question=text, group=column, simulated=simulated, progress=progress)

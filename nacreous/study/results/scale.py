@@ -1,0 +1,104 @@
+"""The scale so far: what the report would say of it, quickly enough to be looked at all day."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from nacreous.problem import InputError
+from nacreous.study.store import answers_of
+
+if TYPE_CHECKING:
+    from nacreous.scaling import Answers
+    from nacreous.study.design.question import Question
+    from nacreous.study.running import Running
+
+__all__ = ["Placed", "ScaleSoFar", "counted", "question_of", "scale_so_far"]
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A stimulus at its place, with its interval. picture: its file's SHA-256."""
+
+    label: str
+    picture: str
+    value: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class ScaleSoFar:
+    """The scale of one question, the highest stimulus first.
+
+    question: its id. text: by language. simulated: nobody gave these answers. answers, people: how
+    many count. unit, level: of the intervals, in which one person's answers hang together.
+    verdict: whether one scale holds the answers: "describes", "misfits" or "untested". misfit: the
+    two stimuli that it holds worst, the one chosen too often first; None unless "misfits".
+    """
+
+    question: str
+    text: Mapping[str, str]
+    simulated: bool
+    stimuli: tuple[Placed, ...]
+    answers: int
+    people: int
+    unit: str
+    level: float
+    verdict: str
+    misfit: tuple[str, str] | None
+
+
+def scale_so_far(running: Running, question: str, simulated: bool = False) -> ScaleSoFar:
+    """Thurstone's case V of the answers that count, as `nacreous.scaling.analyse` has it.
+
+    Raises `InputError` with the reason while there is no scale: nobody has answered yet, stimuli
+    are not joined by answers, or one of them always wins.
+    """
+    from nacreous.scaling import study
+
+    asked = question_of(running, question)
+    answers = counted(running, question, simulated)
+    found = study(answers, bootstrap=0)
+    pictures = {stimulus.label: stimulus.sha256 for stimulus in running.frozen.stimuli}
+    stimuli = tuple(
+        Placed(
+            found.fit.stimuli[at],
+            pictures[found.fit.stimuli[at]],
+            float(found.fit.scale[at]),
+            float(found.doubt.intervals[at, 0]),
+            float(found.doubt.intervals[at, 1]),
+        )
+        for at in found.order
+    )
+    verdict = {True: "describes", False: "misfits", None: "untested"}[found.goodness.describes]
+    worst = found.goodness.largest
+    return ScaleSoFar(
+        question=question,
+        text=asked.text.model_dump(exclude_none=True),
+        simulated=simulated,
+        stimuli=stimuli,
+        answers=len(answers),
+        people=len(answers.people),
+        unit=found.fit.unit,
+        level=found.settings.level,
+        verdict=verdict,
+        misfit=(worst.first, worst.second) if verdict == "misfits" else None,
+    )
+
+
+def counted(running: Running, question: str, simulated: bool) -> Answers:
+    """The answers that count; simulated people are called so."""
+    answers = answers_of(running.store, running.study, question, simulated=simulated)
+    if not simulated:
+        return answers
+    return replace(answers, people=tuple(f"simulated {person}" for person in answers.people))
+
+
+def question_of(running: Running, question: str) -> Question:
+    """A question of the study by its id; or one clear message."""
+    asked = {one.id: one for one in running.frozen.design.questions}
+    if question not in asked:
+        raise InputError(f"question is {question!a}; allowed: {', '.join(asked)}")
+    return asked[question]

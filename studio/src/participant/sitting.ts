@@ -1,0 +1,202 @@
+/** A whole sitting, from the first page to the last. */
+
+import { Problem } from "../shared/http";
+import { fill, preferred, said } from "../shared/language";
+import type { Language } from "../shared/language";
+import { Answers } from "./answers";
+import { Api, study as studyOf } from "./api";
+import type { SittingTold, Study, Trial } from "./api";
+import { blocksOf, placeOf, Presenter } from "./block";
+import { barred, Entering, sittingOf } from "./entering";
+import { linked } from "./storage/kept";
+import type { Kept } from "./storage/kept";
+import type { Notice } from "./notice";
+import {
+  breakPage,
+  instructionsPage,
+  resumedPage,
+  stopPage,
+  trainingOverPage,
+} from "./pages/between";
+import { Ended } from "./pages/ends";
+import { loadingPage, sendingPage } from "./pages/waiting";
+import { Pictures } from "./pictures";
+import { reach } from "./reach";
+import { ScreenCheck } from "./screen/check";
+import type { ScreenContent } from "./screen/content";
+import { fillScreen } from "./screen/full";
+import { reading } from "./sheet";
+import type { Stage } from "./stage";
+import { WORDS } from "./words/words";
+import type { Words } from "./words/words";
+
+export class Sitting {
+  private language: Language = "en";
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly notice: Notice,
+    private readonly kept: Kept,
+    private readonly study: Study,
+  ) {
+    this.speak(preferred(study.languages, navigator.languages));
+  }
+
+  get words(): Words {
+    return WORDS[this.language];
+  }
+
+  /** Go through all of it; throws `Ended` or `Problem` where it ends before its end. */
+  async run(): Promise<void> {
+    const own = linked(location.hash) ?? (await this.kept.token(this.study.name));
+    let api = new Api(own ?? this.study.token);
+    const found = own === null ? null : await this.reach(() => sittingOf(api));
+    const left = found === null && linked(location.hash) === null; // by another study, perhaps
+    if (left && this.study.registration === "open") api = new Api(this.study.token);
+    void this.sendLeftBehind(api.token);
+    let sitting = await this.entered(api, found, own !== null);
+    if (sitting.finished) throw new Ended("thanks");
+    const screen = await this.screened(api, sitting);
+    if (sitting.trials.length === 0) sitting = await this.reach(() => api.sitting());
+    await this.answered(api, sitting, screen);
+    throw new Ended("thanks");
+  }
+
+  /** Send what others, who left this browser without a network, have answered. */
+  private async sendLeftBehind(own: string): Promise<void> {
+    for (const token of await this.kept.unfinished()) {
+      if (token === own) continue;
+      const api = new Api(token);
+      const sitting = await sittingOf(api).catch(() => null);
+      if (sitting === null) continue;
+      const log = this.kept.log(sitting.sitting);
+      await new Answers(api, log, () => undefined).resume(sitting.answered);
+    }
+  }
+
+  /** A request, made until the server answers, with a notice as long as it does not. */
+  readonly reach = <T>(request: () => Promise<T>): Promise<T> => reach(request, this.connected);
+
+  private readonly connected = (yes: boolean): void => {
+    if (yes) this.notice.hide();
+    else this.notice.show(this.words.offline);
+  };
+
+  private speak(language: Language): void {
+    this.language = language;
+    document.documentElement.lang = language;
+    document.title = this.words.consent_title;
+  }
+
+  private async entered(api: Api, found: SittingTold | null, own: boolean): Promise<SittingTold> {
+    const speak = (language: Language) => this.speak(language);
+    const keep = () => this.kept.keepToken(this.study.name, api.token);
+    const entering = new Entering(this.stage, this.study, api, this.reach, speak);
+    if (found === null) {
+      const bar = barred(this.study, own);
+      if (bar !== null) throw new Ended(bar);
+      return entering.enter(keep).catch((reason: unknown) => this.barredNow(reason));
+    }
+    await keep();
+    this.speak(found.language);
+    return found.consented ? found : entering.again(found);
+  }
+
+  /** Why somebody was not let in: the study was paused meanwhile, or the link is no good. */
+  private async barredNow(reason: unknown): Promise<never> {
+    if (!(reason instanceof Problem && ["not-allowed", "token"].includes(reason.kind)))
+      throw reason;
+    await this.kept.forgetToken(this.study.name);
+    const { state } = await this.reach(studyOf);
+    throw new Ended(state === "open" ? "unknown" : state);
+  }
+
+  /** Notes and the screen check, unless this browser on this screen went through them. */
+  private async screened(api: Api, sitting: SittingTold): Promise<ScreenContent> {
+    const { words, stage } = this;
+    const kept = await this.kept.screen(api.token);
+    const same = kept?.screen.width_px === screen.width && kept.screen.height_px === screen.height;
+    if (kept !== null && same && sitting.screened && !sitting.refused) return kept;
+    const notes = sitting.groups_notes.map((note) => said(note, this.language));
+    if (notes.length > 0 && !sitting.screened) {
+      await stage.show(reading("notes", words.notes_title, notes, [["go", words.go_on]]));
+    }
+    const pictures = Object.values(sitting.pictures);
+    const check = new ScreenCheck(stage, words, this.study.screen, sitting.number, pictures);
+    const content = await check.run();
+    const found = await this.reach(() => api.screen(content));
+    await this.kept.keepScreen(api.token, content).catch(() => undefined);
+    if (found.refused) throw new Ended("refused");
+    return content;
+  }
+
+  /** All trials that are left, their pages in between, and the end. */
+  private async answered(api: Api, sitting: SittingTold, content: ScreenContent): Promise<void> {
+    const answers = new Answers(api, this.kept.log(sitting.sitting), this.connected);
+    const next = await answers.resume(sitting.answered);
+    const fetched = await this.fetched(api, sitting, answers);
+    const scale = {
+      measured: content.card?.px_per_mm ?? null,
+      ratio: content.window.device_pixel_ratio,
+    };
+    const { words, language, study } = this;
+    const keep = answers.keep.bind(answers);
+    const presenter = new Presenter(study, sitting, words, language, scale, fetched, keep);
+    for (const block of blocksOf(sitting.trials, next)) {
+      await this.before(api, sitting, block, next);
+      await Promise.race([this.stage.run(presenter.timeline(block)), answers.refused]);
+    }
+    if (answers.waiting > 0) {
+      const page = sendingPage(words, () => answers.waiting, answers.settled());
+      await Promise.race([this.stage.show(page), answers.refused]);
+    }
+    await this.reach(() => api.finish());
+    await this.kept.finish(api.token).catch(() => undefined);
+    if (document.fullscreenElement !== null) await document.exitFullscreen().catch(() => undefined);
+  }
+
+  private async fetched(api: Api, sitting: SittingTold, answers: Answers): Promise<Pictures> {
+    const pictures = new Pictures(api);
+    const names = Object.keys(sitting.pictures);
+    const page = loadingPage(this.words, (told) => this.reach(() => pictures.fetch(names, told)));
+    const { problem } = await Promise.race([this.stage.show(page), answers.refused]);
+    if (problem !== null) throw problem;
+    return pictures;
+  }
+
+  /** The page before a block: instructions, the practice's end, a break, or a welcome back. */
+  private async before(api: Api, sitting: SittingTold, block: readonly Trial[], next: number) {
+    const first = block[0];
+    if (first === undefined) return;
+    const { words, stage, study } = this;
+    const { n, all } = placeOf(sitting.trials, first);
+    const resumed = first.trial === next && next > 0;
+    const previous = sitting.trials[first.trial - 1];
+    const question = study.questions.find(({ id }) => id === first.question);
+    const asked =
+      previous?.question === first.question ? null : said(question?.text ?? {}, this.language);
+    const page = resumed
+      ? resumedPage(words, fill(words.resumed, { n: first.trial + 1, all: sitting.trials.length }))
+      : first.trial === 0
+        ? instructionsPage(words, said(study.instructions, this.language), study.sitting)
+        : previous?.training
+          ? trainingOverPage(words, all)
+          : breakPage(words, n - 1, all, asked);
+    while ((await stage.show(page)) === "stop") await this.stop(api);
+    if (resumed && study.screen.full_screen && stage.simulation === null) await fillScreen();
+  }
+
+  private async stop(api: Api): Promise<void> {
+    const chosen = await this.stage.show(stopPage(this.words));
+    if (chosen === "later") throw new Ended("later");
+    if (chosen === "withdraw") {
+      await this.reach(() => api.withdraw());
+      throw new Ended("withdrawn");
+    }
+  }
+}
+
+/** The study as its server tells it, asked for until it does. */
+export function studyTold(connected: (yes: boolean) => void): Promise<Study> {
+  return reach(studyOf, connected);
+}

@@ -1,0 +1,461 @@
+"""`nacreous render` and `nacreous grow` as their users meet them: what they write and refuse."""
+
+from __future__ import annotations
+
+import csv
+import shutil
+import struct
+import subprocess
+import sys
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image as Pillow
+
+import nacreous as nc
+from nacreous import cli
+from nacreous.nacre import diary
+from nacreous.spec import Growth
+
+Run = Callable[..., list[str]]
+
+
+def chunk(name: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+
+def huge_png() -> bytes:
+    """20000 x 20000 by its header; of its pixels only the first few bytes are there."""
+    header = chunk(b"IHDR", struct.pack(">IIBBBBB", 20_000, 20_000, 8, 2, 0, 0, 0))
+    pixels = chunk(b"IDAT", zlib.compress(bytes(1000))) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + header + pixels
+
+
+@pytest.fixture
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with all kinds of bad files, which is where commands run."""
+    texts = {
+        "unknown.toml": "[nacre]\nprotien_nm = 20\n",
+        "type.toml": 'depth = "deep"\ngrain = true\n',
+        "negative.toml": "[nacre]\nthickness_nm = [400, -410]\n",
+        "nan.toml": "diameter_mm = nan\n",
+        "none.toml": "[nacre]\nthickness_nm = []\n",
+        "winter.toml": "[nacre]\nlayers_winter = 1e9\n",
+        "many.toml": f"[nacre]\nthickness_nm = [{'400,' * 5001}]\n",
+        "long.toml": f"# {'x' * 1_000_001}\n",
+        "decades.toml": '[nacre]\nseeding = "2001-01-01"\nharvest = "2020-12-31"\n'
+        "layers_winter = 20\n",
+        "empty.toml": "",
+        "syntax.toml": "depth = \n",
+        "scene.toml": '[table]\nkind = "cloth"\n',
+        "picture.toml": '[texture]\nsource = "text.png"\n',
+        "hollow.toml": '[texture]\nsource = "hollow.png"\n',
+        "huge.toml": '[texture]\nsource = "huge.png"\n',
+        "folder.toml": '[texture]\nsource = "folder.png"\n',
+        "gone.toml": '[texture]\nsource = "gone.png"\n',
+        "absorbing.toml": "[nacre]\nthickness_nm = [400]\naragonite = [1.53, 0.1]\n",
+        "listed.toml": "[nacre]\nthickness_nm = [400]\n",
+        "text.png": "This is not a picture.\n",
+        "hollow.png": "",
+        "ground.exr": "neither is this",
+        "lamp.csv": "380,1\n500,-1\n780,1\n",
+    }
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text)
+    (tmp_path / "huge.png").write_bytes(huge_png())
+    (tmp_path / "binary.toml").write_bytes(b"\x7fELF\0\0")
+    (tmp_path / "folder.png").mkdir()
+    if Path("/dev/full").exists():
+        (tmp_path / "full.png").symlink_to("/dev/full")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def listing(folder: Path) -> dict[str, tuple[int, int]]:
+    return {
+        str(path): (path.lstat().st_size, path.lstat().st_mtime_ns) for path in folder.rglob("*")
+    }
+
+
+@pytest.fixture
+def refused(desk: Path, capsys: pytest.CaptureFixture[str]) -> Run:
+    """Runs a command that must be refused; gives the lines it says."""
+
+    def run(*arguments: str) -> list[str]:
+        before = listing(desk)
+        assert cli.main(arguments) == 2
+        said = capsys.readouterr()
+        assert listing(desk) == before
+        assert said.out == ""
+        lines = said.err.splitlines()
+        for line in lines:
+            assert line.startswith("nacreous: ")
+            assert len(line) < 400
+            for jargon in ("pydantic", "Traceback", "Error", "http", "validation", "NoneType"):
+                assert jargon not in line
+        return [line.removeprefix("nacreous: ") for line in lines]
+
+    return run
+
+
+# --- what is refused
+
+
+FILES = {
+    "unknown.toml": ["unknown.toml: nacre.protien_nm is not a key here; did you mean protein_nm?"],
+    "type.toml": [
+        'type.toml: depth is "deep"; wanted: a number; allowed: 0 to 1',
+        "type.toml: grain is true; wanted: a number; allowed: 0 to 1",
+    ],
+    "negative.toml": ["negative.toml: nacre.thickness_nm.1 is -410; allowed: 1 to 5000 numbers, "],
+    "nan.toml": ["nan.toml: diameter_mm is nan; allowed: 1 to 30 mm"],
+    "none.toml": ["none.toml: nacre.thickness_nm is []; allowed: 1 to 5000 numbers, "],
+    "winter.toml": ["winter.toml: nacre.layers_winter is 1000000000.0; allowed: 0 to 20 "],
+    "many.toml": ["many.toml: nacre.thickness_nm is a list of 5001; allowed: 1 to 5000 numbers"],
+    "decades.toml": ["the stack has 1"],
+    "long.toml": ["long.toml: is longer than 1000000 bytes, the most that is read"],
+    "empty.toml": ["empty.toml: the file is empty; wanted: at least one key, such as name"],
+    "syntax.toml": ["syntax.toml: line 1, column 9: not TOML: "],
+    "binary.toml": ["binary.toml: is a binary file; wanted: a TOML file"],
+    "scene.toml": ["scene.toml: is a scene file; wanted: a pearl file"],
+    "no.toml": ["no.toml: there is no such file"],
+    "folder.png": ["folder.png: is a folder; wanted: a TOML file"],
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("command", ["render", "grow"])
+def test_a_bad_pearl_file_is_refused(refused: Run, command: str, name: str) -> None:
+    lines = refused(command, name)
+    assert len(lines) == len(FILES[name])
+    for line, expected in zip(lines, FILES[name], strict=True):
+        assert line.startswith(expected)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("picture.toml", "text.png: is not a picture that can be read here; allowed: PNG, "),
+        ("hollow.toml", "hollow.png: is empty (0 bytes)"),
+        ("huge.toml", "huge.png: is 20000 x 20000 pixels; allowed: 1 to 16384 a side"),
+        ("folder.toml", "folder.png: is a directory; a picture file is needed"),
+        ("gone.toml", "gone.png: does not exist"),
+        ("absorbing.toml", "absorbing.toml: nacre.aragonite is [1.53, 0.1] while model is "),
+    ],
+)
+def test_a_pearl_with_a_bad_picture_is_refused(refused: Run, name: str, expected: str) -> None:
+    (line,) = refused("render", name, "--size", "8", "--samples", "1")
+    assert line.startswith(expected)
+
+
+@pytest.mark.parametrize(
+    ("settings", "expected"),
+    [
+        (["nacre.layers_summer=1e9"], "--set: nacre.layers_summer is 1000000000.0; allowed: 0 to"),
+        (["depth=2"], "--set: depth is 2; allowed: 0 to 1"),
+        (["depth"], '--set "depth": wanted: key=value, such as nacre.seed=9'),
+        (["=2"], '--set "=2": wanted: key=value'),
+        (["nacre..seed=2"], '--set "nacre..seed": a part of the key is empty'),
+        (["depht=1"], "--set: depht is not a key here; did you mean depth?"),
+        (["camra.elevation_deg=3"], "--set: camra is not a key here; did you mean camera?"),
+        (["camera.elevaton_deg=3"], "--set: camera.elevaton_deg is not a key here; did you mean"),
+        (["lamps.3.intensity=1"], '--set "lamps.3.intensity": lamps is a list; allowed: lamps.0'),
+        (["lamps.0.spectrum=lamp.csv"], "lamp.csv"),
+        (["lamps.0.spectrum=gone.csv"], "gone.csv: cannot be read: "),
+        (["sky.kind=panorama"], 'preset paper: sky.path is missing while sky.kind is "panorama"'),
+        (["sky.kind=panorama", "sky.path=ground.exr"], "ground.exr: is not "),
+        (["sky.kind=panorama", "sky.path=gone.hdr"], "gone.hdr: does not exist"),
+        (["nacre.protein=0.5"], "protein has n = 0.5; allowed: at least the ambient's 1, "),
+    ],
+    ids=lambda case: str(case)[:40],
+)
+def test_a_bad_setting_is_refused(refused: Run, settings: list[str], expected: str) -> None:
+    options = [word for setting in settings for word in ("--set", setting)]
+    (line,) = refused("render", "paper", "--size", "8", "--samples", "1", *options)
+    assert line.startswith(expected)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["--size", "0"], "size is 0; allowed: a whole number from 1 to 8192"),
+        (["--size", "-1"], "size is -1; allowed: a whole number from 1 to 8192"),
+        (["--size", "8193"], "size is 8193; allowed: a whole number from 1 to 8192"),
+        (["--size", "1000000000"], "size is 1000000000; allowed: a whole number from 1 to 8192"),
+        (["--size", "big"], "argument --size: 'big' is not a whole number"),
+        (["--size", "1e3"], "argument --size: '1e3' is not a whole number"),
+        (["--samples", "0"], "samples is 0; allowed: a square number from 1 to 1024"),
+        (["--samples", "10"], "samples is 10; allowed: a square number from 1 to 1024"),
+        (["--samples", "1.5"], "argument --samples: '1.5' is not a whole number"),
+        (["--bits", "12"], "argument --bits: invalid choice: 12 (choose from 8, 16)"),
+        (["--space", "adobe"], "argument --space: invalid choice: 'adobe' (choose from "),
+        (["--scene", "boot"], '"boot" is neither a file nor a scene preset; did you mean booth?'),
+        (["--scene", "unknown.toml"], "unknown.toml: is a pearl file; wanted: a scene file"),
+        (["-o", "pearl.gif"], "pearl.gif: the ending is .gif; allowed: .png, .exr"),
+        (["-o", "pearl"], "pearl: the ending is missing; allowed: .png, .exr"),
+        (["-o", "folder.png"], "folder.png: is a directory; a file name is needed"),
+        (["-o", "gone/pearl.png"], "gone/pearl.png: the folder "),
+        (["-o", "text.png/pearl.png"], "text.png/pearl.png: "),
+        (["-o", "/proc/pearl.png"], "/proc/pearl.png: cannot be written ("),
+        (["-o", "full.png"], "full.png: is not an ordinary file, and cannot be replaced by one"),
+        (["-o", "\0.png"], "\0.png: cannot be written ("),
+        (["-o", "x" * 270 + ".png"], "xxx"),
+    ],
+    ids=lambda case: ascii(case)[:30],
+)
+def test_a_bad_option_of_render_is_refused(
+    refused: Run, arguments: list[str], expected: str
+) -> None:
+    lines = refused("render", "paper", *arguments)
+    assert lines[0].startswith(expected)
+    hint = ["try: nacreous render --help"] if expected.startswith("argument ") else []
+    assert lines[1:] == hint
+
+
+def test_the_output_is_tried_before_the_long_work(
+    refused: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("nacreous.image.render", lambda *_: pytest.fail("rendered already"))
+    monkeypatch.setattr("nacreous.nacre.diary", lambda *_: pytest.fail("grew already"))
+    assert refused("render", "paper", "-o", "gone/pearl.png")
+    assert refused("grow", "paper", "-o", "gone/growth.png")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["papre"], '"papre" is not a nacre preset; did you mean paper?'),
+        (["akoia"], '"akoia" is not a nacre preset; did you mean akoya'),
+        (["paper", "--set", "harvst=08-15"], "--set: nacre.harvst is not a key here; did you mean"),
+        (
+            ["paper", "--set", "nacre.harvst=1"],
+            "--set: nacre.harvst is not a key here; did you mea",
+        ),
+        (
+            ["paper", "--set", "seed=-1"],
+            "--set: nacre.seed is -1; allowed: 0 to 922337203685477580",
+        ),
+        (["paper", "--set", "harvest=02-30"], '--set: nacre.harvest is "02-30"; allowed: "MM-DD"'),
+        (["paper", "--set", "thickness_winter_nm=-1"], "--set: nacre.thickness_winter_nm is -1; "),
+        (
+            ["paper", "--set=layers_summer=0", "--set=layers_winter=0", "--set=layers_noise=0"],
+            "--set: nacre.layers_summer is 0, and so are ",
+        ),
+        (
+            ["paper", "--set=layers_summer=0.1", "--set=layers_winter=0.1", "--set=layers_noise=0"],
+            "the stack has 0 layers; allowed: 1 to 5000",
+        ),
+        (["listed.toml"], "listed.toml: lists its layers in nacre.thickness_nm; wanted: "),
+        (
+            ["paper", "-o", "growth.gif"],
+            "growth.gif: the ending is .gif; allowed: .png, .svg, .pdf",
+        ),
+        (["paper", "-o", "gone/a.csv"], "gone/a.csv: the folder "),
+    ],
+    ids=lambda case: str(case)[:40],
+)
+def test_grow_refuses_what_cannot_grow(refused: Run, arguments: list[str], expected: str) -> None:
+    (line,) = refused("grow", *arguments)
+    assert line.startswith(expected)
+
+
+def test_all_problems_of_a_file_arrive_together(refused: Run, desk: Path) -> None:
+    (desk / "three.toml").write_text('depht = 1\nmodel = "x"\n[surface]\nfalloff_mm = 0\n')
+    assert len(refused("render", "three.toml")) == 3
+
+
+def test_an_old_picture_survives_a_refusal(refused: Run, desk: Path) -> None:
+    (desk / "pearl.png").write_text("the old picture")
+    refused("render", "nan.toml", "-o", "pearl.png")
+    refused("render", "huge.toml", "-o", "pearl.png")
+    assert (desk / "pearl.png").read_text() == "the old picture"
+
+
+# --- what is written
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_render_writes_one_picture_and_says_so(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert (
+        cli.main(["render", "akoya-r", "--size", "16", "--samples", "1", "--scene", "booth"]) == 0
+    )
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert said.out.count("\n") == 1
+    assert said.out.startswith("pearl.png: pearl akoya-r (")
+    assert "in scene booth, 16 x 16, 1 samples a pixel" in said.out
+    assert [path.name for path in folder.iterdir()] == ["pearl.png"]
+    with Pillow.open("pearl.png") as picture:
+        assert picture.size == (16, 16)
+    assert nc.file.read_png_text("pearl.png")["nacreous:pearl"].startswith('name = "akoya-r"')
+
+
+def test_settings_reach_pearl_and_scene(folder: Path) -> None:
+    settings = ["depth=0.25", "nacre.seed=9", "camera.elevation_deg=-3", "lamps.0.intensity=2"]
+    options = [word for setting in settings for word in ("--set", setting)]
+    assert cli.main(["render", "paper", "--size=8", "--samples=1", "-o", "a.png", *options]) == 0
+    texts = nc.file.read_png_text("a.png")
+    assert "depth = 0.25" in texts["nacreous:pearl"]
+    assert "seed = 9" in texts["nacreous:pearl"]
+    assert "elevation_deg = -3" in texts["nacreous:scene"]
+    assert "intensity = 2" in texts["nacreous:scene"]
+
+
+@pytest.mark.parametrize(
+    ("name", "magic"),
+    [
+        ("a.png", b"\x89PNG\r\n\x1a\n"),
+        ("a.SVG", b"<?xml "),
+        ("a.pdf", b"%PDF-"),
+        ("a.csv", b"date,depth_um,thickness_nm\n"),
+    ],
+)
+def test_grow_draws_what_the_ending_asks_for_and_the_same_again(
+    folder: Path, capsys: pytest.CaptureFixture[str], name: str, magic: bytes
+) -> None:
+    drawings = []
+    for _ in range(2):
+        assert cli.main(["grow", "paper", "-o", name]) == 0
+        drawings.append((folder / name).read_bytes())
+    assert drawings[0].startswith(magic)
+    assert drawings[0] == drawings[1]
+    assert [path.name for path in folder.iterdir()] == [name]
+    assert capsys.readouterr().err == ""
+
+
+def test_grow_prints_the_statistics_of_the_stack(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["grow", "akoya-g", "--set", "seed=7", "-o", "a.csv"]) == 0
+    said = capsys.readouterr().out
+    stack = nc.grow("akoya-g", seed=7)
+    assert "akoya-g, seed 7" in said
+    assert "244 days, 04-15 to 12-15" in said
+    assert f"layers       {len(stack)}\n" in said
+    assert f"{stack.total_um:.1f} um in all" in said
+    for depth_um in (10, 50):
+        layers, mean_nm, spread_nm = stack.outer(depth_um)
+        line = (
+            f"outer {depth_um} um  {layers} layers, mean {mean_nm:.1f} nm, spread {spread_nm:.1f}"
+        )
+        assert line in said
+
+
+def test_the_table_of_grow_is_the_stack_from_the_nucleus_outward(folder: Path) -> None:
+    assert cli.main(["grow", "paper", "--set", "nacre.seed=7", "-o", "a.csv"]) == 0
+    with Path("a.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    stack = nc.grow("paper", seed=7)
+    thickness_nm = [float(row["thickness_nm"]) for row in rows]
+    np.testing.assert_array_equal(thickness_nm, stack.thickness_nm[::-1])
+    tops_um = np.concatenate([[0], np.cumsum(stack.thickness_nm + 20)[:-1]]) / 1000
+    np.testing.assert_allclose([float(row["depth_um"]) for row in rows], tops_um[::-1], atol=1e-4)
+    dates = diary(Growth(seed=7)).date
+    assert [row["date"] for row in rows] == [f"{date:%m-%d}" for date in dates]
+
+
+def test_days_of_a_year_are_written_with_their_year(folder: Path) -> None:
+    settings = ["--set=seeding=2023-05-01", "--set=harvest=2024-02-03"]
+    assert cli.main(["grow", "paper", "-o", "a.csv", *settings]) == 0
+    dates = [line.partition(",")[0] for line in Path("a.csv").read_text().splitlines()[1:]]
+    assert dates == sorted(dates)
+    assert dates[0][:7] == "2023-05"
+    assert dates[-1][:5] == "2024-"
+
+
+def test_the_axis_of_dates_shows_months_and_years_only_where_given(folder: Path) -> None:
+    """matplotlib notes each text of an SVG in a comment."""
+    assert cli.main(["grow", "paper", "-o", "every.svg"]) == 0
+    drawing = Path("every.svg").read_text()
+    assert all(f"<!-- {month} -->" in drawing for month in ("May", "Aug", "Nov"))
+    assert "2001" not in drawing
+    assert cli.main(["grow", "paper", "-o", "days.svg", "--set=harvest=04-25"]) == 0
+    assert "<!-- Apr 15 -->" in Path("days.svg").read_text()
+    settings = ["--set=seeding=2023-05-01", "--set=harvest=2023-12-03"]
+    assert cli.main(["grow", "paper", "-o", "one.svg", *settings]) == 0
+    assert "<!-- 2023-" in Path("one.svg").read_text()
+
+
+def test_a_folder_does_not_hide_a_preset_and_a_file_does(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("akoya").mkdir()
+    assert cli.main(["grow", "akoya", "-o", "a.csv"]) == 0
+    Path("akoya").rmdir()
+    Path("akoya").write_text("[nacre]\nseed = 41\n")
+    assert cli.main(["grow", "akoya", "-o", "a.csv"]) == 0
+    assert "seed 41" in capsys.readouterr().out
+
+
+# --- what is loaded
+
+
+def loaded_after(code: str, folder: Path) -> set[str]:
+    program = f"import sys\n{code}\nprint(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", program], check=True, capture_output=True, text=True, cwd=folder
+    )
+    return set(done.stdout.split())
+
+
+def test_importing_the_package_loads_no_room(tmp_path: Path) -> None:
+    loaded = loaded_after("import nacreous", tmp_path)
+    assert not loaded & {"numpy", "pydantic", "matplotlib", "scipy", "nacreous._core"}
+
+
+def test_a_command_loads_no_other(tmp_path: Path) -> None:
+    loaded = loaded_after("from nacreous.cli import main; main(['render', '-h'])", tmp_path)
+    commands = {f"nacreous.commands.{name}" for name in cli.COMMANDS}
+    assert loaded & commands == {"nacreous.commands.render"}
+
+
+def test_files_and_messages_load_no_numpy(tmp_path: Path) -> None:
+    loaded = loaded_after("import nacreous.file, nacreous.number, nacreous.spec", tmp_path)
+    assert "nacreous._core" in loaded
+    assert "numpy" not in loaded
+
+
+def test_reading_files_checks_no_table_by_itself(tmp_path: Path) -> None:
+    """Each class of table has a check of its own, which pydantic builds when it is first used."""
+    code = """
+from nacreous.spec import Pearl, Scene
+from nacreous.spec.section import Section
+Pearl.load("paper"), Scene.load("paper")
+def below(model): return [model, *(low for sub in model.__subclasses__() for low in below(sub))]
+print(*(model.__name__ for model in below(Section) if model.__pydantic_complete__), end=" ")"""
+    loaded = loaded_after(code, tmp_path)
+    assert loaded & {"Pearl", "Scene", "Growth", "Film", "Camera", "Table"} == {"Pearl", "Scene"}
+
+
+def test_rendering_loads_no_drawing_and_no_science_library(tmp_path: Path) -> None:
+    render = "from nacreous.cli import main; main(['render', 'paper', '--size=8', '--samples=1'])"
+    loaded = loaded_after(render, tmp_path)
+    assert {"numpy", "pydantic"} <= loaded
+    assert not loaded & {"matplotlib", "scipy", "colour", "PIL", "OpenEXR"}
+
+
+def test_the_installed_command_runs(tmp_path: Path) -> None:
+    command = shutil.which("nacreous", path=str(Path(sys.executable).parent))
+    assert command is not None
+    done = subprocess.run(
+        [command, "render", "paper", "--size", "8", "--samples", "10"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr == (
+        "nacreous: samples is 10; allowed: a square number from 1 to 1024, such as 16\n"
+    )
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,428 @@
+"""The report: one page that needs nothing else and says the same in two languages."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from html import unescape
+from html.parser import HTMLParser
+from pathlib import Path
+from string import Formatter
+
+import numpy as np
+import pytest
+
+import nacreous as nc
+from nacreous.scaling import report
+from nacreous.scaling.report.chapters import method
+from nacreous.scaling.report.translation import LANGUAGES, Html, Words, number, percent, texts
+
+SPITEFUL = ("<script>alert(1)</script>", "a\"b'c", "x & y", "$\\frac{1}{2}$", "真珠 <b>", "{first}")
+
+
+def survey(stimuli=("a", "b", "c", "d"), people=25, group=True, ties=True, seed=1):
+    """Simulated answers: people who differ, two groups, ties, times, some pairs asked twice."""
+    chance = np.random.default_rng(seed)
+    count = len(stimuli)
+    truth = np.linspace(1, -1, count)
+    table = {name: [] for name in ("person", "left", "right", "chosen", "time", "response_s")}
+    table["room"] = []
+    for person in range(people):
+        own = truth + 0.3 * chance.normal(size=count)
+        pairs = [(i, j) for i in range(count) for j in range(i)]
+        for time, (i, j) in enumerate([*pairs, *pairs[:2]]):
+            left, right = (i, j) if chance.random() < 0.5 else (j, i)
+            lead = own[left] - own[right] + chance.normal()
+            tie = ties and abs(lead) < 0.15
+            chosen = "tie" if tie else stimuli[left if lead > 0 else right]
+            room = "north" if person % 2 else "<south>"
+            row = (f"p{person}", stimuli[left], stimuli[right], chosen, time, 1 + chance.random())
+            for name, value in zip(table, (*row, room), strict=True):
+                table[name].append(value)
+    if not group:
+        del table["room"]
+    return nc.scaling.Answers.of_table(table)
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return nc.scaling.analyse(nc.scaling.paper(), example=True, bootstrap=200)
+
+
+@pytest.fixture(scope="module")
+def answered():
+    return nc.scaling.analyse(survey(SPITEFUL), group="room", bootstrap=200, question="Which <i>?")
+
+
+class Page(HTMLParser):
+    """Elements, attributes and words of a page; fails where an element is closed wrongly."""
+
+    EMPTY = frozenset({"meta", "br", "hr", "img"})
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open, self.tags, self.links, self.ids, self.words = [], [], [], [], []
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append(tag)
+        if tag not in self.EMPTY:
+            self.open.append(tag)
+        self._note(attributes)
+
+    def handle_startendtag(self, tag, attributes):
+        self.tags.append(tag)
+        self._note(attributes)
+
+    def _note(self, attributes):
+        for name, value in attributes:
+            assert not name.startswith("on")
+            if name in ("src", "href", "xlink:href", "action", "data", "poster", "srcset"):
+                self.links.append(value)
+            if name == "id":
+                self.ids.append(value)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if "style" not in self.open[-1:]:
+            self.words.append(data)
+
+
+# --- the page
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("which", ["paper", "answered"])
+def test_the_page_needs_nothing_else(request, which, language):
+    page = Page(request.getfixturevalue(which).text("a.html", language))
+    for link in page.links:
+        assert link.startswith(("#", "data:"))
+    assert not {"script", "link", "iframe", "object", "embed", "form", "base"} & set(page.tags)
+    style = request.getfixturevalue(which).text("a.html", language).split("</style>")[0]
+    assert "@import" not in style
+    assert "url(" not in style
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_mark_is_unique_and_every_link_inside_leads_somewhere(answered, language):
+    text = answered.text("a.html", language)
+    page = Page(text)
+    assert len(page.ids) == len(set(page.ids))
+    targets = {link[1:] for link in page.links if link.startswith("#")}
+    targets |= set(re.findall(r"url\(#([^)]+)\)", text))
+    assert targets <= set(page.ids)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_labels_are_escaped_wherever_they_stand(answered, language):
+    text = answered.text("a.html", language)
+    for spite in ("<script", "<b>&", "真珠 <b>", "<south>", "<i>"):
+        assert spite not in text
+    words = "".join(Page(text).words)
+    for label in SPITEFUL:
+        assert label in words
+
+
+def test_both_languages_have_the_same_texts_with_the_same_places():
+    english, japanese = (texts(language) for language in LANGUAGES)
+    assert english.keys() == japanese.keys()
+    for key, text in english.items():
+        places = [
+            sorted(name for _, name, _, _ in Formatter().parse(each) if name)
+            for each in (text, japanese[key])
+        ]
+        # A language may leave a place out, as Japanese does with a space, but not make one up.
+        assert set(places[1]) <= set(places[0]), key
+
+
+def test_every_text_is_used():
+    code = "".join(path.read_text() for path in Path(report.__file__).parent.rglob("*.py"))
+    # Texts of which the code makes the last words of the key from what it found.
+    made = re.compile(
+        r"(count|list|short|fit|neighbours)\.|method\.(probit|logit|data)|groups\.method"
+        r"|consistency\.side|scale\.(unit|doubt)|.*\.title$"
+    )
+    unused = [key for key in texts("en") if not made.match(key) and key not in code]
+    assert unused == []
+
+
+def numbers(text: str) -> list[str]:
+    """All numbers that a reader sees, without the drawings and the data."""
+    text = re.sub(
+        r"<style.*?</style>|<svg.*?</svg>|<code>.*?</code>|<ol.*?</ol>", "", text, flags=re.S
+    )
+    text = re.sub(r"<[^>]+>", " ", text)
+    return re.findall(r"[−+]?\d+\.\d+", unescape(text))
+
+
+@pytest.mark.parametrize("which", ["paper", "answered"])
+def test_both_languages_say_the_same_numbers(request, which):
+    study = request.getfixturevalue(which)
+    english, japanese = (numbers(study.text("a.html", language)) for language in LANGUAGES)
+    assert sorted(english) == sorted(japanese)
+    assert len(english) > 30
+
+
+def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(paper):
+    again = nc.scaling.analyse(nc.scaling.paper(), example=True, bootstrap=200)
+    other = nc.scaling.analyse(nc.scaling.paper(), example=True, bootstrap=200, seed=2)
+    for ending in ("a.html", "a.csv", "a.json"):
+        assert paper.text(ending) == again.text(ending)
+        assert paper.text(ending) != other.text(ending)
+
+
+# --- what it says
+
+
+def told(study, language="en") -> str:
+    text = re.sub(r"<svg.*?</svg>", "", study.text("a.html", language), flags=re.S)
+    return unescape(re.sub(r"<[^>]+>", "", text))
+
+
+def test_the_papers_report_says_what_the_paper_found(paper):
+    said = told(paper)
+    for sentence in (
+        "people point to 2 most of all, and to 7 least",
+        "From first to last: 2, 4, 3, 1, 5, 6, 7.",
+        "Too close to call, from one to the next: 4 – 3 – 1.",
+        "The largest misfit is 1 against 3: 74 of 100 answers chose 1, and the scale expects 49.",
+        "(1 over 3 over 4 over 1)",
+        "ζ is 0.93",
+        "u = 0.37",
+        "G² = 104.05, 15 degrees of freedom, p < 0.001",
+        "reconstructed from table 1",
+    ):
+        assert sentence in said
+    japanese = told(paper, "ja")
+    terms = "サーストンの一対比較法 ケースV,心理尺度値,最尤推定,信頼区間,一巡三角形"
+    for word in (*terms.split(","), "一致性の係数 ζ", "一致係数 u", "復元"):
+        assert word in japanese
+
+
+def test_only_the_papers_report_is_marked_as_reconstructed(answered):
+    assert "reconstructed" not in answered.text("a.html")
+    assert "復元" not in answered.text("a.html", "ja")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_simulated_answers_are_said_to_be_so_first_and_people_s_are_not(answered, language):
+    words = Words(language)
+    found = nc.scaling.analyse(survey(), question="Which?", simulated=True, bootstrap=0)
+    page = found.text("report.html", language)
+    title = words("page.simulated", title=words("page.asked", question="Which?"))
+    assert f"<title>{title}</title>" in page
+    assert page.index(words("head.simulated")) < page.index("<main>")
+    assert "--simulated" in page
+    assert json.loads(found.text("scale.json"))["settings"]["simulated"] is True
+    assert words("head.simulated") not in answered.text("report.html", language)
+
+
+def test_neighbours_told_apart_are_those_whose_interval_is_beyond_chance(paper):
+    for pair in paper.neighbours:
+        assert pair.low < pair.difference < pair.high
+        assert pair.apart == (pair.p_value < 0.05)
+        if pair.apart:
+            assert pair.low > 0
+
+
+def test_equals_are_too_close_to_call_and_good_answers_fit():
+    chance = np.random.default_rng(3)
+    wins = chance.binomial(200, 0.5, (4, 4)).astype(float)
+    counts = np.triu(wins, 1) + np.tril(200 - wins.T, -1)
+    found = nc.scaling.analyse(counts, bootstrap=200)
+    assert not any(pair.apart for pair in found.neighbours)
+    said = told(found)
+    assert "All neighbours in this order are too close to call" in said
+    assert "One scale describes the answers" in said
+
+
+def test_two_stimuli_make_a_report_without_a_test_of_fit():
+    found = nc.scaling.analyse([[0, 30], [10, 0]], bootstrap=100)
+    assert "cannot be tested" in told(found)
+    assert "一つの尺度" in told(found, "ja")
+
+
+def test_one_answer_a_pair_is_said_to_be_too_few_to_test_the_fit():
+    table = {"left": [*"abca"], "right": [*"bcdd"], "chosen": [*"abcd"]}
+    found = nc.scaling.analyse(nc.scaling.Answers.of_table(table), bootstrap=0)
+    assert found.goodness.describes is None
+    assert "too few answers a pair" in told(found)
+    assert "G² =" not in told(found)
+
+
+def test_people_are_resampled_where_they_are_known(answered):
+    assert answered.doubt.by == "people"
+    assert "drawing the 25 people anew" in told(answered)
+    unknown = nc.scaling.analyse(survey().comparisons(), bootstrap=100)
+    assert unknown.doubt.by == "answers"
+    assert "the true margins are wider" in told(unknown)
+
+
+HARD = {
+    "one person": {"left": [*"aabbca"], "right": [*"bccaab"], "chosen": [*"acbaab"]},
+    "ties only": {"left": ["a", "b"], "right": ["b", "c"], "chosen": ["tie", "tie"]},
+}
+
+
+@pytest.mark.parametrize("case", HARD)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_hard_cases_make_a_report_without_nan(case, language):
+    count = len(HARD[case]["left"])
+    table = HARD[case] | {"person": ["x"] * count, "time": list(range(count))}
+    found = nc.scaling.analyse(nc.scaling.Answers.of_table(table), bootstrap=100)
+    said = told(found, language)
+    for word in ("nan", "inf ", "None"):
+        assert word not in said
+    assert found.doubt.by == "answers"
+    json.loads(found.text("a.json"))
+
+
+def test_a_prior_places_what_the_answers_alone_do_not():
+    pairs = [("a", "b")] * 5 + [("b", "c")]
+    with pytest.raises(nc.InputError, match="no scale holds"):
+        nc.scaling.analyse(pairs)
+    found = nc.scaling.analyse(pairs, prior=1.0, bootstrap=100)
+    assert found.ranking == ["a", "b", "c"]
+    assert "drawn together by a normal prior with spread 1" in told(found)
+    assert "(Ford)" not in told(found)
+
+
+def test_few_people_are_said_to_be_few():
+    found = nc.scaling.analyse(survey(people=8), bootstrap=100)
+    assert "Only 8 people took part" in told(found)
+
+
+def test_groups_sides_repeats_and_times_are_told(answered):
+    said = told(answered)
+    for words in ("Groups by room", "<south>: 13 people", "The left one was chosen",
+                  "Asked the same pair again", "Half of the answers came within",
+                  "of the answers were ties", "half of the people have a coefficient"):  # fmt: skip
+        assert words in said
+
+
+def test_without_resampling_the_margins_are_the_models():
+    found = nc.scaling.analyse(nc.scaling.paper(), bootstrap=0)
+    assert found.doubt.by == "information"
+    np.testing.assert_allclose(found.doubt.se, found.fit.se, rtol=1e-12)
+
+
+def test_least_squares_gives_the_papers_row_means():
+    shares = nc.scaling.paper_proportions()
+    counts = nc.scaling.Comparisons.of_proportions(shares, 104)
+    found = nc.scaling.analyse(counts, method="least-squares")
+    printed = [0.278, 0.810, 0.324, 0.419, -0.308, -0.623, -0.900]
+    np.testing.assert_allclose(found.fit.scale, printed, atol=0.001)
+    assert "in standard deviations (z)" in told(found)
+
+
+@pytest.mark.parametrize("unit", ["z", "d'", "JOD", "JND", "logit"])
+def test_units_are_said_and_one_unit_is_what_it_is(unit):
+    found = nc.scaling.analyse(nc.scaling.paper(), unit=unit, bootstrap=100)
+    share = {"z": "84", "d'": "76", "JOD": "75", "JND": "75", "logit": "73"}[unit]
+    assert f"At a distance of 1 it would be {share}." in told(found)
+    assert f"scale value ({unit.replace(chr(39), '′')})" in found.text("a.html")
+
+
+# --- the data in it
+
+
+def carried(study, name: str) -> str:
+    link = re.search(rf'download="{name}" href="data:[^,]*,([^"]*)"', study.text("a.html"))
+    return base64.b64decode(link[1]).decode()
+
+
+def test_the_answers_carried_in_the_page_make_the_page_again(tmp_path, answered):
+    (tmp_path / "answers.csv").write_text(carried(answered, "answers.csv"), encoding="utf-8")
+    again = nc.scaling.Answers.read(tmp_path / "answers.csv")
+    found = nc.scaling.analyse(again, answered.settings)
+    for language in LANGUAGES:
+        assert found.text("a.html", language) == answered.text("a.html", language)
+
+
+def test_the_counts_carried_in_the_page_make_the_scale_again(tmp_path):
+    found = nc.scaling.analyse([[0, 30, 41], [20, 0, 33], [9, 17, 0]], bootstrap=100)
+    (tmp_path / "counts.csv").write_text(carried(found, "counts.csv"), encoding="utf-8")
+    again = nc.scaling.Comparisons.read_counts(tmp_path / "counts.csv")
+    assert again.matrix.tolist() == found.comparisons.matrix.tolist()
+
+
+def test_tables_carried_in_the_page_are_those_that_save_writes(tmp_path, paper):
+    for name in ("scale.csv", "scale.json"):
+        paper.save(tmp_path / name)
+        assert (tmp_path / name).read_text(encoding="utf-8") == carried(paper, name)
+
+
+def test_json_holds_no_nan_and_the_numbers_of_the_fit(answered, paper):
+    found = json.loads(paper.text("a.json"))
+    assert [row["stimulus"] for row in found["stimuli"]] == ["2", "4", "3", "1", "5", "6", "7"]
+    assert found["reconstructed_from_the_published_table"] is True
+    assert found["goodness"]["g2"] == pytest.approx(104.047, abs=1e-3)
+    assert json.loads(answered.text("a.json"))["groups"]["tests"][0]["name"] == "permutation"
+    assert "NaN" not in answered.text("a.json")
+
+
+def test_large_data_stay_outside_the_page(monkeypatch):
+    monkeypatch.setattr(method, "MOST_BYTES", 10)
+    text = nc.scaling.analyse(survey(), bootstrap=100).text("a.html")
+    assert "too many to be put into this page" in text
+    assert 'download="answers.csv"' not in text
+
+
+def test_many_stimuli_still_make_a_page_of_a_sensible_size():
+    chance = np.random.default_rng(1)
+    scale = np.sort(chance.normal(size=90))
+    shares = 1 / (1 + np.exp(scale[None, :] - scale[:, None]))
+    wins = chance.binomial(10, shares)
+    counts = np.triu(wins, 1) + np.tril(10 - wins.T, -1)
+    text = nc.scaling.analyse(counts, bootstrap=0, model="logit").text("a.html")
+    assert "tables by pair are left out" in text
+    assert "too many items to draw the margins" in text
+    assert len(text) < 3_000_000
+
+
+# --- words and what is refused
+
+
+def test_numbers_are_set_with_a_true_minus_and_never_minus_nothing():
+    assert number(-0.004) == "0.00"
+    assert number(-1.234) == "−1.23"
+    assert percent(0.0001) == "< 1"
+    assert percent(0.0) == "0"
+
+
+def test_values_are_escaped_and_html_is_not():
+    words = Words("en")
+    assert "&lt;b&gt;" in words("page.asked", question="<b>")
+    assert "<b>" in words("page.asked", question=Html("<b>"))
+
+
+@pytest.mark.parametrize(
+    ("asked", "message"),
+    [
+        ({"level": 95}, "level is 95; allowed: 0.5 to 0.9999"),
+        ({"bootstrap": 5}, "bootstrap is 5; allowed: 0, or 100 to 100000"),
+        ({"seed": -1}, "seed is -1; allowed: 0 to"),
+        ({"model": "cauchy"}, "model is 'cauchy'; allowed: probit, logit"),
+        ({"method": "guess"}, "method is 'guess'; allowed: maximum-likelihood, least-squares"),
+        ({"method": "least-squares", "model": "logit"}, "method is 'least-squares'; allowed: with"),
+        ({"unit": "inch"}, "unit is 'inch'; allowed: z"),
+        ({"group": "room"}, "group is 'room'; allowed: none, for the data are counts"),
+        ({"colour": 1}, "colour is no setting; allowed: bootstrap"),
+    ],
+    ids=str,
+)
+def test_bad_settings_are_refused(asked, message):
+    with pytest.raises(nc.InputError, match=re.escape(message)):
+        nc.scaling.analyse(nc.scaling.paper(), **asked)
+
+
+def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, paper):
+    with pytest.raises(nc.InputError, match=r"the ending is \.pdf; allowed: \.html, \.csv, \.json"):
+        paper.save(tmp_path / "a.pdf")
+    with pytest.raises(nc.InputError, match="language is 'de'; allowed: en, ja"):
+        paper.save(tmp_path / "a.html", language="de")
+    assert not list(tmp_path.iterdir())

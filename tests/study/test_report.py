@@ -1,0 +1,70 @@
+"""`nacreous study report`: a page or one plain line, and no half files."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nacreous.study.store import Store
+from tests.support.documentation import COMMAND
+from tests.support.gathering import by_scale, frozen_study, opened, take_part
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A study that simulated observers alone have answered."""
+    frozen = frozen_study(tmp_path_factory.mktemp("report"), "abc")
+    random = np.random.default_rng(8)
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        for _ in range(15):
+            take_part(running, by_scale({"a": 0.5, "b": 0.0, "c": -0.5}, random), simulated=True)
+    return frozen.folder
+
+
+def told(*words: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [COMMAND, "study", "report", *map(str, words)], capture_output=True, text=True
+    )
+
+
+@pytest.mark.parametrize(("language", "titled"), [("en", "(simulated)"), ("ja", "どちらが深い?")])
+def test_the_page_is_in_the_language_and_says_that_it_is_simulated(
+    folder: Path, tmp_path: Path, language: str, titled: str
+) -> None:
+    output = tmp_path / "report.html"
+    done = told(folder, "-o", output, "--simulated", "--language", language)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == f"{output}: written\n"
+    page = output.read_text(encoding="utf-8")
+    assert f'<html lang="{language}">' in page
+    assert titled in page[: page.index("</title>")]
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ([], "no answers to 'deeper' count yet"),
+        (["--simulated", "--question", "duller"], "question is 'duller'; allowed: deeper"),
+        (["--simulated", "--group", "age"], "group is 'age'; allowed: none"),
+        (["-o", "report.pdf"], "report.pdf"),
+    ],
+)
+def test_what_cannot_be_is_said_in_one_line_and_nothing_is_written(
+    folder: Path, tmp_path: Path, options: list[str], said: str
+) -> None:
+    output = tmp_path / "report.html"
+    done = told(folder, "-o", output, *options)
+    assert done.returncode == 2
+    assert said in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert not output.exists()
+
+
+def test_a_folder_without_answers_is_not_given_any(folder: Path, tmp_path: Path) -> None:
+    done = told(folder, "-o", tmp_path / "report.html", "--store", tmp_path / "none.sqlite")
+    assert done.returncode == 2
+    assert not (tmp_path / "none.sqlite").exists()
