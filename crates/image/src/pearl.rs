@@ -3,7 +3,9 @@
 pub(crate) mod illuminant;
 pub(crate) mod knob;
 pub(crate) mod model;
+pub(crate) mod passage;
 pub(crate) mod reflection_cache;
+pub(crate) mod response;
 pub(crate) mod shade;
 pub(crate) mod sight;
 pub(crate) mod subsurface;

@@ -10,7 +10,7 @@ use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
     BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Microfacets, Model, Panorama,
-    Pearl, Place, Projection, Sight, Sky, Source, Surface, Surroundings, Transport,
+    Pearl, Place, Projection, Response, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
@@ -59,7 +59,8 @@ fn under(sky: Sky, lamps: Vec<Lamp>) -> Lit {
 impl Scene {
     fn pearl(&self, surface: Surface, body: &Body) -> Pearl {
         let (palette, around) = (self.light.palette(), &self.surroundings);
-        let transport = Transport::new(surface, body, &palette, around, 0, &self.lamps, SIDE);
+        let response = Arc::new(Response::new(&surface, body, &palette, &self.lamps));
+        let transport = Transport::new(response, around, 0, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         Pearl { model: Arc::new(Model::Transport(Box::new(transport))), texture: None, grain }
     }
@@ -339,7 +340,8 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
     for microfacets in [Microfacets::grooves(0.1), Microfacets::ggx(0.15)] {
         let surface = Surface::new(film(), microfacets);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
-        let many = Transport::new(surface.clone(), &white(0.0), &palette, around, 0, &[], 64);
+        let response = Arc::new(Response::new(&surface, &white(0.0), &palette, &[]));
+        let many = Transport::new(response, around, 0, 64);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         let pearl =
             Pearl { model: Arc::new(Model::Transport(Box::new(many))), texture: None, grain };

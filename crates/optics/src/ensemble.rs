@@ -107,8 +107,13 @@ impl Use<4> for Columns<'_> {
             sum[..lanes].copy_from_slice(table);
         }
         let [r, t, r_squares, t_squares] = &mut sums;
-        for (column, stack) in self.stacks.iter().enumerate() {
-            let shares = block.shares(stack);
+        let alike =
+            self.stacks.chunk_by(|a, b| a.protein_nm().to_bits() == b.protein_nm().to_bits());
+        let found = alike.flat_map(|stacks| {
+            let met = block.met(stacks[0].protein_nm());
+            stacks.iter().map(move |stack| met.shares(stack))
+        });
+        for (column, shares) in found.enumerate() {
             let part = 1.0 / (self.before + column + 1) as f64;
             for (mean, squares, share) in
                 [(&mut *r, &mut *r_squares, shares[0]), (t, t_squares, shares[1])]

@@ -10,6 +10,7 @@ use crate::{
     lanes::{LANES, Lanes},
     lossless,
     media::{Media, Table},
+    real::Real,
     transfer::{Precision, TransferModel},
     wave::{Plane, Polarisation},
 };
@@ -68,6 +69,8 @@ pub(crate) struct Block<'a, const N: usize> {
     half_turns_per_nm: &'a Lanes<f64>,
     media: &'a Media<N>,
     precision: Precision,
+    /// Wavelengths in the block; those of the lanes behind them are nobody's.
+    lanes: usize,
 }
 
 impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
@@ -88,17 +91,51 @@ impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
             &dispersed
         };
         let half_turns_per_nm = &self.table.half_turns_per_nm[block];
-        let block =
-            Block { table: self.table, half_turns_per_nm, media, precision: self.precision };
+        let block = Block {
+            table: self.table,
+            half_turns_per_nm,
+            media,
+            precision: self.precision,
+            lanes: tables[0].len(),
+        };
         self.using.fill(&block, tables);
     }
 }
 
 impl<const N: usize> Block<'_, N> {
-    /// R, T and A of a stack of the media that this light meets.
+    /// The media, as this light meets them in every stack with protein layers of one thickness.
+    pub(crate) fn met(&self, protein_nm: f64) -> Met<'_, N> {
+        let layers = match (self.media.is_lossless, self.precision) {
+            (false, _) => Layers::Any,
+            (true, Precision::Double) => Layers::Double(self.lossless(protein_nm)),
+            (true, Precision::Single) => Layers::Single(self.lossless(protein_nm)),
+        };
+        Met { block: self, layers }
+    }
+
+    fn lossless<T: Real>(&self, protein_nm: f64) -> lossless::Met<T, N> {
+        lossless::Met::new(&self.media.waves, self.half_turns_per_nm, protein_nm)
+    }
+}
+
+/// The media of one block of wavelengths, as light at one angle meets them.
+pub(crate) struct Met<'a, const N: usize> {
+    block: &'a Block<'a, N>,
+    layers: Layers<N>,
+}
+
+/// What is the same in all stacks, by the kernel that suits them.
+enum Layers<const N: usize> {
+    Single(lossless::Met<f32, N>),
+    Double(lossless::Met<f64, N>),
+    Any,
+}
+
+impl<const N: usize> Met<'_, N> {
+    /// R, T and A of a stack of these media, and of the thickness of protein that was asked for.
     pub(crate) fn shares(&self, stack: &LayerStack) -> Shares {
         let mut shares = [[0.0; LANES]; 3];
-        if self.table.is_isotropic {
+        if self.block.table.is_isotropic {
             self.add_shares::<true>(stack, &mut shares);
         } else {
             self.add_shares::<false>(stack, &mut shares);
@@ -108,25 +145,44 @@ impl<const N: usize> Block<'_, N> {
 
     #[inline(always)]
     fn add_shares<const ALIKE: bool>(&self, stack: &LayerStack, shares: &mut Shares) {
-        let (waves, turns) = (&self.media.waves, self.half_turns_per_nm);
-        if !self.media.is_lossless {
-            return absorbing::add_shares::<N, ALIKE>(
+        let block = self.block;
+        match &self.layers {
+            Layers::Any => absorbing::add_shares::<N, ALIKE>(
                 stack,
-                self.table.absorbs,
-                waves,
-                turns,
+                block.table.absorbs,
+                &block.media.waves,
+                block.half_turns_per_nm,
                 shares,
-            );
-        }
-        if self.precision == Precision::Single {
-            lossless::add_shares::<f32, N, ALIKE>(stack, waves, turns, shares);
-            // Media of extreme contrast overflow it; double precision holds what is allowed.
-            let sum = (0..LANES).fold(0.0, |sum, i| sum + shares[0][i] + shares[1][i]);
-            if sum.is_finite() {
-                return;
+            ),
+            Layers::Double(met) => self.add_lossless::<f64, ALIKE>(stack, met, shares),
+            Layers::Single(met) => {
+                self.add_lossless::<f32, ALIKE>(stack, met, shares);
+                // Media of extreme contrast overflow it; double precision holds what is allowed.
+                let sum = (0..LANES).fold(0.0, |sum, i| sum + shares[0][i] + shares[1][i]);
+                if !sum.is_finite() {
+                    *shares = [[0.0; LANES]; 3];
+                    let met = block.lossless(stack.protein_nm());
+                    self.add_lossless::<f64, ALIKE>(stack, &met, shares);
+                }
             }
-            *shares = [[0.0; LANES]; 3];
         }
-        lossless::add_shares::<f64, N, ALIKE>(stack, waves, turns, shares);
+    }
+
+    #[inline(always)]
+    fn add_lossless<T: Real, const ALIKE: bool>(
+        &self,
+        stack: &LayerStack,
+        met: &lossless::Met<T, N>,
+        shares: &mut Shares,
+    ) {
+        let (nm, waves) = (stack.thickness_nm(), &self.block.media.waves);
+        if self.block.lanes > HALF {
+            lossless::add_shares::<T, N, ALIKE, LANES>(nm, met, waves, shares);
+        } else {
+            lossless::add_shares::<T, N, ALIKE, HALF>(nm, met, waves, shares);
+        }
     }
 }
+
+/// Lanes of a block that wavelengths end in early; a multiple of every processor's vector length too.
+const HALF: usize = LANES / 2;

@@ -6,7 +6,6 @@
 //! neither R nor T, so a number pair in the ratio of cosine and sine will do ([`phase::pair`]).
 
 use multiversion::multiversion;
-use nacreous_nacre::LayerStack;
 
 use crate::{
     incidence::Shares,
@@ -16,42 +15,72 @@ use crate::{
     real::{Real, Split},
 };
 
-/// Adds R, T and A of one block of wavelengths, the mean of `N` polarisations; where `ALIKE`, all of them have
-/// the first one's phase in aragonite.
+/// The media of one block of wavelengths as light of `N` polarisations meets them, for every stack of them
+/// with protein layers of one thickness.
+#[derive(Clone)]
+pub(crate) struct Met<T, const N: usize>([Layers<T>; N]);
+
+impl<T: Real, const N: usize> Met<T, N> {
+    pub(crate) fn new(waves: &[Waves; N], half_turns_per_nm: &Lanes<f64>, protein_nm: f64) -> Self {
+        let mut met = Self([Layers::empty(); N]);
+        meet(&mut met, waves, half_turns_per_nm, protein_nm);
+        met
+    }
+}
+
 #[multiversion(targets(
     "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
     "x86_64+avx2+fma"
 ))]
-pub(crate) fn add_shares<T: Real, const N: usize, const ALIKE: bool>(
-    stack: &LayerStack,
+fn meet<T: Real, const N: usize>(
+    met: &mut Met<T, N>,
     waves: &[Waves; N],
     half_turns_per_nm: &Lanes<f64>,
+    protein_nm: f64,
+) {
+    for (layers, waves) in met.0.iter_mut().zip(waves) {
+        if fused!() {
+            layers.meet::<true>(waves, half_turns_per_nm, protein_nm);
+        } else {
+            layers.meet::<false>(waves, half_turns_per_nm, protein_nm);
+        }
+    }
+}
+
+/// Adds R and T of the first `W` wavelengths of a block, the mean of `N` polarisations; where `ALIKE`, all of
+/// them have the first one's phase in aragonite.
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
+    "x86_64+avx2+fma"
+))]
+pub(crate) fn add_shares<T: Real, const N: usize, const ALIKE: bool, const W: usize>(
+    thickness_nm: &[f64],
+    met: &Met<T, N>,
+    waves: &[Waves; N],
     shares: &mut Shares,
 ) {
     if fused!() {
-        from_layers::<T, true, N, ALIKE>(stack, waves, half_turns_per_nm, shares);
+        from_layers::<T, true, N, ALIKE, W>(thickness_nm, met, waves, shares);
     } else {
-        from_layers::<T, false, N, ALIKE>(stack, waves, half_turns_per_nm, shares);
+        from_layers::<T, false, N, ALIKE, W>(thickness_nm, met, waves, shares);
     }
 }
 
 #[inline(always)]
-fn from_layers<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool>(
-    stack: &LayerStack,
+fn from_layers<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool, const W: usize>(
+    thickness_nm: &[f64],
+    Met(layers): &Met<T, N>,
     waves: &[Waves; N],
-    half_turns_per_nm: &Lanes<f64>,
     shares: &mut Shares,
 ) {
     // Loops and no closures, which would not be compiled with these instructions.
-    let mut layers = [Layers::<T>::empty(); N];
     let mut fields = [Field::<T>::empty(); N];
     for n in 0..N {
-        layers[n].meet::<FUSED>(&waves[n], half_turns_per_nm, stack.protein_nm());
         fields[n].start_at_substrate(&waves[n]);
     }
-    climb::<T, FUSED, N, ALIKE>(stack.thickness_nm(), &layers, &mut fields);
+    climb::<T, FUSED, N, ALIKE, W>(thickness_nm, layers, &mut fields);
     for (field, waves) in fields.iter().zip(waves) {
-        field.add_shares(waves, 1.0 / N as f64, shares);
+        field.add_shares::<W>(waves, 1.0 / N as f64, shares);
     }
 }
 
@@ -129,8 +158,8 @@ impl<T: Real> Field<T> {
 
     /// R and T from the field at the surface, of any scale: the energy that goes in is what T lets out.
     #[inline(always)]
-    fn add_shares(&self, waves: &Waves, part: f64, shares: &mut Shares) {
-        for i in 0..LANES {
+    fn add_shares<const W: usize>(&self, waves: &Waves, part: f64, shares: &mut Shares) {
+        for i in 0..W {
             let (re_b, im_b) = (self.re_b[i].wide(), self.im_b[i].wide());
             let (re_c, im_c) = (self.re_c[i].wide(), self.im_c[i].wide());
             // Of the ambient in units of aragonite's, written without a division.
@@ -149,8 +178,8 @@ impl<T: Real> Field<T> {
 
     /// Brings the field back to size 1. Its scale means nothing, but must not overflow.
     #[inline(always)]
-    fn rescale(&mut self) {
-        for i in 0..LANES {
+    fn rescale<const W: usize>(&mut self) {
+        for i in 0..W {
             let size = (self.re_b[i].abs() + self.im_b[i].abs())
                 + (self.re_c[i].abs() + self.im_c[i].abs());
             let scale = T::ONE / size;
@@ -171,7 +200,7 @@ const TO_RESCALE: usize = 4 * AT_ONCE;
 /// Carries the fields from the substrate to the surface, through a protein and an aragonite layer each
 /// time.
 #[inline(always)]
-fn climb<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool>(
+fn climb<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool, const W: usize>(
     thickness_nm: &[f64],
     layers: &[Layers<T>; N],
     fields: &mut [Field<T>; N],
@@ -179,26 +208,33 @@ fn climb<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool>(
     for bilayers in thickness_nm.rchunks(TO_RESCALE) {
         let (rest, groups) = bilayers.as_rchunks::<AT_ONCE>();
         for group in groups.iter().rev() {
-            through::<T, FUSED, N, ALIKE, AT_ONCE>(group, layers, fields);
+            through::<T, FUSED, N, ALIKE, W, AT_ONCE>(group, layers, fields);
         }
         for &thickness in rest.iter().rev() {
-            through::<T, FUSED, N, ALIKE, 1>(&[thickness], layers, fields);
+            through::<T, FUSED, N, ALIKE, W, 1>(&[thickness], layers, fields);
         }
         for field in &mut *fields {
-            field.rescale();
+            field.rescale::<W>();
         }
     }
 }
 
 /// The arithmetic of a few bilayers, deepest last in `group`.
 #[inline(always)]
-fn through<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool, const G: usize>(
+fn through<
+    T: Real,
+    const FUSED: bool,
+    const N: usize,
+    const ALIKE: bool,
+    const W: usize,
+    const G: usize,
+>(
     group: &[f64; G],
     layers: &[Layers<T>; N],
     fields: &mut [Field<T>; N],
 ) {
     let group = group.map(Split::<T>::of);
-    for i in 0..LANES {
+    for i in 0..W {
         let turns = |n: usize| -> [(T, T); G] {
             let (high, low) = (layers[n].aragonite_per_nm[i], layers[n].aragonite_per_nm_low[i]);
             group.map(|d| phase::pair::<T, FUSED>(phase::reduced::<T, FUSED>(d, high, low)))
@@ -241,7 +277,7 @@ fn through<T: Real, const FUSED: bool, const N: usize, const ALIKE: bool, const 
 mod tests {
     use super::*;
     use crate::{media::Table, wave::Plane};
-    use nacreous_nacre::Medium;
+    use nacreous_nacre::{LayerStack, Medium};
 
     /// The processors' instructions differ in how a product is rounded before a sum, in nothing else.
     #[test]
@@ -257,8 +293,10 @@ mod tests {
         let table = Table::new(&stack, &nm).unwrap();
         let (media, turns) = (table.at([Plane::S, Plane::P], 0.8, 0), table.half_turns_per_nm[0]);
         let (mut fused, mut plain) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-        from_layers::<f64, true, 2, false>(&stack, &media.waves, &turns, &mut fused);
-        from_layers::<f64, false, 2, false>(&stack, &media.waves, &turns, &mut plain);
+        let (nm, waves) = (stack.thickness_nm(), &media.waves);
+        let met = Met::new(waves, &turns, stack.protein_nm());
+        from_layers::<f64, true, 2, false, LANES>(nm, &met, waves, &mut fused);
+        from_layers::<f64, false, 2, false, LANES>(nm, &met, waves, &mut plain);
         for (a, b) in fused.as_flattened().iter().zip(plain.as_flattened()) {
             assert!((a - b).abs() < 1e-11, "{a} {b}");
         }

@@ -134,7 +134,8 @@ struct Stack<'a>(&'a LayerStack);
 
 impl Use<3> for Stack<'_> {
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 3]) {
-        for (table, share) in tables.into_iter().zip(block.shares(self.0)) {
+        let shares = block.met(self.0.protein_nm()).shares(self.0);
+        for (table, share) in tables.into_iter().zip(shares) {
             table.copy_from_slice(&share[..table.len()]);
         }
     }

@@ -3,97 +3,61 @@
 //! Ozaki and others 2021; microfacets sampled, with a control variate for what all of them mirror.
 //! Left out: polarisation between film and surroundings, and light that meets two facets.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
 use nacreous_colour::{Matrix, matrix::apply};
 
 use crate::{
-    light::{
-        bands::{self, Bands},
-        palette::Palette,
-    },
+    light::bands::Bands,
     pearl::{
         reflection_cache::{Around, ReflectionCache},
+        response::Response,
         shade::Shade,
         sight::Sight,
-        subsurface::{Beam, Body, Subsurface},
+        subsurface::{Beam, Subsurface},
     },
     rgb::{self, Rgb},
-    surface::{
-        coating::{Surface, upsampled},
-        film::STEPS,
-        sampling::FacetSample,
-    },
-    surroundings::{lamp::Lamp, lit::Lit},
-    view::{camera::Camera, ray::Ray},
+    surface::sampling::FacetSample,
+    surroundings::{lamp::Lamp, lit::Lit, viewpoint::Viewpoint},
+    view::camera::Camera,
 };
 
 /// A pearl by the transport model (Ozaki and others 2021): what one sees is light that the film mirrors,
 /// and light that has been inside and leaves through the film in the complementary colour.
 #[derive(Debug, Clone)]
 pub struct Transport {
-    surface: Surface,
+    response: Arc<Response>,
     /// Facets sampled once for all pixels, shared out among the samples along a pixel's side.
     samples: Vec<FacetSample>,
     facets_per_sample: usize,
-    /// What the film mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
-    mirrored: Vec<Matrix>,
-    /// What all facets together mirror of even surroundings, by the cosine of the view angle.
-    mirrored_by_all: Vec<Matrix>,
-    lamps: Vec<Mirrored>,
+    lamps: Vec<Lamp>,
     subsurface: Subsurface,
 }
 
-/// A lamp, and the colour that the film mirrors of it by the cosine of incidence.
-#[derive(Debug, Clone)]
-struct Mirrored {
-    lamp: Lamp,
-    colour: Vec<Rgb>,
-}
-
-const COSINES: usize = 8 * STEPS;
-
 impl Transport {
-    /// Lets the light of `surroundings` into ball `ball`. `lamps` holds the power by band of each lamp, as
-    /// light of a white matt surface that faces it; `samples_side` samples stand along a pixel's side.
+    /// Lets the light of `surroundings`, whose lamps are those of `response`, into ball `ball`;
+    /// `samples_side` samples stand along a pixel's side.
     pub fn new(
-        surface: Surface,
-        body: &Body,
-        palette: &Palette,
+        response: Arc<Response>,
         surroundings: &Lit,
         ball: usize,
-        lamps: &[Bands],
         samples_side: usize,
     ) -> Self {
-        let microfacets = surface.microfacets;
+        let microfacets = response.microfacets();
         let facets_per_sample = facets_per_sample(microfacets.spread_rad());
-        let at = |step: usize| surface.film.reflectance(step as f64 / COSINES as f64);
-        let kept_out = |entering: &Bands| palette.filtered(&entering.map(|share| 1.0 - share));
-        let mirrored_by_all = upsampled(&surface, COSINES).iter().map(kept_out).collect();
-        let mirrored = (0..=COSINES).map(|step| palette.filtered(&at(step))).collect();
-        let colours = |power: &Bands| {
-            (0..=COSINES).map(|step| palette.rgb(&bands::times(&at(step), power))).collect()
-        };
-        let pairs = surroundings.lamps.iter().zip(lamps);
         let centre = surroundings.balls[ball].centre;
-        let beams: Vec<Beam> = pairs
-            .clone()
-            .map(|(lamp, power)| Beam {
-                direction: lamp.toward(centre),
-                angular_radius_rad: lamp.angular_radius_rad(),
-                // Neighbours shade the whole pearl as they shade its middle.
-                power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
-            })
-            .collect();
-        let subsurface = Subsurface::new(&surface, body, palette, surroundings, ball, &beams);
-        let lamps = pairs
-            .map(|(lamp, power)| Mirrored {
-                lamp: lamp.clone().resolved_for(&microfacets),
-                colour: colours(power),
-            })
-            .collect();
+        let beam = |(lamp, power): (&Lamp, &Bands)| Beam {
+            direction: lamp.toward(centre),
+            angular_radius_rad: lamp.angular_radius_rad(),
+            // Neighbours shade the whole pearl as they shade its middle.
+            power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
+        };
+        let beams: Vec<Beam> = surroundings.lamps.iter().zip(response.powers()).map(beam).collect();
+        let subsurface = Subsurface::new(response.passage(), surroundings, ball, &beams);
+        let lamps = surroundings.lamps.iter().map(|lamp| lamp.clone().resolved_for(microfacets));
+        let lamps = lamps.collect();
         let samples = microfacets.samples(samples_side * facets_per_sample);
-        Self { surface, samples, facets_per_sample, mirrored, mirrored_by_all, lamps, subsurface }
+        Self { response, samples, facets_per_sample, lamps, subsurface }
     }
 
     /// What goes from the point towards the eye, without the grain.
@@ -101,11 +65,11 @@ impl Transport {
         let hit = &sight.hit;
         let (whole, plain) = self.subsurface.radiance(hit.normal, hit.cos_view);
         let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
-        let mut mirror = apply(&self.mirrored_by_all[row(hit.cos_view)], around.light);
+        let mut mirror = apply(self.response.mirrored_by_all(hit.cos_view), around.light);
         rgb::add(&mut mirror, around.rest);
-        for Mirrored { lamp, colour } in &self.lamps {
-            let (microfacets, reflected) =
-                (&self.surface.microfacets, |cos_half| colour[row(cos_half)]);
+        for (number, lamp) in self.lamps.iter().enumerate() {
+            let reflected = |cos_half| self.response.lamp_mirrored(number, cos_half);
+            let microfacets = self.response.microfacets();
             let image = lamp.image(microfacets, hit.point, hit.normal, sight.view, reflected);
             if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
@@ -133,7 +97,7 @@ impl Transport {
         camera: &Camera,
         pixel_mm: f64,
     ) -> Option<ReflectionCache> {
-        let microfacets = &self.surface.microfacets;
+        let microfacets = self.response.microfacets();
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
         let facets = pixels * self.samples.len() as f64;
@@ -166,16 +130,18 @@ impl Transport {
         // a slanted surface turns it faster.
         let radius_mm = surroundings.balls[ball].radius_mm;
         let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
-        let (mut lobe, facets) = (Lobe::default(), self.surface.microfacets.seen_at(cos_view));
+        let (mut lobe, facets) = (Lobe::default(), self.response.microfacets().seen_at(cos_view));
+        let windows = &surroundings.windows;
+        let viewpoint = Viewpoint::new(surroundings, windows, hit.point, Some(ball));
         for sample in samples {
             let Some(facet) = facets.facet(sample) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
             let share_rad2 = lobe_width / (facet.density * count as f64);
             let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
-            let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
-            lobe.add(facet.weight, &self.mirrored[row(facet.cos_half)], seen.radiance);
+            let seen = viewpoint.seen(along, spread_rad);
+            lobe.add(facet.weight, self.response.mirrored(facet.cos_half), seen.radiance);
         }
-        lobe.around(&self.mirrored_by_all[row(cos_view)])
+        lobe.around(self.response.mirrored_by_all(cos_view))
     }
 }
 
@@ -230,8 +196,4 @@ fn facets_per_sample(spread_rad: f64) -> usize {
         spread if spread < 0.08 => 8,
         _ => 16,
     }
-}
-
-fn row(cosine: f64) -> usize {
-    (cosine.clamp(0.0, 1.0) * COSINES as f64 + 0.5) as usize
 }

@@ -23,6 +23,7 @@ pub struct Surface {
     pub microfacets: Microfacets,
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
     entering: Vec<Bands>,
+    entering_from_all_sides: Bands,
 }
 
 /// Facets to average over, at every angle **(ours)**; 4096 agree with the integral to 0.01 (test in `sampling.rs`).
@@ -46,7 +47,10 @@ impl Surface {
             }
             entering.push(mirrored.map(|sum| (1.0 - sum / FACETS as f64).clamp(0.0, 1.0)));
         }
-        Self { film, microfacets, entering }
+        let entering_from_all_sides = [0.0; BANDS];
+        let mut surface = Self { film, microfacets, entering, entering_from_all_sides };
+        surface.entering_from_all_sides = surface.moments(0)[0];
+        surface
     }
 
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
@@ -56,8 +60,7 @@ impl Surface {
 
     /// The part of light from all sides that enters: 2 times the integral of the share times cosine.
     pub fn entering_from_all_sides(&self) -> Bands {
-        let [whole] = self.moments(0)[..] else { return [0.0; BANDS] };
-        whole
+        self.entering_from_all_sides
     }
 
     /// What the surface makes of waves of light on the sphere of directions, by degree: the eigenvalues of
@@ -103,11 +106,6 @@ pub(crate) fn legendre(x: f64) -> impl Iterator<Item = f64> {
         (now, next) = (next, ((2.0 * degree + 1.0) * x * next - degree * now) / (degree + 1.0));
         Some(given)
     })
-}
-
-/// The entering share in finer steps of the cosine, to be looked up by the nearest.
-pub(crate) fn upsampled(surface: &Surface, steps: usize) -> Vec<Bands> {
-    (0..=steps).map(|step| surface.entering(step as f64 / steps as f64)).collect()
 }
 
 #[cfg(test)]

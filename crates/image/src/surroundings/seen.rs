@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::{lit::Lit, table::Table, window::Window},
+    surroundings::{lit::Lit, table::Table, viewpoint::Viewpoint},
     view::ray::Ray,
 };
 
@@ -20,38 +20,18 @@ pub struct Seen {
     pub distance_mm: f64,
 }
 
-/// Something before table, walls and sky that a cone of light meets with a share of its width.
-#[derive(Debug, Clone, Copy)]
-struct Layer {
-    distance_mm: f64,
-    share: f64,
-    radiance: Rgb,
-    fades: bool,
-}
-
-fn panes<'a>(
-    windows: &'a [Window],
-    ray: &'a Ray,
-    spread_rad: f64,
-) -> impl Iterator<Item = Layer> + 'a {
-    windows.iter().filter_map(move |window| {
-        let (distance_mm, share) = window.seen(ray, spread_rad)?;
-        Some(Layer { distance_mm, share, radiance: window.radiance, fades: false })
-    })
-}
-
 impl Lit {
     /// What `ray` meets, the pearl `from` left out that it comes from. `spread_rad` is the angle that
     /// the ray stands for: finer patterns are averaged away, not aliased, and balls and windows have
     /// soft edges.
     pub fn seen(&self, ray: &Ray, spread_rad: f64, from: Option<usize>) -> Seen {
-        self.seen_with(&self.windows, ray, spread_rad, from)
+        Viewpoint::new(self, &self.windows, ray.from, from).seen(ray.along, spread_rad)
     }
 
     /// What the middle of a ball would see, were there no windows.
     pub(crate) fn seen_without_windows(&self, ball: usize, along: DVec3, spread_rad: f64) -> Rgb {
-        let ray = Ray { from: self.balls[ball].centre, along };
-        self.seen_with(&[], &ray, spread_rad, Some(ball)).radiance
+        let centre = self.balls[ball].centre;
+        Viewpoint::new(self, &[], centre, Some(ball)).seen(along, spread_rad).radiance
     }
 
     /// What windows add to that, at points all over them: (direction, solid angle, radiance). For sums over
@@ -59,58 +39,22 @@ impl Lit {
     pub(crate) fn window_points(&self, ball: usize) -> impl Iterator<Item = (DVec3, f64, Rgb)> {
         let from = self.balls[ball].centre;
         self.windows.iter().flat_map(move |window| {
+            let this = Viewpoint::new(self, std::slice::from_ref(window), from, Some(ball));
             window.directions(from, WINDOW_RAD).map(move |(along, solid)| {
-                let (ray, this) = (Ray { from, along }, std::slice::from_ref(window));
-                let with = self.seen_with(this, &ray, FINE_RAD, Some(ball)).radiance;
+                let with = this.seen(along, FINE_RAD).radiance;
                 let without = self.seen_without_windows(ball, along, WINDOW_RAD);
                 (along, solid, std::array::from_fn(|i| with[i] - without[i]))
             })
         })
     }
 
-    /// The same as if these were the windows.
-    pub(crate) fn seen_with(
-        &self,
-        windows: &[Window],
-        ray: &Ray,
-        spread_rad: f64,
-        from: Option<usize>,
-    ) -> Seen {
-        let balls = self.balls_near(ray, spread_rad, from).filter_map(|ball| {
-            let (distance_mm, share) = ball.stops(ray, spread_rad)?;
-            let radiance = ball.glow.at((ray.from - ball.centre).normalize());
-            Some(Layer { distance_mm, share, radiance, fades: true })
-        });
-        self.layered(balls.chain(panes(windows, ray, spread_rad)).collect(), ray, spread_rad)
-    }
-
     /// What `ray` meets of windows, table, walls and sky.
     pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
-        self.layered(panes(&self.windows, ray, spread_rad).collect(), ray, spread_rad)
-    }
-
-    /// From front to back, each layer lets the rest of the light through.
-    fn layered(&self, mut layers: Vec<Layer>, ray: &Ray, spread_rad: f64) -> Seen {
-        if layers.is_empty() {
-            return self.ground(ray, spread_rad);
-        }
-        layers.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
-        let ground = self.ground(ray, spread_rad);
-        let (mut radiance, mut nearness, mut left) = ([0.0; 3], 0.0, 1.0);
-        for layer in layers.iter().filter(|layer| layer.distance_mm < ground.distance_mm) {
-            rgb::add(&mut radiance, rgb::scaled(layer.radiance, left * layer.share));
-            if layer.fades {
-                nearness += left * layer.share / layer.distance_mm.max(1e-9);
-            }
-            left *= 1.0 - layer.share;
-        }
-        rgb::add(&mut radiance, rgb::scaled(ground.radiance, left));
-        nearness += left / ground.distance_mm;
-        Seen { radiance, distance_mm: 1.0 / nearness }
+        Viewpoint::new(self, &self.windows, ray.from, None).scenery(ray.along, spread_rad)
     }
 
     /// What `ray` meets of table, walls and sky.
-    fn ground(&self, ray: &Ray, spread_rad: f64) -> Seen {
+    pub(crate) fn ground(&self, ray: &Ray, spread_rad: f64) -> Seen {
         let table = self
             .table
             .as_ref()

@@ -46,12 +46,18 @@ impl Table {
             }
             Self::Cloth { colour, second_colour, weave_mm } => {
                 let fine = 1.0 / (1.0 + (2.0 * deep_mm / weave_mm).powi(2));
+                if fine < FADED {
+                    return rgb::mix(colour, second_colour, 0.5);
+                }
                 let between = 0.5 + fine * (weave(x / weave_mm, z / weave_mm) - 0.5);
                 rgb::mix(colour, second_colour, between)
             }
         }
     }
 }
+
+/// A weave of less contrast than this is even: half of it is a tenth of a step between 8-bit codes at most.
+const FADED: f64 = 1e-3;
 
 /// +1 and -1 in turn with period 2, averaged over a box of `width` around `x`.
 fn square_wave(x: f64, width: f64) -> f64 {

@@ -22,6 +22,10 @@ pub(crate) const NEAR: Reach = Reach { steps: 10.0, radii: 3.0 };
 /// Farther off shadows are wide and weak: within 0.3 % of the light (the test below).
 pub(crate) const FAR: Reach = Reach { steps: 2.0, radii: 40.0 };
 
+/// Where straight lines over two or more steps are right to this share of the light, no point between is worked
+/// out: a quarter of it is left then, far less than a step between 8-bit codes.
+const TOLERANCE: f64 = 5e-4;
+
 /// A grid over pearls of very unlike sizes stays this small, 10 MB **(ours)**.
 const MOST_CELLS: f64 = 400_000.0;
 
@@ -44,7 +48,8 @@ pub(crate) fn light_map(
     let finest_mm = (widths_mm[0] * widths_mm[1] / MOST_CELLS).sqrt();
     let step_mm = (least_mm / reach.steps).max(finest_mm);
     let counts = widths_mm.map(|width_mm| (width_mm / step_mm) as usize + 1);
-    Some(LightMap::new(corner, opposite, counts, |[x, z]| light(DVec3::new(x, table_y_mm, z))))
+    let at = |[x, z]: [f64; 2]| light(DVec3::new(x, table_y_mm, z));
+    Some(LightMap::adaptive(corner, opposite, counts, TOLERANCE, at))
 }
 
 #[cfg(test)]

@@ -3,11 +3,11 @@
 //! Lambert's sum over the edges, 1760; solid angles of rectangles; a Gaussian cone against straight edges.
 //! Left out: that a cone wider than a corner sees it sharp.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::{rgb::Rgb, view::ray::Ray};
+use crate::{rgb::Rgb, surroundings::pane::Pane};
 
 /// A rectangle of even light: a window, a softbox, a lit plate. It gives light, and is seen, on one
 /// side only.
@@ -47,43 +47,25 @@ impl Window {
         ]
     }
 
-    /// (distance, share) of a cone of light of full angle `spread_rad` around `ray` that comes from the
-    /// window, if any.
-    ///
-    /// The cone is a Gaussian as wide, in the mean square, as an even disc of that angle; the share is
-    /// the product of what two pairs of opposite edges let in, each a great circle to the ray and straight
-    /// to the cone. Exact for narrow cones; a cone too wide for the window's corners sees them a little
-    /// round **(ours)**.
-    pub(crate) fn seen(&self, ray: &Ray, spread_rad: f64) -> Option<(f64, f64)> {
-        let in_front_mm = self.in_front_mm(ray.from);
+    /// The window as it stands before a point; `None` from behind.
+    pub(crate) fn before(&self, point: DVec3) -> Option<Pane> {
+        let in_front_mm = self.in_front_mm(point);
         if in_front_mm <= 0.0 {
             return None;
         }
-        let sigma_rad = 0.25 * spread_rad.max(FINEST_RAD);
-        let corners = self.corners(ray.from);
-        let middle = self.centre - ray.from;
-        let mut inside = [0.0; 4];
-        for (edge, inside) in inside.iter_mut().enumerate() {
+        let (corners, middle) = (self.corners(point), self.centre - point);
+        let inward = [0, 1, 2, 3].map(|edge| {
             let across = corners[edge].cross(corners[(edge + 1) % 4]).normalize_or_zero();
-            let sine = across.dot(ray.along) * across.dot(middle).signum();
-            if sine < -CUT * sigma_rad {
-                return None;
-            }
-            *inside = sine;
-        }
-        let part = |sine: f64| {
-            if sine > CUT * sigma_rad {
-                1.0
-            } else {
-                libm::erf(libm::asin(sine.clamp(-1.0, 1.0)) / sigma_rad * FRAC_1_SQRT_2)
-            }
-        };
-        let between = |one: f64, other: f64| (0.5 * (part(one) + part(other))).max(0.0);
-        let share = between(inside[0], inside[2]) * between(inside[1], inside[3]);
+            across * across.dot(middle).signum()
+        });
         let farthest_mm = middle.length() + self.right.length() + self.up.length();
-        let toward = -ray.along.dot(self.facing);
-        let distance_mm = if toward > 0.0 { in_front_mm / toward } else { f64::INFINITY };
-        (share > 0.0).then_some((distance_mm.min(farthest_mm), share))
+        Some(Pane {
+            inward,
+            facing: self.facing,
+            in_front_mm,
+            farthest_mm,
+            radiance: self.radiance,
+        })
     }
 
     /// The window's light on a matt surface at `point`: radiance of a white one over that of the window.
@@ -244,10 +226,6 @@ fn edge_sum(a: DVec3, b: DVec3, normal: DVec3) -> f64 {
     if length <= 0.0 { 0.0 } else { libm::atan2(length, a.dot(b)) * across.dot(normal) / length }
 }
 
-/// Cones are at least this wide, so that an edge has a width to fade over.
-const FINEST_RAD: f64 = 1e-9;
-/// Beyond this many standard deviations a Gaussian is nothing.
-const CUT: f64 = 6.0;
 /// Size of the patches by which a window's shadow is found **(ours)**: a ball's shadow is within 0.006 of the light
 /// (the test in `incident.rs`).
 const PATCH_RAD: f64 = 0.35;
@@ -298,8 +276,8 @@ mod tests {
         let from = DVec3::new(1.0, -2.0, 3.0);
         for (along, _) in directions(7) {
             let sum = |spread_rad| -> f64 {
-                let ray = Ray { from, along };
-                room().iter().filter_map(|w| w.seen(&ray, spread_rad)).map(|seen| seen.1).sum()
+                let panes = room().into_iter().filter_map(|window| window.before(from));
+                panes.filter_map(|pane| pane.seen(along, spread_rad)).map(|seen| seen.1).sum()
             };
             assert!((sum(1e-7) - 1.0).abs() < 1e-9, "{along}: {}", sum(1e-7));
             assert!((sum(0.2) - 1.0).abs() < 0.06, "{along}: {}", sum(0.2));
@@ -308,12 +286,12 @@ mod tests {
 
     #[test]
     fn light_blurred_is_light_kept() {
+        let pane = CEILING.before(DVec3::ZERO).unwrap();
         let solid: f64 = CEILING.directions(DVec3::ZERO, 0.02).map(|(_, solid)| solid).sum();
         for spread_rad in [0.05, 0.2, 0.6, 1.0] {
             let seen: f64 = directions(200)
                 .map(|(along, share)| {
-                    let ray = Ray { from: DVec3::ZERO, along };
-                    4.0 * PI * share * CEILING.seen(&ray, spread_rad).map_or(0.0, |seen| seen.1)
+                    4.0 * PI * share * pane.seen(along, spread_rad).map_or(0.0, |seen| seen.1)
                 })
                 .sum();
             assert!((seen / solid - 1.0).abs() < 0.08, "{spread_rad}: {}", seen / solid);
@@ -337,8 +315,7 @@ mod tests {
     #[test]
     fn nothing_comes_from_behind() {
         let above = DVec3::new(3.0, 21.0, -2.0);
-        let down = Ray { from: above, along: DVec3::NEG_Y };
-        assert!(CEILING.seen(&down, 0.1).is_none());
+        assert!(CEILING.before(above).is_none());
         assert!(CEILING.form_factor(above, DVec3::NEG_Y) <= 0.0);
         assert_eq!(CEILING.directions(above, 0.1).count(), 0);
         assert!(CEILING.form_factor(DVec3::ZERO, DVec3::NEG_Y) <= 0.0);

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use nacreous_image::{
-    Glow, IlluminantPearl, Irradiance, Lit, Model, Progress, Surface, Surroundings, Table,
-    Transport, Walls, parallel,
+    Glow, IlluminantPearl, Irradiance, Lit, Model, Progress, Surroundings, Table, Transport, Walls,
+    parallel,
 };
 
 use super::optics::{Optics, microfacets_of};
@@ -87,15 +87,10 @@ impl Unlit<'_> {
                 mirror_weight: look.mirror_weight,
                 falloff_mm: look.falloff_mm,
             })),
-            Optics::Transport { surface, body } => Model::Transport(Box::new(Transport::new(
-                Surface::clone(surface),
-                body,
-                &self.lights.palette,
-                lit,
-                ball,
-                &self.lights.lamp_bands,
-                self.samples_side,
-            ))),
+            Optics::Transport { response } => {
+                let response = Arc::clone(response);
+                Model::Transport(Box::new(Transport::new(response, lit, ball, self.samples_side)))
+            }
         }
     }
 

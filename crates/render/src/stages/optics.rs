@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nacreous_image::{
-    Body, Film, Grain, Microfacets, Progress, Rgb, Rings, Surface, TorranceSparrow,
+    Film, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface, TorranceSparrow,
     grain::texture::Texture,
 };
 use nacreous_optics::IlluminantModel;
@@ -16,12 +16,12 @@ use crate::{
         body::body_of,
         columns::columns_of,
         grain::{GrainKey, is_seen},
-        knobs::{facet_spread_rad_of, grain_of, outer_um_of, parameters_of},
+        knobs::{facet_spread_rad_of, grain_of, outer_um_of, parameters_of, spread_of},
         nacre::stack_of,
     },
     spec::{
         nacre::NacreSpec,
-        pearl::{FacetsSpec, FilmSpec, IlluminantSpec, PearlSpec, TransportSpec},
+        pearl::{BodySpec, FacetsSpec, FilmSpec, IlluminantSpec, PearlSpec, TransportSpec},
     },
 };
 
@@ -31,7 +31,7 @@ pub(crate) enum Optics {
     /// The paper's model of 1996.
     Illuminant { rings: Arc<Rings>, look: Look },
     /// Light through the film, into the pearl and out again.
-    Transport { surface: Arc<Surface>, body: Body },
+    Transport { response: Arc<Response> },
 }
 
 /// What the model of 1996 asks of a pearl beside its layers.
@@ -67,6 +67,16 @@ struct SurfaceKey {
     spread_rad: f64,
 }
 
+/// What a pearl's response to light is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct ResponseKey {
+    surface: SurfaceKey,
+    body: BodySpec,
+    spread: f64,
+    diameter_mm: f64,
+    lights: LightsKey,
+}
+
 /// What rings of interference colour are made from.
 #[derive(Debug, Clone, PartialEq)]
 struct RingsKey {
@@ -80,6 +90,7 @@ struct RingsKey {
 pub(crate) struct OpticsStage {
     films: Kept<FilmKey, Film>,
     surfaces: Kept<SurfaceKey, Surface>,
+    responses: Kept<ResponseKey, Response>,
     rings: Kept<RingsKey, Rings>,
     textures: Kept<GrainKey, Texture>,
 }
@@ -92,31 +103,24 @@ impl OpticsStage {
         (lights_key, lights): (&LightsKey, &Lights),
         progress: &Progress,
     ) -> Result<Option<Vec<Optics>>, RenderError> {
-        let transport = pearls.iter().filter_map(|pearl| match pearl {
-            PearlSpec::Transport(spec) => Some(surface_key(pearl, spec)),
-            PearlSpec::Illuminant(_) => None,
-        });
-        let Some(surfaces) = self.surfaces(transport.collect(), progress)? else { return Ok(None) };
+        let Some(responses) = self.responses(pearls, (lights_key, lights), progress)? else {
+            return Ok(None);
+        };
         let illuminant = pearls.iter().filter_map(|pearl| match pearl {
             PearlSpec::Transport(_) => None,
             PearlSpec::Illuminant(spec) => Some(rings_key(pearl, spec, lights_key)),
         });
         let make = |key: &RingsKey| {
-            Ok::<_, RenderError>(Rings::new(
-                &stack_of(&key.nacre)?,
-                &key.model,
-                &lights.light,
-                progress,
-            )?)
+            let stack = stack_of(&key.nacre)?;
+            Ok::<_, RenderError>(Rings::new(&stack, &key.model, &lights.light, progress)?)
         };
         let Some(rings) = self.rings.all(illuminant.collect(), make)? else { return Ok(None) };
-        let (mut surfaces, mut rings) = (surfaces.into_iter(), rings.into_iter());
+        let (mut responses, mut rings) = (responses.into_iter(), rings.into_iter());
         let mut all = Vec::with_capacity(pearls.len());
         for pearl in pearls {
             all.extend(match pearl {
-                PearlSpec::Transport(spec) => {
-                    let body = body_of(spec)?;
-                    surfaces.next().map(|surface| Optics::Transport { surface, body })
+                PearlSpec::Transport(_) => {
+                    responses.next().map(|response| Optics::Transport { response })
                 }
                 PearlSpec::Illuminant(spec) => {
                     let look = look_of(pearl, spec)?;
@@ -125,6 +129,43 @@ impl OpticsStage {
             });
         }
         Ok(Some(all))
+    }
+
+    /// The response to light of each pearl of the transport model.
+    fn responses(
+        &mut self,
+        pearls: &[PearlSpec],
+        (lights_key, lights): (&LightsKey, &Lights),
+        progress: &Progress,
+    ) -> Result<Option<Vec<Arc<Response>>>, RenderError> {
+        let specs: Vec<(&PearlSpec, &TransportSpec)> = pearls
+            .iter()
+            .filter_map(|pearl| match pearl {
+                PearlSpec::Transport(spec) => Some((pearl, &**spec)),
+                PearlSpec::Illuminant(_) => None,
+            })
+            .collect();
+        let keys: Vec<SurfaceKey> =
+            specs.iter().map(|(pearl, spec)| surface_key(pearl, spec)).collect();
+        let Some(surfaces) = self.surfaces(keys.clone(), progress)? else { return Ok(None) };
+        let response_keys = specs.iter().zip(&keys).map(|((_, spec), surface)| ResponseKey {
+            surface: surface.clone(),
+            body: spec.body.clone(),
+            spread: spread_of(spec),
+            diameter_mm: spec.diameter_mm,
+            lights: lights_key.clone(),
+        });
+        let response_keys: Vec<ResponseKey> = response_keys.collect();
+        let make = |key: &ResponseKey| {
+            // Equal keys are made once, by the first of their pearls.
+            let Some(first) = response_keys.iter().position(|known| known == key) else {
+                return Ok(None);
+            };
+            let (surface, body) = (&surfaces[first], body_of(specs[first].1)?);
+            let response = Response::new(surface, &body, &lights.palette, &lights.lamp_bands);
+            Ok::<_, RenderError>((!progress.is_stopped()).then_some(response))
+        };
+        self.responses.all(response_keys.clone(), make)
     }
 
     /// The grain of each pearl that shows any; pearls of the same grain share it.

@@ -1,0 +1,120 @@
+//! What becomes of light in a pearl, from the surface through the body and out again.
+//!
+//! Waves on the sphere fade as heat would **(ours)**; the surface's factors by Funk and Hecke.
+//! Left out: degrees of which less than a stated share is left.
+
+use crate::{
+    light::{
+        bands::{BANDS, Bands},
+        palette::Palette,
+    },
+    pearl::subsurface::Body,
+    rgb,
+    surface::{coating::Surface, film::STEPS},
+};
+
+/// What becomes of light in a pearl, from outside through the surface, the body and the surface again: all that
+/// does not depend on where the light comes from.
+#[derive(Debug)]
+pub(crate) struct Passage {
+    palette: Palette,
+    /// What is left of waves of light when they are about to leave, by degree.
+    shares: Vec<Bands>,
+    /// RGB of what leaves, by band: by the cosine of the view angle, and through a film without colour.
+    leaving: Vec<[[f32; BANDS]; 3]>,
+    leaving_plain: [[f32; BANDS]; 3],
+}
+
+/// The highest degree of the waves; what a point lamp leaves out at its terminator is 0.3 % of its light.
+const TOP: usize = 40;
+
+/// Degrees of which less than this is left, of a point lamp's light at its brightest, are left out: the step
+/// between 8-bit codes is hundreds of times as large.
+const LEAST_LEFT: f64 = 1e-6;
+
+/// Steps of [`Surface::entering`] in the cosine, of which the nearest is taken.
+pub(crate) const COSINES: usize = 8 * STEPS;
+
+impl Passage {
+    /// `entering` is the share that enters `surface`, at [`COSINES`] steps of the cosine.
+    pub(crate) fn new(
+        surface: &Surface,
+        entering: &[Bands],
+        body: &Body,
+        palette: &Palette,
+    ) -> Self {
+        let leaving = surface.leaving(&body.reflectance);
+        let moments = surface.moments(top(body.spread)).into_iter().enumerate();
+        let share = |(l, enters): (usize, Bands)| {
+            let fading = fading(l, body.spread);
+            std::array::from_fn(|band| fading * enters[band] * leaving[band])
+        };
+        let whole = surface.entering_from_all_sides();
+        let mean = rgb::luminance(palette.rgb(&palette.bands_of_white(&whole)));
+        let coloured = |share: &Bands| by_channel(palette, |band| share[band]);
+        Self {
+            shares: moments.map(share).collect(),
+            leaving: entering.iter().map(coloured).collect(),
+            leaving_plain: by_channel(palette, |_| mean),
+            palette: palette.clone(),
+        }
+    }
+
+    /// How the scene's colours become bands.
+    pub(crate) fn palette(&self) -> &Palette {
+        &self.palette
+    }
+
+    /// The highest degree of which anything is left.
+    pub(crate) fn top(&self) -> usize {
+        self.shares.len() - 1
+    }
+
+    /// What is left of waves of a degree when they are about to leave.
+    pub(crate) fn share(&self, l: usize) -> &Bands {
+        &self.shares[l]
+    }
+
+    /// RGB, channel by channel, of what leaves at a cosine to the normal, for light in each band.
+    pub(crate) fn leaving(&self, cos_view: f64) -> &[[f32; BANDS]; 3] {
+        &self.leaving[(cos_view.clamp(0.0, 1.0) * COSINES as f64 + 0.5) as usize]
+    }
+
+    /// The same through a film without colour, at any cosine.
+    pub(crate) fn leaving_plain(&self) -> &[[f32; BANDS]; 3] {
+        &self.leaving_plain
+    }
+}
+
+/// What wandering inside leaves of waves of a degree.
+fn fading(l: usize, spread: f64) -> f64 {
+    libm::exp(-((l * (l + 1)) as f64) * spread)
+}
+
+/// The highest degree that counts.
+fn top(spread: f64) -> usize {
+    // A point lamp has 2 l + 1 equal waves of each degree.
+    let left = |l: usize| (2 * l + 1) as f64 * fading(l, spread);
+    (1..=TOP).find(|&l| left(l) < LEAST_LEFT).map_or(TOP, |l| l - 1)
+}
+
+/// RGB of each band's light after a filter, channel by channel.
+fn by_channel(palette: &Palette, filter: impl Fn(usize) -> f64) -> [[f32; BANDS]; 3] {
+    let unit = palette.band_rgb();
+    [0, 1, 2].map(|i| std::array::from_fn(|band| (unit[band][i] * filter(band)) as f32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_degrees_left_out_would_add_is_below_the_bound() {
+        assert_eq!((top(0.0), top(1000.0)), (TOP, 0));
+        for spread in [0.012, 0.05, 0.1163, 1.0] {
+            let after: f64 =
+                (top(spread) + 1..200).map(|l| (2 * l + 1) as f64 * fading(l, spread)).sum();
+            assert!(after < 2.0 * LEAST_LEFT, "{spread}: {after}");
+        }
+    }
+}

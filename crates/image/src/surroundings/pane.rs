@@ -1,0 +1,58 @@
+//! A window as it stands before one point, for many lines of sight from there.
+//!
+//! A Gaussian cone against straight edges, each a great circle to the ray **(ours)**.
+//! Left out: that a cone wider than a corner sees it sharp.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use glam::DVec3;
+
+use crate::rgb::Rgb;
+
+/// A window as it stands before one point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pane {
+    /// Normals of the planes through the point and each edge, in a round, towards the window's middle.
+    pub(crate) inward: [DVec3; 4],
+    pub(crate) facing: DVec3,
+    pub(crate) in_front_mm: f64,
+    pub(crate) farthest_mm: f64,
+    pub(crate) radiance: Rgb,
+}
+
+impl Pane {
+    /// (distance, share) of a cone of light of full angle `spread_rad` around `along` that comes from the
+    /// window, if any.
+    ///
+    /// The cone is a Gaussian as wide, in the mean square, as an even disc of that angle; the share is
+    /// the product of what two pairs of opposite edges let in, each a great circle to the ray and straight
+    /// to the cone. Exact for narrow cones; a cone too wide for the window's corners sees them a little
+    /// round **(ours)**.
+    pub(crate) fn seen(&self, along: DVec3, spread_rad: f64) -> Option<(f64, f64)> {
+        let sigma_rad = 0.25 * spread_rad.max(FINEST_RAD);
+        let mut inside = [0.0; 4];
+        for (inward, inside) in self.inward.iter().zip(&mut inside) {
+            *inside = inward.dot(along);
+            if *inside < -CUT * sigma_rad {
+                return None;
+            }
+        }
+        let part = |sine: f64| {
+            if sine > CUT * sigma_rad {
+                1.0
+            } else {
+                libm::erf(libm::asin(sine.clamp(-1.0, 1.0)) / sigma_rad * FRAC_1_SQRT_2)
+            }
+        };
+        let between = |one: f64, other: f64| (0.5 * (part(one) + part(other))).max(0.0);
+        let share = between(inside[0], inside[2]) * between(inside[1], inside[3]);
+        let toward = -along.dot(self.facing);
+        let distance_mm = if toward > 0.0 { self.in_front_mm / toward } else { f64::INFINITY };
+        (share > 0.0).then_some((distance_mm.min(self.farthest_mm), share))
+    }
+}
+
+/// Cones are at least this wide, so that an edge has a width to fade over.
+const FINEST_RAD: f64 = 1e-9;
+/// Beyond this many standard deviations a Gaussian is nothing.
+const CUT: f64 = 6.0;

@@ -1,0 +1,97 @@
+//! What is seen from one point in several directions: pearls, windows, and table, walls and sky behind.
+//!
+//! From front to back, each layer lets through what its share of a cone of light leaves.
+//! Left out: windows that hide one another.
+
+use glam::DVec3;
+
+use crate::{
+    rgb::{self, Rgb},
+    surroundings::{lit::Lit, pane::Pane, seen::Seen, window::Window},
+    view::ray::Ray,
+};
+
+/// A point among the surroundings from which one looks in several directions.
+pub(crate) struct Viewpoint<'a> {
+    surroundings: &'a Lit,
+    panes: Vec<Pane>,
+    point: DVec3,
+    /// The pearl that is not seen, for the point lies on it or in it.
+    on: Option<usize>,
+}
+
+/// Something before table, walls and sky that a cone of light meets with a share of its width.
+#[derive(Debug, Clone, Copy)]
+struct Layer {
+    distance_mm: f64,
+    share: f64,
+    radiance: Rgb,
+    fades: bool,
+}
+
+impl<'a> Viewpoint<'a> {
+    /// Among `surroundings` as if `windows` were theirs.
+    pub(crate) fn new(
+        surroundings: &'a Lit,
+        windows: &[Window],
+        point: DVec3,
+        on: Option<usize>,
+    ) -> Self {
+        let panes = windows.iter().filter_map(|window| window.before(point)).collect();
+        Self { surroundings, panes, point, on }
+    }
+
+    /// What a ray along a direction meets; `spread_rad` is the angle that it stands for.
+    pub(crate) fn seen(&self, along: DVec3, spread_rad: f64) -> Seen {
+        let ray = Ray { from: self.point, along };
+        let balls = self.surroundings.balls_near(&ray, spread_rad, self.on).filter_map(|ball| {
+            let (distance_mm, share) = ball.stops(&ray, spread_rad)?;
+            let radiance = ball.glow.at((self.point - ball.centre).normalize());
+            Some(Layer { distance_mm, share, radiance, fades: true })
+        });
+        self.through(balls.chain(self.windows(along, spread_rad)), &ray, spread_rad)
+    }
+
+    /// The same without the pearls.
+    pub(crate) fn scenery(&self, along: DVec3, spread_rad: f64) -> Seen {
+        let ray = Ray { from: self.point, along };
+        self.through(self.windows(along, spread_rad), &ray, spread_rad)
+    }
+
+    fn windows(&self, along: DVec3, spread_rad: f64) -> impl Iterator<Item = Layer> {
+        self.panes.iter().filter_map(move |pane| {
+            let (distance_mm, share) = pane.seen(along, spread_rad)?;
+            Some(Layer { distance_mm, share, radiance: pane.radiance, fades: false })
+        })
+    }
+
+    /// What is seen through layers in any order.
+    fn through(&self, mut layers: impl Iterator<Item = Layer>, ray: &Ray, spread_rad: f64) -> Seen {
+        let ground = self.surroundings.ground(ray, spread_rad);
+        // Hardly a ray meets more than one, and most of the time of a picture is spent here.
+        match (layers.next(), layers.next()) {
+            (None, _) => ground,
+            (Some(one), None) => before(&[one], ground),
+            (Some(one), Some(two)) => {
+                let mut all: Vec<Layer> = [one, two].into_iter().chain(layers).collect();
+                all.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
+                before(&all, ground)
+            }
+        }
+    }
+}
+
+/// From front to back, each layer lets the rest of the light through.
+fn before(layers: &[Layer], ground: Seen) -> Seen {
+    let (mut radiance, mut nearness, mut left) = ([0.0; 3], 0.0, 1.0);
+    for layer in layers.iter().filter(|layer| layer.distance_mm < ground.distance_mm) {
+        rgb::add(&mut radiance, rgb::scaled(layer.radiance, left * layer.share));
+        if layer.fades {
+            nearness += left * layer.share / layer.distance_mm.max(1e-9);
+        }
+        left *= 1.0 - layer.share;
+    }
+    rgb::add(&mut radiance, rgb::scaled(ground.radiance, left));
+    nearness += left / ground.distance_mm;
+    Seen { radiance, distance_mm: 1.0 / nearness }
+}
