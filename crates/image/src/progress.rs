@@ -1,3 +1,8 @@
+//! How far a render is, and the wish that it stop, seen from two threads.
+//!
+//! Two atomics without order between them **(ours)**: each is true by itself.
+//! Left out: time; whoever watches knows the clock.
+
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// How far a render is, seen from another thread, and the wish that it stop.

@@ -1,3 +1,8 @@
+//! From a field on the sphere to its coefficients.
+//!
+//! Midpoints of rows and columns, Legendre functions by recursion.
+//! Left out: detail between the rows, which a grid cannot tell from coarser waves.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;

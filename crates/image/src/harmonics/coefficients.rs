@@ -1,3 +1,8 @@
+//! The coefficients of three real fields on the sphere.
+//!
+//! Degree l and order m from 0 up; a real field has the rest by symmetry.
+//! Left out: complex fields.
+
 /// How many fields are summed together: hue, value and chroma.
 pub const CHANNELS: usize = 3;
 

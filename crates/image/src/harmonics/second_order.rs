@@ -1,3 +1,8 @@
+//! Spherical harmonics up to the second order, as far as matt surfaces see.
+//!
+//! Real harmonics in Cartesian form, as in Ramamoorthi and Hanrahan 2001.
+//! Left out: every higher degree.
+
 use glam::DVec3;
 
 use crate::rgb::{self, Rgb};

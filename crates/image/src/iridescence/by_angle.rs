@@ -1,3 +1,8 @@
+//! A colour by the cosine of an angle.
+//!
+//! Straight lines between nodes, doubled until CIEDE2000 says that they are near enough.
+//! Left out: jumps, which no grid meets.
+
 use nacreous_colour::{delta_e_2000, lab_from_xyz};
 use nacreous_optics::OpticsError;
 

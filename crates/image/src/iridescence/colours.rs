@@ -1,3 +1,8 @@
+//! Colours that a stack reflects, lets through, or shows by interference, by angle.
+//!
+//! Exact optics or the model of 1996, both by `nacreous-optics`; CIE XYZ.
+//! Left out: the surface's facets, and columns that differ.
+
 use std::sync::atomic::AtomicBool;
 
 use nacreous_colour::{FIRST_NM, SAMPLES, WAVELENGTH_NM, xyz_from_spectrum};

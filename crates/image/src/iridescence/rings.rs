@@ -1,3 +1,8 @@
+//! The interference colour by view angle: concentric rings on a ball.
+//!
+//! The model of 1996, seen in the scene's light; its scale is **(ours)**.
+//! Left out: where the lamps stand; rings never move.
+
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
 

@@ -1,3 +1,8 @@
+//! Light in bands of 10 nm, as it travels inside a pearl.
+//!
+//! Sums and means over the samples of a spectrum.
+//! Left out: whatever is narrower than a band; films of many columns have nothing that narrow.
+
 use nacreous_colour::{ColourError, Observer, SAMPLES, Spectrum};
 
 /// Bands of 10 nm that carry light inside a pearl. Interference colours of an ensemble are wider than

@@ -1,3 +1,8 @@
+//! The light that a ball sends out, by direction.
+//!
+//! Spherical harmonics to the second order, by Gauss and Legendre's rule.
+//! Left out: from which part of the ball it comes, and finer detail.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;

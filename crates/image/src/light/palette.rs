@@ -1,3 +1,8 @@
+//! From linear RGB to light in bands and back.
+//!
+//! Three smooth curves that add up to 1, times the scene's white **(ours)**.
+//! Left out: the true spectra of surroundings, of which only RGB is known.
+
 use nacreous_colour::{
     Matrix, Observer, Spectrum,
     matrix::{apply, inverse},
@@ -24,7 +29,7 @@ pub struct Palette {
     amounts: Matrix,
 }
 
-/// Where the curves of blue and green, green and red cross, and how softly.
+/// Where the curves of blue and green, green and red cross, and how softly; by eye **(ours)**: every colour comes back for any.
 const CROSSINGS_NM: [f64; 2] = [492.0, 580.0];
 const SOFTNESS_NM: f64 = 12.0;
 

@@ -1,3 +1,8 @@
+//! All light of a scene: its sources, its white, and what of it gets into a pearl.
+//!
+//! CIE XYZ of the lamps' mixture, adapted from the scene's white to that of sRGB.
+//! Left out: where a lamp stands, which changes no colour of interference.
+
 use nacreous_colour::{
     ColourError, Illuminant, Matrix, Observer, RgbSpace, SAMPLES, Spectrum, adaptation,
     matrix::apply, xyz_from_spectrum,

@@ -1,3 +1,8 @@
+//! A pearl by the model of 1996: rings, matt body, mirroring surface.
+//!
+//! The paper, equations 1 to 4 and section 4; Lambert; Torrance and Sparrow.
+//! Left out: light that goes through the film and out again, and what the pearl gives its table.
+
 use crate::{
     iridescence::rings::Rings,
     pearl::{shade::Shade, sight::Sight},

@@ -1,3 +1,8 @@
+//! What depth, shininess and grain mean.
+//!
+//! The paper's three qualities, section 4; its mapping is not printed, this one is **(ours)**.
+//! Left out: colour and roundness, which are no knobs.
+
 /// The physical parameters behind depth, shininess and grain, the three qualities by which inspectors
 /// judge a pearl (paper, section 4). The mapping is **(ours)**: the paper set its parameters by eye and
 /// prints none.

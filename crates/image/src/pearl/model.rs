@@ -1,3 +1,8 @@
+//! A pearl in its place: its model, its grain, its light by place and as a whole.
+//!
+//! Whichever model it has; its glow is the mean over the disc.
+//! Left out: light between two places of one pearl's surface.
+
 use glam::DVec3;
 
 use crate::{
@@ -108,7 +113,7 @@ impl Pearl<'_> {
     }
 }
 
-/// Rings of equal area, with so many points each, that stand for the disc.
+/// Rings of equal area, with so many points each, that stand for the disc **(ours)**.
 const RINGS: usize = 4;
 const SPOKES: usize = 16;
 

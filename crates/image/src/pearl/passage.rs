@@ -1,3 +1,8 @@
+//! What becomes of light between entering a pearl and leaving it, by degree and band.
+//!
+//! Eigenvalues of the surface (Funk and Hecke) times exp(-l (l + 1) spread) **(ours)**, to the degree that counts.
+//! Left out: where the light comes from, which is each place's own.
+
 use crate::{
     light::{
         bands::{BANDS, Bands},

@@ -1,3 +1,8 @@
+//! What a satin pearl's facets show of the surroundings, worked out at knots.
+//!
+//! Cubics between knots (Catmull and Rom 1974); a lobe leaves no finer detail.
+//! Left out: the film's colour, which changes faster and is left to the pixel.
+
 use std::f64::consts::FRAC_PI_4;
 
 use glam::DVec3;
@@ -38,10 +43,11 @@ pub struct Around {
 /// Knots beyond the edge on each side, for the cubics.
 const BORDER: usize = 2;
 
-/// Steps of the grid for each standard deviation of the facets' lean.
+/// Steps of the grid for each standard deviation of the facets' lean **(ours)**: between knots the light is that
+/// of a knot there to 0.01 of it (the test below).
 const STEPS_PER_SPREAD: f64 = 1.4;
 
-/// The cache's share of the facets that it spares, and how many a knot has.
+/// The cache's share of the facets that it spares, and how many a knot has; by eye **(ours)**.
 const SHARE: f64 = 0.4;
 const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;
@@ -168,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirror_has_no_net() {
+    fn a_mirror_has_no_cache() {
         assert!(cache(Projection::Orthographic, 0.01).is_none());
     }
 }

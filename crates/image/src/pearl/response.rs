@@ -1,3 +1,8 @@
+//! What a pearl makes of light of any kind: by film, microfacets and body, as tables.
+//!
+//! Each a spectrum of the film between the palette's bands and RGB, by steps of the cosine.
+//! Left out: the surroundings; so it is made once for all places of a pearl and shared.
+
 use std::sync::Arc;
 
 use nacreous_colour::Matrix;

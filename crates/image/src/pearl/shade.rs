@@ -1,3 +1,8 @@
+//! The light of one point of a pearl, in parts.
+//!
+//! Interference, body and mirror add up, as in the paper's section 4.
+//! Left out: what lies behind the pearl.
+
 use crate::rgb::Rgb;
 
 /// The light of one point of the pearl, in parts.

@@ -1,3 +1,8 @@
+//! A point of a pearl under the eye.
+//!
+//! Filled in by whoever looks.
+//! Left out: the light there, which is the shade.
+
 use glam::DVec3;
 
 use crate::{pearl::reflection_cache::Around, shape::ball::Hit};

@@ -1,3 +1,8 @@
+//! Light that has been inside a pearl: enters through the film, wanders, leaves through the film.
+//!
+//! Waves on the sphere that fade as heat would **(ours)**, with the film's factors by Funk and Hecke.
+//! Left out: the true paths of light in nacre and nucleus, and detail finer than degree 40.
+
 use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;

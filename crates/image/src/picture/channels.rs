@@ -1,3 +1,8 @@
+//! The numbers of a pixel and what they are called.
+//!
+//! Four parts that add up, the grain, and the coverage.
+//! Left out: the codes of a screen, which developing makes.
+
 /// Numbers per pixel: four parts of three channels, the texture's three, and the pearls' coverage.
 pub const CHANNELS: usize = 16;
 

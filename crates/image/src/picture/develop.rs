@@ -1,3 +1,8 @@
+//! From linear light to codes of a screen.
+//!
+//! Change of primaries, gamut and transfer function by `nacreous-colour`; IEC 61966-2-1.
+//! Left out: tone curves and dither; a code is the nearest one.
+
 use nacreous_colour::{Gamut, RgbSpace, encode, in_gamut};
 
 use crate::parallel;

@@ -1,3 +1,8 @@
+//! One pixel's light in parts, and the grain laid on it.
+//!
+//! The paper, section 4.4: hue, chroma and brightness change in proportion to lightness.
+//! Left out: grain on what interference adds.
+
 use nacreous_colour::{hvc_from_rgb, rgb_from_hvc};
 
 use crate::{

@@ -1,3 +1,8 @@
+//! The picture, row by row.
+//!
+//! Each row by itself, so that threads share nothing.
+//! Left out: glare and codes for the screen, which come after.
+
 use crate::{
     parallel,
     pearl::model::Pearl,

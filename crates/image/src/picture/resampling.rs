@@ -1,3 +1,8 @@
+//! How cells of a fine sheet make those of a coarser one, and the other way.
+//!
+//! Tents over equal steps, integrated over each cell, mirrored at the edges.
+//! Left out: sharper filters; a tent's variance is known and taken off the blur.
+
 /// How cells of a fine sheet make the cells of a coarser one: tents over equal steps, mirrored at the edges.
 /// Seen the other way round, how the coarse cells are laid on the fine ones.
 #[derive(Debug)]

@@ -1,3 +1,8 @@
+//! From pixels to lines of sight and back.
+//!
+//! A tent filter two pixels wide by equal weights at uneven places, the same in every pixel **(ours)**.
+//! Left out: random places; nothing that is finer than a sample is left unaveraged.
+
 use crate::{
     pearl::{model::Pearl, reflection_cache::ReflectionCache, sight::Sight},
     picture::pixel::Pixel,

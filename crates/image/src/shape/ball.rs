@@ -1,3 +1,8 @@
+//! A ball: where a ray meets it, what it hides.
+//!
+//! Spheres and discs in closed form; the form factor of a sphere above a plane.
+//! Left out: pearls that are not round; an edge is straight within a cell, and across a narrow cone.
+
 use glam::DVec3;
 
 use crate::{light::glow::Glow, view::ray::Ray};

@@ -1,3 +1,8 @@
+//! Which balls a ray from one of them may meet.
+//!
+//! A cone has left the heights of the balls after a distance that its rise tells.
+//! Left out: an index in space; each ball holds all others by distance.
+
 use crate::{shape::ball::Ball, view::ray::Ray};
 
 /// Who lies near whom among the balls on a table, so that light on its way up or down need not be asked about

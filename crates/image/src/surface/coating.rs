@@ -1,3 +1,8 @@
+//! A film of nacre on microfacets: what enters, what leaves again.
+//!
+//! The film's reflectance averaged over sampled facets; Funk and Hecke's theorem; a geometric series over all ways inside.
+//! Left out: colours of light that meets two facets, which is taken to enter.
+
 use crate::{
     light::bands::{BANDS, Bands},
     surface::{
@@ -21,7 +26,7 @@ pub struct Surface {
     entering_from_all_sides: Bands,
 }
 
-/// Facets to average over, at every angle.
+/// Facets to average over, at every angle **(ours)**; 4096 agree with the integral to 0.01 (test in `sampling.rs`).
 const FACETS: usize = 512;
 
 /// Steps of integrals over the hemisphere.

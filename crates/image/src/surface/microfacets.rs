@@ -1,3 +1,8 @@
+//! Microfacets: how they lean, which of them mirrors light to the eye, and how much they hide of each other.
+//!
+//! Torrance and Sparrow 1967; Walter and others 2007, equations 33 and 34.
+//! Left out: light that meets two facets, and waves that the facets' edges bend.
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;

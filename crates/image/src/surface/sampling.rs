@@ -1,3 +1,8 @@
+//! Facets sampled from all those that the eye sees.
+//!
+//! Visible normals of GGX by Heitz 2018; points of Roberts 2018 (R2) and Fibonacci's lattice.
+//! Left out: random numbers; the same points serve every pixel.
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;

@@ -1,3 +1,8 @@
+//! The surface of the model of 1996.
+//!
+//! Torrance and Sparrow 1967; Fresnel's equation, (1) of the paper.
+//! Left out: wavelengths; one index mirrors all colours alike.
+
 use crate::surface::microfacets::Microfacets;
 
 /// The pearl's surface as small mirrors that lean about the normal: Torrance and Sparrow 1967.

@@ -1,3 +1,8 @@
+//! What a pearl stands in: table, walls, sky, lamps, windows and the other pearls.
+//!
+//! Only what is stated, and the sky's light on the table.
+//! Left out: balls that overlap, and windows that hide one another.
+
 use crate::{
     light::glow::Glow,
     rgb::Rgb,

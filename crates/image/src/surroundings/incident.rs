@@ -1,4 +1,7 @@
 //! The light that table and walls receive, past the pearls.
+//!
+//! Form factors in closed form, shadows as the shares of discs that balls hide.
+//! Left out: that hidden parts overlap, light from table to wall and back, and shadows on walls.
 
 use glam::DVec3;
 

@@ -1,3 +1,8 @@
+//! The light of the surroundings on a matt surface, by its normal.
+//!
+//! Ramamoorthi and Hanrahan 2001: spherical harmonics to the second order.
+//! Left out: 3 % of the light at most, and that a pearl hides the table from its own flanks.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;
@@ -17,7 +22,7 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Irradiance(SecondOrder);
 
-/// Rows of directions to sum over.
+/// Rows of directions to sum over; an even sky then lights all sides alike to 0.001 (the test below).
 const ROWS: u32 = 48;
 
 impl Irradiance {

@@ -1,3 +1,8 @@
+//! A round lamp: its light on matt surfaces and its image in facets.
+//!
+//! A parabola for a disc behind the horizon; the microfacets' lobe summed over points of the disc.
+//! Left out: that a near lamp is stronger on the side that faces it **(ours)**.
+
 use glam::DVec3;
 
 use crate::{

@@ -1,3 +1,8 @@
+//! Light over a plane that changes softly.
+//!
+//! Worked out at the nodes of a grid, straight lines between.
+//! Left out: edges; whoever asks for a map knows that there are none.
+
 use crate::{
     parallel,
     rgb::{self, Rgb},

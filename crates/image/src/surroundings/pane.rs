@@ -1,3 +1,8 @@
+//! A window as it stands before one point.
+//!
+//! A Gaussian cone against four straight edges.
+//! Left out: that a cone wider than a corner sees it sharp.
+
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use glam::DVec3;

@@ -1,3 +1,8 @@
+//! A panorama: light from all around, as a picture in latitude and longitude.
+//!
+//! Coarser copies by halves, straight lines between pixels and between copies.
+//! Left out: the stretch of pixels near the poles, and lobes that are not round.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;

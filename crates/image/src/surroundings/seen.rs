@@ -1,3 +1,8 @@
+//! What a ray meets of the surroundings.
+//!
+//! From front to back, each thing covers its share of the ray's cone.
+//! Left out: where within the cone a thing lies, so that two that cover half each never hide each other.
+
 use glam::DVec3;
 
 use crate::{
@@ -91,7 +96,7 @@ impl Surroundings {
     }
 }
 
-/// Between points of a window, and how finely each is looked at.
+/// Between points of a window, and how finely each is looked at; by eye **(ours)**.
 const WINDOW_RAD: f64 = 0.05;
 const FINE_RAD: f64 = 1e-6;
 

@@ -1,3 +1,8 @@
+//! What is behind everything, as radiance by direction.
+//!
+//! A gradient with the root of the height **(ours)**, or a panorama.
+//! Left out: sun, clouds and the colours of a real sky, which a panorama brings.
+
 use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;

@@ -1,3 +1,8 @@
+//! What the table is covered with: share of light sent back by place.
+//!
+//! Square waves averaged over the footprint in closed form; a cloth by eye **(ours)**.
+//! Left out: gloss and relief; every table is matt.
+
 use crate::rgb::{self, Rgb};
 
 /// What the table is covered with. Colours are shares of light sent back, linear RGB.

@@ -1,3 +1,8 @@
+//! The soft light on a table around the pearls, as a light map.
+//!
+//! What `incident` tells at the nodes of two grids, a fine one near and a coarse one far off.
+//! Left out: the shadows of lamps, whose edges are sharper than a grid.
+
 use glam::DVec3;
 
 use crate::{rgb::Rgb, shape::ball::Ball, surroundings::light_map::LightMap};
@@ -14,14 +19,14 @@ pub(crate) struct Reach {
 /// Near the pearls: the contact shadow, which is as wide as a radius, is met within 0.8 % of the light, at its
 /// darkest.
 pub(crate) const NEAR: Reach = Reach { steps: 10.0, radii: 3.0 };
-/// Farther off shadows are wide and weak.
+/// Farther off shadows are wide and weak: within 0.3 % of the light (the test below).
 pub(crate) const FAR: Reach = Reach { steps: 2.0, radii: 40.0 };
 
 /// Where straight lines over two or more steps are right to this share of the light, no point between is worked
 /// out: a quarter of it is left then, far less than a step between 8-bit codes.
 const TOLERANCE: f64 = 5e-4;
 
-/// A grid over pearls of very unlike sizes stays this small.
+/// A grid over pearls of very unlike sizes stays this small, 10 MB **(ours)**.
 const MOST_CELLS: f64 = 400_000.0;
 
 /// A light map of the table by x and z; `None` without pearls. `light` works out a point of the table.

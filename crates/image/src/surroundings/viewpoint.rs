@@ -1,3 +1,8 @@
+//! What is seen from one point in several directions.
+//!
+//! Pearls and windows before table, walls and sky, each a layer that lets part of a cone of light through.
+//! Left out: that two layers may hide the same part of a cone.
+
 use glam::DVec3;
 
 use crate::{

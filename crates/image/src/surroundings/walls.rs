@@ -1,3 +1,8 @@
+//! Upright walls around the pearls, and the light on them.
+//!
+//! Where a ray leaves a square; light maps of the four sides.
+//! Left out: light from wall to wall, and shadows.
+
 use glam::DVec3;
 
 use crate::{rgb::Rgb, surroundings::light_map::LightMap, view::ray::Ray};
@@ -40,7 +45,7 @@ impl Walls {
     }
 }
 
-/// Steps of a light map of a wall, along it and up.
+/// Steps of a light map of a wall, along it and up; by eye **(ours)**.
 const STEPS: [usize; 2] = [96, 96];
 
 /// Light on each wall, by the direction from it into the room; the walls themselves, and as far below the

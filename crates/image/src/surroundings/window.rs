@@ -1,3 +1,8 @@
+//! A rectangle of even light: how it is seen and what it gives.
+//!
+//! Lambert's sum over the edges, 1760; solid angles of rectangles. How a cone sees it: `pane.rs`.
+//! Left out: that light comes through glass, and how it changes over the pane.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;
@@ -221,10 +226,11 @@ fn edge_sum(a: DVec3, b: DVec3, normal: DVec3) -> f64 {
     if length <= 0.0 { 0.0 } else { libm::atan2(length, a.dot(b)) * across.dot(normal) / length }
 }
 
-/// Size of the patches by which a window's shadow is found **(ours)**.
+/// Size of the patches by which a window's shadow is found **(ours)**: a ball's shadow is within 0.006 of the light
+/// (the test in `incident.rs`).
 const PATCH_RAD: f64 = 0.35;
 const MOST_PATCHES: usize = 9;
-/// Most steps along a side of a window.
+/// Most steps along a side of a window, which bounds the work **(ours)**.
 const MOST_STEPS: u32 = 64;
 
 #[cfg(test)]

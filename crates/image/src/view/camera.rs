@@ -1,3 +1,8 @@
+//! The camera: from a place in the view to a line of sight.
+//!
+//! A pinhole, or parallel lines, in a frame that y and the azimuth fix.
+//! Left out: lens, depth of field, distortion; glare is added to the finished picture.
+
 use glam::DVec3;
 
 use crate::view::{direction::direction, ray::Ray};

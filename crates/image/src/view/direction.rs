@@ -1,3 +1,8 @@
+//! Directions: by azimuth and elevation, and evenly over the sphere.
+//!
+//! A ring of latitude has the share cos(elevation) sin(step / 2) of the sphere, exactly.
+//! Left out: grids of equal area; rows of equal angle crowd at the poles.
+
 use std::f64::consts::PI;
 
 use glam::DVec3;
