@@ -57,9 +57,9 @@ fn under(sky: Sky, lamps: Vec<Lamp>) -> Lit {
 }
 
 impl Scene {
-    fn pearl(&self, surface: Surface, body: &Body) -> Pearl {
+    fn pearl(&self, surface: &Surface, body: &Body) -> Pearl {
         let (palette, around) = (self.light.palette(), &self.surroundings);
-        let response = Arc::new(Response::new(&surface, body, &palette, &self.lamps));
+        let response = Arc::new(Response::new(surface, body, &palette, &self.lamps));
         let transport = Transport::new(response, around, 0, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         Pearl { model: Arc::new(Model::Transport(Box::new(transport))), texture: None, grain }
@@ -107,7 +107,7 @@ fn a_lossless_pearl_in_even_light_cannot_be_seen() {
         Microfacets::ggx(0.4),
     ] {
         for spread in [0.0, 0.3, 1000.0] {
-            let pearl = furnace.pearl(Surface::new(film(), microfacets), &white(spread));
+            let pearl = furnace.pearl(&Surface::new(film(), microfacets), &white(spread));
             for (x, y) in PLACES {
                 let (inside, mirror) = furnace.seen(&pearl, x, y);
                 for i in 0..3 {
@@ -141,7 +141,7 @@ fn what_is_missing_in_even_light_is_what_the_body_absorbs() {
         kept
     });
     let palette = furnace.light.palette();
-    let pearl = furnace.pearl(surface.clone(), &Body { reflectance, spread: 0.2 });
+    let pearl = furnace.pearl(&surface, &Body { reflectance, spread: 0.2 });
     for (x, y) in PLACES {
         let cosine = (1.0 - x * x - y * y).sqrt();
         let absorptance: Bands =
@@ -193,7 +193,7 @@ fn without_spread_the_body_is_matt() {
     let scene = scene([0.3, 0.2, 0.1], [0.5, 0.7, 1.0], Some((lamp, 0.02)));
     let surface = Surface::new(film(), Microfacets::grooves(0.05));
     let reflectance: Bands = std::array::from_fn(|band| 0.5 + 0.01 * band as f64);
-    let pearl = scene.pearl(surface.clone(), &Body { reflectance, spread: 0.0 });
+    let pearl = scene.pearl(&surface, &Body { reflectance, spread: 0.0 });
     let leaving = surface.leaving(&reflectance);
     for (x, y) in PLACES {
         let cosine = (1.0 - x * x - y * y).sqrt();
@@ -220,7 +220,7 @@ fn much_spread_is_the_illuminant_limit() {
     let surface = Surface::new(film(), Microfacets::grooves(0.05));
     let all = surface.entering_from_all_sides();
     for scene in lamps.map(|lamp| Box::new(lit(lamp))) {
-        let pearl = scene.pearl(surface.clone(), &white(1000.0));
+        let pearl = scene.pearl(&surface, &white(1000.0));
         for angle in 0..12 {
             let (y, x) = (f64::from(angle) * PI / 6.0).sin_cos();
             let (inside, _) = scene.seen(&pearl, 0.6 * x, 0.6 * y);
@@ -305,7 +305,7 @@ fn few_facets_agree_with_all_of_them() {
         [Microfacets::grooves(0.1), Microfacets::ggx(0.1), Microfacets::grooves(0.25)]
     {
         let surface = Surface::new(film(), microfacets);
-        let pearl = scene.pearl(surface.clone(), &white(0.0));
+        let pearl = scene.pearl(&surface, &white(0.0));
         for place in MIRRORING {
             let all = mirrored_by_all(&scene, &surface, normal_at(place), Some(lamp));
             let (_, mirror) = scene.seen(&pearl, place.0, place.1);

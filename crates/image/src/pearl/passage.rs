@@ -1,7 +1,7 @@
-//! What becomes of light in a pearl, from the surface through the body and out again.
+//! What becomes of light between entering a pearl and leaving it, by degree and band.
 //!
-//! Waves on the sphere fade as heat would **(ours)**; the surface's factors by Funk and Hecke.
-//! Left out: degrees of which less than a stated share is left.
+//! Eigenvalues of the surface (Funk and Hecke) times exp(-l (l + 1) spread) **(ours)**, to the degree that counts.
+//! Left out: where the light comes from, which is each place's own.
 
 use crate::{
     light::{

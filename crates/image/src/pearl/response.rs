@@ -1,7 +1,7 @@
-//! What a pearl's film, facets and body make of light, wherever it lies.
+//! What a pearl makes of light of any kind: by film, microfacets and body, as tables.
 //!
-//! Tables by the cosine of incidence or of the view, from the film's reflectance by band.
-//! Left out: the light itself, which differs from place to place.
+//! Each a spectrum of the film between the palette's bands and RGB, by steps of the cosine.
+//! Left out: the surroundings; so it is made once for all places of a pearl and shared.
 
 use std::sync::Arc;
 

@@ -1,6 +1,6 @@
-//! A window as it stands before one point, for many lines of sight from there.
+//! A window as it stands before one point.
 //!
-//! A Gaussian cone against straight edges, each a great circle to the ray **(ours)**.
+//! A Gaussian cone against four straight edges.
 //! Left out: that a cone wider than a corner sees it sharp.
 
 use std::f64::consts::FRAC_1_SQRT_2;

@@ -1,7 +1,7 @@
-//! What is seen from one point in several directions: pearls, windows, and table, walls and sky behind.
+//! What is seen from one point in several directions.
 //!
-//! From front to back, each layer lets through what its share of a cone of light leaves.
-//! Left out: windows that hide one another.
+//! Pearls and windows before table, walls and sky, each a layer that lets part of a cone of light through.
+//! Left out: that two layers may hide the same part of a cone.
 
 use glam::DVec3;
 

@@ -1,7 +1,7 @@
 //! A rectangle of even light: how it is seen and what it gives.
 //!
-//! Lambert's sum over the edges, 1760; solid angles of rectangles; a Gaussian cone against straight edges.
-//! Left out: that a cone wider than a corner sees it sharp.
+//! Lambert's sum over the edges, 1760; solid angles of rectangles. How a cone sees it: `pane.rs`.
+//! Left out: that light comes through glass, and how it changes over the pane.
 
 use std::f64::consts::PI;
 
