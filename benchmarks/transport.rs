@@ -11,8 +11,8 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, SAMPLES};
 use nacreous_image::{
-    Ball, Body, Film, Glow, Grain, Light, Microfacets, Model, Palette, Pearl, Response, Sky,
-    Source, Surface, Surroundings, Table, Transport, Window,
+    Ball, Body, Film, Glow, Light, Lit, Microfacets, Model, Palette, Response, Sky, Source,
+    Surface, Surroundings, Table, Transport, Window,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Medium, Season};
 
@@ -49,7 +49,7 @@ fn print_parts() {
 
 fn one_run() -> Vec<(&'static str, f64)> {
     let mut parts = Vec::new();
-    let (mut around, palette) = scene();
+    let (around, palette) = scene();
     let columns = timed(&mut parts, "growth", columns);
     let never = AtomicBool::new(false);
     let film = timed(&mut parts, "film", || Film::new(&columns, &never));
@@ -57,11 +57,10 @@ fn one_run() -> Vec<(&'static str, f64)> {
     let microfacets = Microfacets::grooves(FACET_SPREAD_RAD);
     let surface = timed(&mut parts, "surface", || Surface::new(film, microfacets));
     let response = timed(&mut parts, "response", || response(&surface, &palette));
-    timed(&mut parts, "settle", || around.settle());
+    let around = timed(&mut parts, "settle", || around.settled(true));
     let first = timed(&mut parts, "pearl", || pearl(&response, &around));
     let glow: Glow = timed(&mut parts, "glow", || first.glow(&around, 0));
-    around.set_glow(0, glow);
-    timed(&mut parts, "settle again", || around.settle());
+    let around = timed(&mut parts, "settle again", || around.with_glows(vec![glow], true));
     timed(&mut parts, "pearl again", || pearl(&response, &around));
     parts
 }
@@ -132,8 +131,7 @@ fn response(surface: &Surface, palette: &Palette) -> Arc<Response> {
     Arc::new(Response::new(surface, &body, palette, &[]))
 }
 
-fn pearl(response: &Arc<Response>, around: &Surroundings) -> Pearl<'static> {
+fn pearl(response: &Arc<Response>, around: &Lit) -> Model {
     let transport = Transport::new(Arc::clone(response), around, 0, 4);
-    let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-    Pearl { model: Model::Transport(Box::new(transport)), texture: None, grain }
+    Model::Transport(Box::new(transport))
 }

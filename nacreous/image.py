@@ -120,9 +120,7 @@ class Image:
                 outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
         return outside
 
-    def _save_arrays(
-        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str]
-    ) -> float:
+    def _save_arrays(self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str]) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
             _core.write_exr(path, [("", self.linear), *self.layers.items()], self._texts())
@@ -214,15 +212,16 @@ def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
 
 
 def _whole(name: str, value: int) -> int:
-    """A whole number; its range is the renderer's business."""
-    if isinstance(value, Integral) and not isinstance(value, bool) and value >= 0:
+    """A whole number within its range; that samples is a square is for the renderer to see."""
+    most, allowed = _COUNTS[name]
+    if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
         return int(value)
-    raise InputError(f"{name} is {said(value)}; allowed: {_COUNTS[name]}")
+    raise InputError(f"{name} is {said(value)}; allowed: {allowed}")
 
 
 _COUNTS = {
-    "size": f"a whole number from 1 to {_core.MAX_SIZE_PX}",
-    "samples": f"a square number from 1 to {_core.MAX_SAMPLES}, such as 16",
+    "size": (_core.MAX_SIZE_PX, f"a whole number from 1 to {_core.MAX_SIZE_PX}"),
+    "samples": (_core.MAX_SAMPLES, f"a square number from 1 to {_core.MAX_SAMPLES}, such as 16"),
 }
 
 

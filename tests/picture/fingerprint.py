@@ -91,7 +91,6 @@ def _rewrite() -> None:
         for (pearl, scene), (digest, means) in found.items():
             table.writerow([pearl, scene, digest, *(f"{mean:.9g}" for mean in means)])
 
-
     for pearl, scene in RECIPES:
         text = recipe_json(pearl, scene, SIZE_PX) + "\n"
         recipe_file(pearl, scene).write_text(text, encoding="utf-8")
