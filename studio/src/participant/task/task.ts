@@ -27,7 +27,7 @@ export interface Place {
 }
 
 export interface Task {
-  /** A trial as jsPsych plays it; simulations are its plugin's. */
+  /** A trial as jsPsych plays it, of the class trial-page; simulations are its plugin's. */
   trial(setting: Setting, trial: Trial, place: Place): object;
   /** What instructions say of how one answers, after the study's own words. */
   instructions(words: Words, rules: Study["sitting"]): string[];

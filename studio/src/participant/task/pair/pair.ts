@@ -1,5 +1,6 @@
 /** A pair as a task: two pictures, one question, and what is said around them. */
 
+import "./pair.css";
 import { fill, said } from "../../../shared/language";
 import type { Trial } from "../../api";
 import { drawn, pxPerMm, shrinkage } from "../../sizes";
@@ -12,7 +13,7 @@ import type { PairWords, Sizes } from "./view";
 export const pair: Task = {
   trial: (setting, trial, place) => ({
     type: PairPlugin,
-    css_classes: ["pair-page"],
+    css_classes: ["trial-page", "pair-page"],
     ...shown(setting, trial, place),
   }),
   instructions: (words, rules) => [
