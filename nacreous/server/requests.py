@@ -7,6 +7,9 @@ from typing import Annotated, Any, Literal, TypeVar
 from pydantic import AwareDatetime, BaseModel, ConfigDict, Field, JsonValue
 from starlette.requests import Request
 
+from nacreous.study.task.response import Response
+from nacreous.study.task.tasks import Answerable
+
 
 class RequestBody(BaseModel):
     """A body of JSON."""
@@ -35,12 +38,24 @@ class Checking(RequestBody):
 class Answering(RequestBody):
     """The answer to a trial; the trial itself is known."""
 
-    chosen: Literal["left", "right", "tie"]
+    chosen: Answerable
     response_ms: Annotated[float, Field(ge=0, le=86_400_000, allow_inf_nan=False)] | None = None
     shown_at: AwareDatetime | None = None
     answered_at: AwareDatetime | None = None
     flags: Noticed = Field(default_factory=dict)
     simulated: bool = False
+
+    @property
+    def response(self) -> Response:
+        """The same, as study and store take it."""
+        return Response(
+            self.chosen,
+            self.response_ms,
+            self.shown_at,
+            self.answered_at,
+            self.flags,
+            self.simulated,
+        )
 
 
 class LoggingIn(RequestBody):

@@ -18,6 +18,7 @@ from nacreous.study.store import (
     Conflict,
     NotAllowed,
     OutOfTurn,
+    Response,
     Session,
     Store,
     UnknownToken,
@@ -136,11 +137,12 @@ def test_what_is_asked_stands_in_the_plan_and_not_in_the_request(running: Runnin
     at = datetime(2026, 3, 1, tzinfo=UTC)
     for trial in plan:
         chosen = ("left", "right", "tie")[trial.number % 3]
-        running.hand_in(session, trial.number, chosen, 812.5, at, at, {"tab": "hidden"}).result()
+        response = Response(chosen, 812.5, at, at, {"tab": "hidden"})
+        running.hand_in(session, trial.number, response).result()
     rows = running.store.answers(running.study)
     names = ("trial", "question", "left", "right", "kind")
     assert [tuple(row[name] for name in names) for row in rows] == [
-        (one.number, one.question, one.left, one.right, one.kind) for one in plan
+        (one.number, one.question, *one.stimuli, one.kind) for one in plan
     ]
     assert rows[0]["response_ms"] == 812.5
     assert not rows[0]["simulated"]
@@ -150,18 +152,18 @@ def test_what_is_asked_stands_in_the_plan_and_not_in_the_request(running: Runnin
 def test_answers_come_in_turn_and_once(running: Running) -> None:
     session, _ = ready(running)
     with pytest.raises(OutOfTurn):
-        running.hand_in(session, 1, "left").result()
-    assert not running.hand_in(session, 0, "left").result().again
-    assert running.hand_in(session, 0, "left").result().again
+        running.hand_in(session, 1, Response("left")).result()
+    assert not running.hand_in(session, 0, Response("left")).result().again
+    assert running.hand_in(session, 0, Response("left")).result().again
     with pytest.raises(Conflict):
-        running.hand_in(session, 0, "right").result()
+        running.hand_in(session, 0, Response("right")).result()
     count = len(running.plan(session))
     for trial in (-1, count, True, "0", None, 1.0):
         with pytest.raises(InputError, match=f"trial is .*; allowed: 0 to {count - 1}"):
-            running.hand_in(session, trial, "left")
+            running.hand_in(session, trial, Response("left"))
     for chosen in ("middle", None, ["left"]):
         with pytest.raises(InputError, match="chosen is"):
-            running.hand_in(session, 1, chosen)
+            running.hand_in(session, 1, Response(chosen))
 
 
 def test_a_tie_only_where_the_study_has_it(
@@ -172,18 +174,18 @@ def test_a_tie_only_where_the_study_has_it(
     strict = frozen.design.model_copy(update={"sitting": sitting})
     without = Frozen(frozen.folder, strict, "", frozen.study_hash, frozen.stimuli)
     with pytest.raises(InputError, match="chosen is 'tie'; allowed in this study: left, right"):
-        Running(running.store, without).hand_in(session, 0, "tie")
-    running.hand_in(session, 0, "tie").result()
+        Running(running.store, without).hand_in(session, 0, Response("tie"))
+    running.hand_in(session, 0, Response("tie")).result()
 
 
 def test_the_end_comes_after_the_last_answer(running: Running) -> None:
     session, token = ready(running)
     plan = running.plan(session)
     for trial in plan[:-1]:
-        running.hand_in(session, trial.number, "left").result()
+        running.hand_in(session, trial.number, Response("left")).result()
     with pytest.raises(OutOfTurn, match=f"{len(plan) - 1} trials are answered; wanted: all"):
         running.finish(session)
-    running.hand_in(session, len(plan) - 1, "left").result()
+    running.hand_in(session, len(plan) - 1, Response("left")).result()
     running.finish(session)
     running.finish(session)
     assert running.session_of(token).finished_at is not None
@@ -200,7 +202,7 @@ def test_pictures_are_due_once_consented_and_never_to_others(
     assert running.due(session) == frozenset(), "the study refuses screens, and none is checked"
     running.screen(session, GOOD)
     session = running.session_of(token)
-    shown = {label for trial in running.plan(session) for label in (trial.left, trial.right)}
+    shown = {label for trial in running.plan(session) for label in trial.stimuli}
     assert running.due(session) == {one.sha256 for one in frozen.stimuli if one.label in shown}
     running.store.withdraw(session.id)
     assert running.due(running.session_of(token)) == frozenset()
@@ -209,13 +211,19 @@ def test_pictures_are_due_once_consented_and_never_to_others(
 def test_nothing_is_taken_without_consent_or_after_withdrawing(running: Running) -> None:
     token = draw()
     session = running.enter(token, "en", HERE)
-    for act in (lambda: running.screen(session, GOOD), lambda: running.hand_in(session, 0, "left")):
+    for act in (
+        lambda: running.screen(session, GOOD),
+        lambda: running.hand_in(session, 0, Response("left")),
+    ):
         with pytest.raises(NotAllowed, match="consent is missing"):
             act()
     session, token = ready(running)
     running.store.withdraw(session.id)
     session = running.session_of(token)
-    for act in (lambda: running.screen(session, GOOD), lambda: running.hand_in(session, 0, "left")):
+    for act in (
+        lambda: running.screen(session, GOOD),
+        lambda: running.hand_in(session, 0, Response("left")),
+    ):
         with pytest.raises(NotAllowed, match="withdrew"):
             act()
 
@@ -225,14 +233,14 @@ def test_a_screen_that_is_refused_may_be_mended_and_the_last_check_counts(runnin
     assert running.refused(session)
     assert running.screen_flags(session) == ("small-window",)
     with pytest.raises(NotAllowed, match=r"the screen is refused \(small-window\)"):
-        running.hand_in(session, 0, "left")
+        running.hand_in(session, 0, Response("left"))
     assert running.screen(session, GOOD) == ()
     session = running.session_of(token)
     assert session.screen == {**GOOD, "flags": []}
-    running.hand_in(session, 0, "left").result()
+    running.hand_in(session, 0, Response("left")).result()
     running.screen(session, SMALL)
     with pytest.raises(NotAllowed):
-        running.hand_in(running.session_of(token), 1, "left")
+        running.hand_in(running.session_of(token), 1, Response("left"))
 
 
 def test_a_study_that_refuses_screens_wants_a_check(running: Running) -> None:
@@ -240,7 +248,7 @@ def test_a_study_that_refuses_screens_wants_a_check(running: Running) -> None:
     session = running.enter(token, "en", HERE)
     running.store.consent(session.id)
     with pytest.raises(NotAllowed, match="the screen check is missing"):
-        running.hand_in(running.session_of(token), 0, "left")
+        running.hand_in(running.session_of(token), 0, Response("left"))
 
 
 @pytest.mark.parametrize(

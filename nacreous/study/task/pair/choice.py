@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,88 +11,85 @@ from nacreous.scaling.door.comparisons import Comparisons
 from nacreous.scaling.planning.design import random_design
 from nacreous.scaling.planning.selection import next_pairs
 from nacreous.scaling.planning.sequence import balanced_sides
-from nacreous.study.design.design import Design
-from nacreous.study.plan.random_streams import PAIRS, TELLING, stream
+from nacreous.study.random_streams import PAIRS, TELLING, stream
+from nacreous.study.task.asked import Asked
+from nacreous.study.task.pair.keys import PairKeys
+from nacreous.study.task.task import Items
 
-__all__ = ["Choice", "choices", "chosen"]
+__all__ = ["choices", "chosen"]
 
 Pairs = NDArray[np.int64]
 
 
-@dataclass(frozen=True)
-class Choice:
-    """Pairs as int64 [pair, 2], left and right when shown first, as indices of labels.
-
-    The first `repeated` of them are shown once more, the sides exchanged.
-    """
-
-    pairs: Pairs
-    repeated: int
-
-    def mirrored(self) -> Choice:
-        """The same with left and right exchanged."""
-        return Choice(self.pairs[:, ::-1], self.repeated)
-
-
 def choices(
-    design: Design, number: int, questions: list[str], so_far: Mapping[str, Comparisons]
-) -> list[Choice]:
+    asked: Asked[PairKeys],
+    number: int,
+    questions: Sequence[str],
+    so_far: Mapping[str, Comparisons],
+) -> list[Items]:
     """The pairs of a participant under each question, in the order in which they are asked."""
-    if design.pairs.kind == "adaptive":
-        random = stream(design, TELLING, number)
-        return [_telling(design, so_far.get(question), random) for question in questions]
+    if asked.keys.pairs.kind == "adaptive":
+        random = stream(asked.seed, TELLING, number)
+        return [_telling(asked, so_far.get(question), random) for question in questions]
     # Under every other question mirrored, which evens out the one that an odd number leaves.
-    choice = chosen(design, number)
-    return [choice.mirrored() if place % 2 else choice for place in range(len(questions))]
+    choice = chosen(asked, number)
+    return [_mirrored(choice) if place % 2 else choice for place in range(len(questions))]
 
 
-def chosen(design: Design, number: int) -> Choice:
+def chosen(asked: Asked[PairKeys], number: int) -> Items:
     """The pairs of a participant; those of numbers 2k and 2k + 1 are the same, mirrored.
 
     Pairs shown twice have each stimulus once on either side. The others are placed so that each
     stimulus is as often on the left as on the right, or once more where their number is odd.
     """
-    random = stream(design, PAIRS, number // 2)
-    choice = _placed(design, _undirected(design, random), random)
-    return choice.mirrored() if number % 2 else choice
+    random = stream(asked.seed, PAIRS, number // 2)
+    choice = _placed(asked, _undirected(asked, random), random)
+    return _mirrored(choice) if number % 2 else choice
 
 
-def _telling(design: Design, counts: Comparisons | None, random: np.random.Generator) -> Choice:
+def _mirrored(choice: Items) -> Items:
+    """The same with left and right exchanged."""
+    return Items(choice.stimuli[:, ::-1], choice.repeated)
+
+
+def _telling(
+    asked: Asked[PairKeys], counts: Comparisons | None, random: np.random.Generator
+) -> Items:
     """The pairs that tell most after the answers so far, placed as the others are.
 
     Without answers they are pairs that join all stimuli, drawn by lot.
     """
     if counts is None:
-        return _placed(design, _drawn(design, random), random)
-    index = {label: place for place, label in enumerate(design.labels)}
+        return _placed(asked, _drawn(asked, random), random)
+    index = {label: place for place, label in enumerate(asked.labels)}
     found = next_pairs(
         counts,
-        design.pairs.number or 1,
-        stimuli=design.labels,
+        asked.keys.pairs.number or 1,
+        stimuli=asked.labels,
         seed=int(random.integers(2**62)),
         distinct=True,
     )
     pairs = [sorted((index[pair.left], index[pair.right])) for pair in found]
-    return _placed(design, np.array(pairs, dtype=np.int64), random)
+    return _placed(asked, np.array(pairs, dtype=np.int64), random)
 
 
-def _placed(design: Design, pairs: Pairs, random: np.random.Generator) -> Choice:
+def _placed(asked: Asked[PairKeys], pairs: Pairs, random: np.random.Generator) -> Items:
     pairs = random.permutation(pairs, axis=0)
-    repeated = design.pairs.repeated(len(pairs))
+    repeated = asked.keys.pairs.repeated(len(pairs))
     parts = [part for part in (pairs[:repeated], pairs[repeated:]) if len(part)]
-    count = len(design.labels)
+    count = len(asked.labels)
     sided = np.concatenate([balanced_sides(part, count, random) for part in parts])
-    return Choice(sided, repeated)
+    return Items(sided, repeated)
 
 
-def _undirected(design: Design, random: np.random.Generator) -> Pairs:
-    if design.pairs.kind == "all":
-        return np.stack(np.triu_indices(len(design.labels), 1), axis=1).astype(np.int64)
-    return _drawn(design, random)
+def _undirected(asked: Asked[PairKeys], random: np.random.Generator) -> Pairs:
+    if asked.keys.pairs.kind == "all":
+        return np.stack(np.triu_indices(len(asked.labels), 1), axis=1).astype(np.int64)
+    return _drawn(asked, random)
 
 
-def _drawn(design: Design, random: np.random.Generator) -> Pairs:
+def _drawn(asked: Asked[PairKeys], random: np.random.Generator) -> Pairs:
     """Pairs by lot that join all stimuli."""
-    number = design.pairs.number or 1
-    drawn = random_design(len(design.labels), number, int(random.integers(2**62)))
+    number = asked.keys.pairs.number or 1
+    drawn = random_design(len(asked.labels), number, int(random.integers(2**62)))
     return np.sort(np.stack([drawn.left, drawn.right], axis=1), axis=1)
