@@ -84,6 +84,11 @@ test-processors:
         CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu" \
         $tests --target aarch64-unknown-linux-gnu
 
+# Write the fingerprints of pictures anew, tests/golden/pictures.csv, after a change that is meant
+[group("trust")]
+fingerprints: setup
+    python tests/picture/fingerprint.py
+
 # Measure the speed of the main jobs
 [group("trust")]
 [script]

@@ -1,4 +1,7 @@
 //! Linear RGB as three numbers, and the little arithmetic that light needs.
+//!
+//! Primaries and luminance of sRGB, IEC 61966-2-1.
+//! Left out: other primaries, which `nacreous-colour` knows, and any clipping; channels may be negative.
 
 /// Linear light in the primaries of sRGB; may be negative for colours outside its gamut.
 pub type Rgb = [f64; 3];

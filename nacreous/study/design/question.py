@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from nacreous.spec.key import key
 from nacreous.spec.section import Section
-from nacreous.spec.words import WORD, Word
-from nacreous.study.design.words import WORDS, Words
+from nacreous.spec.texts import WORD, Word
+from nacreous.study.design.multilingual import WORDS, Words
 
 
 class Question(Section):

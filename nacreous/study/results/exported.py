@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.table import Table, read_table
+from nacreous.scaling.data.table import Table, read_table
 from nacreous.study.results.scale import called_simulated
 from nacreous.study.store.codebook import COLUMNS
 from nacreous.study.task.counting import counts

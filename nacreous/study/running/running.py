@@ -8,7 +8,7 @@ from typing import Any
 
 from nacreous.problem import InputError
 from nacreous.study.design import Frozen
-from nacreous.study.design.words import Words
+from nacreous.study.design.multilingual import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
 from nacreous.study.running.plans import Plans, plain, shown, trials_of
 from nacreous.study.running.screening import flags_of, is_refused

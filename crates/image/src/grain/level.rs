@@ -1,4 +1,7 @@
 //! One level of a texture: the field up to some degree on a grid, and the look-up between its cells.
+//!
+//! Synthesis by `harmonics`; straight lines between cells.
+//! Left out: cells that are alike in area; rows crowd at the poles.
 
 use crate::harmonics::{CHANNELS, Coefficients, Place, synthesise};
 use glam::Vec3A;

@@ -1,3 +1,8 @@
+//! Where a direction points: colatitude and longitude.
+//!
+//! A minimax polynomial for the arctangent, to 2e-7 rad.
+//! Left out: more digits; a texel is 10 000 times as wide.
+
 use std::f32;
 
 use glam::DVec3;

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from nacreous.spec.complaint import Contradiction, nearest, shown
 from nacreous.spec.key import key
 from nacreous.spec.section import Section
-from nacreous.spec.words import NAME, WORD, Name, Word
+from nacreous.spec.texts import NAME, WORD, Name, Word
 
 
 class Catch(Section):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 from nacreous.study.task.asked import Asked
 from nacreous.study.task.flag import RATE, Flag
 from nacreous.study.task.pair.chance import at_least, one_sided

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.task.asked import Asked
 from nacreous.study.task.column import Column
 from nacreous.study.task.flag import Flag
