@@ -21,7 +21,12 @@ class Section(BaseModel):
     """
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True
+        frozen=True,
+        extra="forbid",
+        strict=True,
+        allow_inf_nan=False,
+        validate_default=True,
+        json_schema_serialization_defaults_required=True,  # every key is written out
     )
 
     def __init__(self, **values: Any) -> None:
