@@ -95,7 +95,8 @@ def draw_colours():
     pairs = [iridescence.exact(stack) for stack in columns(UNIAXIAL)[:8]]
     exact = [np.mean([pair[i].at(angle) for pair in pairs], axis=0) for i in (0, 1)]
     within = np.mean(
-        [iridescence.illuminant(s, diffuse_loss=LOSS).at(angle) for s in columns(PAPER)[:8]], axis=0
+        [iridescence.illuminant_model(s, diffuse_loss=LOSS).at(angle) for s in columns(PAPER)[:8]],
+        axis=0,
     )
     names = ("exact R (brighter)", "exact T", "model of 1996")
     with figure.figure(FOLDER / "coherence-colours.png", 3, 9, 1.5) as axes:

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core, colour
+from nacreous.deprecation import keep_former_names
 from nacreous.number import row_of, said, within
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
     from nacreous.spec import Pearl
 
-__all__ = ["PIGMENTS", "absorption", "of_pearl", "reflectance"]
+__all__ = ["PIGMENTS", "absorption", "reflectance", "reflectance_of_body"]
 
 Array = NDArray[np.float64]
 
@@ -80,14 +81,15 @@ def _nucleus(given: str | ArrayLike) -> Array:
     return np.ascontiguousarray(row)
 
 
-def of_pearl(pearl: Pearl, nacre_mm_of_stack: float) -> Array:
+def reflectance_of_body(pearl: Pearl, nacre_mm_of_stack: float) -> Array:
     """Reflectance [401] of a pearl's body, as its file says.
 
     nacre_mm_of_stack: thickness of its layers in mm, 0 or more, for a file that leaves
     body.nacre_mm out; more than the pearl's radius counts as the radius. Raises `InputError`.
 
     >>> from nacreous.spec import Pearl
-    >>> thin, thick = (of_pearl(Pearl(body={"pigment": "gold"}), mm) for mm in (0.1, 0.5))
+    >>> gold = Pearl(body={"pigment": "gold"})
+    >>> thin, thick = (reflectance_of_body(gold, nacre_mm) for nacre_mm in (0.1, 0.5))
     >>> bool(thin[60] > thick[60])  # at 440 nm
     True
     """
@@ -100,3 +102,6 @@ def of_pearl(pearl: Pearl, nacre_mm_of_stack: float) -> Array:
     return reflectance(
         body.pigment, nacre_mm, body.pigment_strength, body.scattering_per_mm, body.nucleus
     )
+
+
+keep_former_names(__name__, {"of_pearl": "reflectance_of_body"})

@@ -14,16 +14,18 @@ This frame turns what goes wrong into one plain line and an exit code; the comma
 from __future__ import annotations
 
 import argparse
+import atexit
+import gc
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from typing import NoReturn
 
-from nacreous.commands import crops, grow, paper, presets, render, scale, schema, sheets, study
 from nacreous.problem import InputError
 
-#: In the order of the help page.
-COMMANDS = (render, grow, sheets, paper, crops, scale, study, presets, schema)
+#: Modules of `nacreous.commands`, in the order of the help page.
+COMMANDS = ("render", "grow", "sheets", "paper", "crops", "scale", "study", "presets", "schema")
 
 _EXAMPLES = """\
 examples:
@@ -48,8 +50,8 @@ class _Parser(argparse.ArgumentParser):
         raise InputError(f"{message}\ntry: {self.prog} --help")
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """The parser with all commands."""
+def build_parser(commands: Sequence[str]) -> argparse.ArgumentParser:
+    """The parser with these commands."""
     parser = _Parser(
         prog="nacreous",
         description="From the layers of a pearl to the way people judge its look.",
@@ -59,9 +61,17 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="store_true", help="print the version and stop")
     subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command")
-    for command in COMMANDS:
-        command.add_parser(subparsers)
+    for command in commands:
+        import_module(f"nacreous.commands.{command}").add_parser(subparsers)
     return parser
+
+
+def run_program() -> int:
+    """Run the command that this process was started for, and give its exit code."""
+    # Python's last search for garbage would take as long as reading the files did; what lies in
+    # no circle is cleaned up all the same.
+    atexit.register(gc.freeze)
+    return main()
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -86,9 +96,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(arguments: list[str]) -> int:
-    parser = build_parser()
+    commands: Sequence[str] = COMMANDS
     if arguments and not arguments[0].startswith("-"):
         _check_command(arguments[0])
+        commands = arguments[:1]  # the others need not be loaded
+    parser = build_parser(commands)
     try:
         args = parser.parse_args(arguments)
     except SystemExit as done:  # --help has been printed
@@ -103,13 +115,12 @@ def _run(arguments: list[str]) -> int:
 
 def _check_command(name: str) -> None:
     """Say which command was probably meant."""
-    names = [command.__name__.rpartition(".")[2] for command in COMMANDS]
-    if name in names:
+    if name in COMMANDS:
         return
     from difflib import get_close_matches
 
-    near = get_close_matches(name, names, n=1)
-    hint = f"did you mean {near[0]}?" if near else f"commands: {', '.join(names)}"
+    near = get_close_matches(name, COMMANDS, n=1)
+    hint = f"did you mean {near[0]}?" if near else f"commands: {', '.join(COMMANDS)}"
     raise InputError(f"{ascii(name)[1:-1]} is not a command; {hint}")
 
 

@@ -4,19 +4,22 @@ Readers name the file, the problem and what is allowed in one line (`InputError`
 decode anything that is beyond the limits: 16384 pixels a side, 64 megapixels, 512 MiB.
 """
 
+from __future__ import annotations
+
 import os
-import secrets
 import stat
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING
 
 from nacreous import _core
 from nacreous.problem import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = ["atomic", "check_output", "read_panorama", "read_photograph", "read_png_text"]
 
@@ -138,7 +141,7 @@ def _target(path: str | PathLike[str]) -> Path:
 def _create_beside(path: str | PathLike[str], target: Path) -> Path:
     """Create an empty file of an unused name, hidden, in the folder of `target`."""
     # The name is short, for the target's own may be as long as names can be.
-    temporary = target.with_name(f".nacreous-{secrets.token_hex(4)}{target.suffix[:16]}")
+    temporary = target.with_name(f".nacreous-{os.urandom(4).hex()}{target.suffix[:16]}")
     if not target.parent.is_dir():
         raise InputError(f"{path}: the folder {target.parent} does not exist")
     try:

@@ -173,12 +173,12 @@ def _prepared(
     grains: dict[Any, _core.Texture] = {}
     prepared: list[tuple[Mapping[str, Any], _core.Texture | None]] = []
     for pearl in pearls:
-        seen, grain = look.of_pearl(pearl), (pearl.texture, pearl.diameter_mm, pearl.texture_seed)
+        seen, grain = look.subject_of(pearl), (pearl.texture, pearl.diameter_mm, pearl.texture_seed)
         if not any(seen[weight] for weight in look.GRAIN):
             prepared.append((seen, None))
             continue
         if grain not in grains:
-            grains[grain] = texture.of_pearl(pearl, 2 * pixel_mm / pearl.diameter_mm)
+            grains[grain] = texture.texture_of(pearl, 2 * pixel_mm / pearl.diameter_mm)
         prepared.append((seen, grains[grain]))
     return prepared
 

@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core, colour
+from nacreous.deprecation import keep_former_names
 from nacreous.nacre import LayerStack
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
 
-__all__ = ["ByAngle", "exact", "illuminant"]
+__all__ = ["ByAngle", "exact", "illuminant_model"]
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ def exact(
     return reflected, transmitted
 
 
-def illuminant(
+def illuminant_model(
     stack: LayerStack,
     light: str | ArrayLike = "D65",
     observer: colour.Observer = "1931-2",
@@ -83,7 +84,7 @@ def illuminant(
     Its colours jump where one layer more begins to interfere, by about CIEDE2000 0.5 in grown
     nacre and by 5 where all layers are equal; between jumps straight lines stay within 0.2.
 
-    >>> rings = illuminant(LayerStack([420.0] * 100))
+    >>> rings = illuminant_model(LayerStack([420.0] * 100))
     >>> float(rings.xyz[:, 1].max())
     1.0
     """
@@ -103,3 +104,6 @@ def _checked(stack: LayerStack, light: str | ArrayLike) -> tuple[_core.Stack, ND
     if spectrum.shape != (401,):
         raise InputError(f"light has shape {list(spectrum.shape)}; allowed: [401]")
     return stack.at(colour.WAVELENGTH_NM), spectrum
+
+
+keep_former_names(__name__, {"illuminant": "illuminant_model"})

@@ -9,13 +9,13 @@ from nacreous.film import columns_of
 from nacreous.nacre import stack_of
 from nacreous.spec import Pearl
 
-__all__ = ["GRAIN", "of_pearl", "outer_um_of"]
+__all__ = ["GRAIN", "outer_um_of", "subject_of"]
 
 #: Weights of the grain; it shows where one of them is above 0.
 GRAIN = ("hue_weight", "chroma_weight", "value_weight")
 
 
-def of_pearl(pearl: Pearl) -> dict[str, Any]:
+def subject_of(pearl: Pearl) -> dict[str, Any]:
     """What the renderer needs of the pearl; knobs give what the file leaves open."""
     knobs = _core.parameters(pearl.depth, pearl.shininess, pearl.grain)
     common = {"facet_spread_rad": pearl.surface.facet_spread_rad}
@@ -65,7 +65,7 @@ def _transport(pearl: Pearl, knobs: dict[str, float]) -> dict[str, Any]:
     return {
         "facets": pearl.surface.facets,
         "columns": [column._core for column in columns],
-        "body_reflectance": body.of_pearl(pearl, 1e-3 * stack_of(pearl).total_um),
+        "body_reflectance": body.reflectance_of_body(pearl, 1e-3 * stack_of(pearl).total_um),
         "spread": knobs["spread"] if spread is None else spread,
     }
 

@@ -1,17 +1,24 @@
-"""Numbers from outside, checked once: what they are, or one clear message."""
+"""Numbers from outside, checked once: what they are, or one clear message.
+
+NumPy is loaded by the checks that need it: whoever asks for `said` alone may do without.
+"""
 
 from __future__ import annotations
 
 import reprlib
-
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
 
 def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """A one-dimensional float64 array of the values, or one clear message."""
+    import numpy as np
+
     row = np.atleast_1d(array_of(name, values))
     if row.ndim > 1:
         raise InputError(f"{name} has {row.ndim} dimensions; allowed: 1")
@@ -20,6 +27,8 @@ def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """A float64 array of the values, in their shape, or one clear message."""
+    import numpy as np
+
     try:
         array = np.asarray(values)
     except (TypeError, ValueError):  # lists of different lengths
@@ -31,6 +40,8 @@ def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 def number_of(name: str, value: object) -> float:
     """A finite or infinite float, or one clear message."""
+    import numpy as np
+
     if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
         try:
             return float(value)
@@ -46,6 +57,8 @@ def whole_of(name: str, value: object, least: int, most: int) -> int:
     Traceback (most recent call last):
     nacreous.problem.InputError: columns is 2.5; allowed: a whole number, 2 to 100
     """
+    import numpy as np
+
     if isinstance(value, int | np.integer) and not isinstance(value, bool):
         number = int(value)
         if least <= number <= most:
@@ -68,6 +81,8 @@ def within(name: str, value: object, least: float, most: float) -> float:
 
 def index_of(name: str, value: object) -> complex:
     """A complex index, or one clear message."""
+    import numpy as np
+
     if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):
         try:
             return complex(value)

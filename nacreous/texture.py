@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous._core import Texture, procedural_grain, synthesise_texture
 from nacreous.colour import hvc_from_rgb
+from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
 from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
@@ -26,7 +27,7 @@ from nacreous.problem import InputError
 if TYPE_CHECKING:
     from nacreous.spec import Pearl
 
-__all__ = ["Analysis", "GrainSpectrum", "Texture", "analyse", "of_pearl", "synthesise"]
+__all__ = ["Analysis", "GrainSpectrum", "Texture", "analyse", "synthesise", "texture_of"]
 
 Array = NDArray[np.float64]
 
@@ -189,13 +190,13 @@ def synthesise(
     )
 
 
-def of_pearl(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
+def texture_of(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
     """The texture that a pearl file asks for: of its photograph, or of the procedural stand-in.
 
     footprint_rad: as for `synthesise`.
 
     >>> from nacreous.spec import Pearl
-    >>> of_pearl(Pearl(diameter_mm=2.0)).band_limit
+    >>> texture_of(Pearl(diameter_mm=2.0)).band_limit
     75
     """
     wanted = pearl.texture
@@ -284,3 +285,6 @@ def _correlation(waves: NDArray[np.complex128]) -> Array:
     correlation: Array = np.divide(product, known, out=np.zeros((3, 3)), where=known > 0)
     np.fill_diagonal(correlation, 1.0)
     return correlation
+
+
+keep_former_names(__name__, {"of_pearl": "texture_of"})

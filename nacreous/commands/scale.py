@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from nacreous.scaling.report.analysis import Study
+    from nacreous.scaling.report.analysis import Analysis
     from nacreous.scaling.report.settings import Settings
 
 _EXAMPLES = """\
@@ -99,7 +99,7 @@ def run(args: argparse.Namespace) -> int:
     """Check everything, compute, write, say what was found."""
     from nacreous import file
     from nacreous.commands.progress import bar
-    from nacreous.scaling.report.analysis import SUFFIXES, study
+    from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
     for output in outputs:
@@ -107,7 +107,7 @@ def run(args: argparse.Namespace) -> int:
     settings, data = _settings(args), _data(args)
     begin = time.monotonic()
     with bar("resampling") as show:
-        found = study(data, settings, example=args.answers == PAPER, progress=show)
+        found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
     print(_told(found, time.monotonic() - begin))
     for output in outputs:
@@ -154,7 +154,7 @@ def _columns(args: argparse.Namespace) -> dict[str, Any]:
     return names
 
 
-def _write(found: Study, outputs: list[str], language: str) -> None:
+def _write(found: Analysis, outputs: list[str], language: str) -> None:
     """All files or none: each is written beside its place, and all take their places at the end."""
     from contextlib import ExitStack
 
@@ -167,7 +167,7 @@ def _write(found: Study, outputs: list[str], language: str) -> None:
             place.write_text(text, encoding="utf-8", newline="\n")
 
 
-def _told(found: Study, seconds: float) -> str:
+def _told(found: Analysis, seconds: float) -> str:
     """In a few lines what was found."""
     fit, doubt = found.fit, found.doubt
     width = max(len(label) for label in fit.stimuli)

@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 from nacreous.spec.key import key, quantity
 from nacreous.spec.section import Section
-from nacreous.spec.words import COLOUR, Colour
+from nacreous.spec.texts import COLOUR, Colour
 
 #: The columns of data/pigments.csv, and none at all. A test compares the two: reading files needs
 #: no compiled room.

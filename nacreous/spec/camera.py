@@ -6,7 +6,7 @@ from typing import Literal
 
 from nacreous.spec.key import key, quantity
 from nacreous.spec.section import Section
-from nacreous.spec.words import WHITE, WHITE_EXAMPLES, White
+from nacreous.spec.texts import WHITE, WHITE_EXAMPLES, White
 
 
 class Camera(Section):

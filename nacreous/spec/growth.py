@@ -225,4 +225,4 @@ class Growth(Nacre):
 class Grown(Section):
     """Growth alone, without a pearl whose model would ask more of its media."""
 
-    nacre: Growth = section(Growth, "The layers, grown over a season.")
+    nacre: Growth = section("The layers, grown over a season.")

@@ -104,15 +104,17 @@ def _plain(number: float | None) -> str:
     return str(int(number)) if number == int(number) else f"{number:g}"
 
 
-def section(default: Any, meaning: str, *, model: str = "") -> Any:
-    """Declare a table of keys; `default` is its class, or None where it may be left out.
+def section(meaning: str, *, optional: bool = False, model: str = "") -> Any:
+    """Declare a table of keys; left out, it is as an empty one, or None where it is `optional`.
 
     `model` names the only model that has the table.
     """
     made: dict[str, Any] = {"description": " ".join([meaning, *_belonging(model)])}
     if model:
         made["json_schema_extra"] = {"model": model}
-    return Field(None, **made) if default is None else Field(default_factory=default, **made)
+    # Checked as if it stood in the file: an instance as default would have pydantic build the
+    # validator of each table's class, beside the one of the whole file.
+    return Field(None, **made) if optional else Field(default_factory=dict, **made)
 
 
 def alternatives(annotation: Any) -> tuple[Any, ...]:

@@ -11,7 +11,7 @@ from pydantic import Field
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import key, quantity
 from nacreous.spec.section import Section
-from nacreous.spec.words import SPECTRUM, SPECTRUM_EXAMPLES, Spectrum
+from nacreous.spec.texts import SPECTRUM, SPECTRUM_EXAMPLES, Spectrum
 
 #: Lamps stay clear of the largest pearl (radius 15 mm).
 _NEAREST_LAMP_MM = 20.0

@@ -19,8 +19,8 @@ from nacreous.spec.model import own_keys, strangers
 from nacreous.spec.nacre import Layers
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.surface import Surface
+from nacreous.spec.texts import COLOUR, NAME, Colour, Name
 from nacreous.spec.texture import Texture
-from nacreous.spec.words import COLOUR, NAME, Colour, Name
 
 
 def _grown_or_listed(nacre: Any) -> str:
@@ -84,15 +84,13 @@ class Pearl(SpecFile):
     nacre: Annotated[
         Annotated[Growth, Tag("growth")] | Annotated[Layers, Tag("layers")],
         Discriminator(_grown_or_listed),
-    ] = section(Growth, "The layers: grown over a season, or listed in thickness_nm.")
-    film: Film = section(Film, "The outer layers, which interfere.", model="transport")
-    body: Body = section(Body, "The scattering nacre and the nucleus.", model="transport")
-    inside: Inside = section(Inside, "The way of the light inside.", model="transport")
-    interference: Interference = section(
-        Interference, "The sum of the interfering light.", model="illuminant"
-    )
-    surface: Surface = section(Surface, "The mirroring surface.")
-    texture: Texture = section(Texture, "The grain of the surface.")
+    ] = section("The layers: grown over a season, or listed in thickness_nm.")
+    film: Film = section("The outer layers, which interfere.", model="transport")
+    body: Body = section("The scattering nacre and the nucleus.", model="transport")
+    inside: Inside = section("The way of the light inside.", model="transport")
+    interference: Interference = section("The sum of the interfering light.", model="illuminant")
+    surface: Surface = section("The mirroring surface.")
+    texture: Texture = section("The grain of the surface.")
 
     @property
     def texture_seed(self) -> int:

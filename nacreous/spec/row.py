@@ -9,7 +9,7 @@ from pydantic import AfterValidator, Field
 from nacreous.spec import preset
 from nacreous.spec.key import FilePath, key
 from nacreous.spec.section import Section
-from nacreous.spec.words import NAME, Name, ending
+from nacreous.spec.texts import NAME, Name, ending
 
 #: The most pearls in one scene.
 MOST_PEARLS = 400

@@ -19,8 +19,8 @@ from nacreous.spec.lamp import Lamp
 from nacreous.spec.row import GIVEN, MOST_PEARLS, Row
 from nacreous.spec.section import Section
 from nacreous.spec.specfile import SpecFile
+from nacreous.spec.texts import COLOUR, NAME, Colour, Name, ending
 from nacreous.spec.window import Window
-from nacreous.spec.words import COLOUR, NAME, Colour, Name, ending
 
 
 class Table(Section):
@@ -169,7 +169,7 @@ class Scene(SpecFile):
         source="**(ours)**",
         left_out="1.1 x the largest pearl's diameter",
     )
-    camera: Camera = section(Camera, "The camera.")
+    camera: Camera = section("The camera.")
     lamps: Annotated[tuple[Lamp, ...], Field(max_length=256)] = key(
         (),
         "The lamps, each headed [[lamps]].",
@@ -191,9 +191,9 @@ class Scene(SpecFile):
         source="**(ours)**",
         strict=False,
     )
-    table: Table = section(Table, "The table below the pearl.")
-    walls: Walls | None = section(None, "The walls around; none when left out.")
-    sky: Sky = section(Sky, "What lies beyond.")
+    table: Table = section("The table below the pearl.")
+    walls: Walls | None = section("The walls around; none when left out.", optional=True)
+    sky: Sky = section("What lies beyond.")
 
     def contradictions(self) -> Iterator[Contradiction]:
         """Rows that cannot be filled, or a lit plate below a table."""

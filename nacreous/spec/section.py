@@ -27,6 +27,7 @@ class Section(BaseModel):
         allow_inf_nan=False,
         validate_default=True,
         json_schema_serialization_defaults_required=True,  # every key is written out
+        defer_build=True,  # most commands read one kind of file, or none
     )
 
     def __init__(self, **values: Any) -> None:

@@ -10,7 +10,7 @@ from pydantic import Field
 from nacreous.spec.complaint import Contradiction
 from nacreous.spec.key import FilePath, key, quantity
 from nacreous.spec.section import Section
-from nacreous.spec.words import ending
+from nacreous.spec.texts import ending
 
 _PHOTOGRAPHS = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
 

@@ -8,7 +8,7 @@ import { rowOf } from "../src/lab/views/person";
 import { scale } from "../src/lab/views/scale";
 import { en } from "../src/lab/words/en";
 import { ja } from "../src/lab/words/ja";
-import { Speech } from "../src/lab/words/words";
+import { Speech } from "../src/lab/words/speech";
 
 /** Every text by its path. */
 function flat(words: object, path = ""): Map<string, string> {

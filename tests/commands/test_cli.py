@@ -16,13 +16,15 @@ from nacreous.problem import InputError
 from nacreous.spec import preset
 
 
-def stand_in(run: Any) -> Any:
-    """A command `probe` whose body is the given function."""
+def stand_in(monkeypatch: Any, run: Any) -> None:
+    """Make a command `probe`, whose body is the given function, the only one."""
 
     def add_parser(subparsers: Any) -> None:
         subparsers.add_parser("probe", help="a command of the test").set_defaults(run=run)
 
-    return SimpleNamespace(__name__="nacreous.commands.probe", add_parser=add_parser)
+    probe = SimpleNamespace(add_parser=add_parser)
+    monkeypatch.setitem(sys.modules, "nacreous.commands.probe", probe)
+    monkeypatch.setattr(cli, "COMMANDS", ("probe",))
 
 
 def raising(problem: BaseException) -> Any:
@@ -43,7 +45,7 @@ def raising(problem: BaseException) -> Any:
 def test_what_goes_wrong_is_said_in_plain_lines_with_its_code(
     monkeypatch: Any, capsys: Any, problem: BaseException, code: int, said: str
 ) -> None:
-    monkeypatch.setattr(cli, "COMMANDS", (stand_in(raising(problem)),))
+    stand_in(monkeypatch, raising(problem))
     assert cli.main(["probe"]) == code
     captured = capsys.readouterr()
     assert captured.err == said
@@ -51,7 +53,7 @@ def test_what_goes_wrong_is_said_in_plain_lines_with_its_code(
 
 
 def test_a_mistake_of_ours_is_not_hidden(monkeypatch: Any) -> None:
-    monkeypatch.setattr(cli, "COMMANDS", (stand_in(raising(ZeroDivisionError())),))
+    stand_in(monkeypatch, raising(ZeroDivisionError()))
     with pytest.raises(ZeroDivisionError):
         cli.main(["probe"])
 
@@ -79,7 +81,7 @@ def test_bad_arguments_end_with_code_2(capsys: Any, arguments: list[str], said: 
 
 
 def test_every_command_explains_itself_with_examples(capsys: Any) -> None:
-    for arguments in [[], *([command.__name__.rpartition(".")[2]] for command in cli.COMMANDS)]:
+    for arguments in [[], *([command] for command in cli.COMMANDS)]:
         assert cli.main([*arguments, "--help"]) == 0
         page = capsys.readouterr().out
         assert "examples:" in page
@@ -149,3 +151,12 @@ def test_help_loads_nothing_heavy() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.DEVNULL, check=False)
     assert done.returncode == 0
+
+
+def test_the_program_ends_without_a_search_for_garbage() -> None:
+    code = (
+        "import atexit, gc, sys; from nacreous import cli; sys.argv = ['nacreous', '--version']; "
+        "atexit.register(lambda: print(gc.get_freeze_count() > 0)); cli.run_program()"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "True"

@@ -413,6 +413,30 @@ def test_importing_the_package_loads_no_room(tmp_path: Path) -> None:
     assert not loaded & {"numpy", "pydantic", "matplotlib", "scipy", "nacreous._core"}
 
 
+def test_a_command_loads_no_other(tmp_path: Path) -> None:
+    loaded = loaded_after("from nacreous.cli import main; main(['render', '-h'])", tmp_path)
+    commands = {f"nacreous.commands.{name}" for name in cli.COMMANDS}
+    assert loaded & commands == {"nacreous.commands.render"}
+
+
+def test_files_and_messages_load_no_numpy(tmp_path: Path) -> None:
+    loaded = loaded_after("import nacreous.file, nacreous.number, nacreous.spec", tmp_path)
+    assert "nacreous._core" in loaded
+    assert "numpy" not in loaded
+
+
+def test_reading_files_checks_no_table_by_itself(tmp_path: Path) -> None:
+    """Each class of table has a check of its own, which pydantic builds when it is first used."""
+    code = """
+from nacreous.spec import Pearl, Scene
+from nacreous.spec.section import Section
+Pearl.load("paper"), Scene.load("paper")
+def below(model): return [model, *(low for sub in model.__subclasses__() for low in below(sub))]
+print(*(model.__name__ for model in below(Section) if model.__pydantic_complete__), end=" ")"""
+    loaded = loaded_after(code, tmp_path)
+    assert loaded & {"Pearl", "Scene", "Growth", "Film", "Camera", "Table"} == {"Pearl", "Scene"}
+
+
 def test_rendering_loads_no_drawing_and_no_science_library(tmp_path: Path) -> None:
     render = "from nacreous.cli import main; main(['render', 'paper', '--size=8', '--samples=1'])"
     loaded = loaded_after(render, tmp_path)

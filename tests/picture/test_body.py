@@ -168,14 +168,14 @@ def test_the_body_of_a_pearl_is_what_its_file_says() -> None:
         pigment="gold", pigment_strength=0.5, nacre_mm=0.3, scattering_per_mm=6, nucleus="#fff0e0"
     )
     expected = nc.body.reflectance("gold", 0.3, 0.5, 6, "#fff0e0")
-    np.testing.assert_array_equal(nc.body.of_pearl(Pearl(body=body), 0.1), expected)
+    np.testing.assert_array_equal(nc.body.reflectance_of_body(Pearl(body=body), 0.1), expected)
 
 
 def test_nacre_is_as_thick_as_the_stack_where_the_file_leaves_it_out() -> None:
     pearl = Pearl(diameter_mm=2.0, body=Body(pigment="gold"))
     for stack_mm, nacre_mm in ((0.2, 0.2), (0.6, 0.6), (3.0, 1.0)):
         np.testing.assert_array_equal(
-            nc.body.of_pearl(pearl, stack_mm), nc.body.reflectance("gold", nacre_mm)
+            nc.body.reflectance_of_body(pearl, stack_mm), nc.body.reflectance("gold", nacre_mm)
         )
 
 
@@ -202,4 +202,6 @@ def test_a_body_says_what_is_wrong(given: dict[str, Any], message: str) -> None:
 
 
 def test_the_thickness_of_a_stack_is_checked() -> None:
-    assert refusal(lambda: nc.body.of_pearl(Pearl(), -1.0)).startswith("nacre_mm_of_stack is -1; ")
+    assert refusal(lambda: nc.body.reflectance_of_body(Pearl(), -1.0)).startswith(
+        "nacre_mm_of_stack is -1; "
+    )

@@ -62,7 +62,7 @@ def test_straight_lines_stay_below_what_can_be_seen(layers, aragonite, spread_nm
 @pytest.mark.parametrize("preset", ["paper", "akoya-rg"])
 def test_the_illuminant_models_lines_stay_below_what_can_be_seen_between_its_jumps(preset):
     stack = nc.grow(preset, seed=7, aragonite=1.53, protein=1.43)  # it knows no crystals
-    table = iridescence.illuminant(stack, diffuse_loss=0.03)
+    table = iridescence.illuminant_model(stack, diffuse_loss=0.03)
     fine = 4 * (len(table.xyz) - 1)
     angle = np.arccos(np.arange(fine + 1) / fine)
     spectra = nc.optics.illuminant(stack, angle, nc.colour.WAVELENGTH_NM, diffuse_loss=0.03)
@@ -111,5 +111,5 @@ def test_what_cannot_be_is_refused():
     assert "allowed: 0 to pi/2" in refusal(lambda: iridescence.exact(stack)[0].at(2.0))
     assert "allowed: 0 to pi/2" in refusal(lambda: iridescence.exact(stack)[0].at(math.nan))
     assert "k = 0.1" in refusal(
-        lambda: iridescence.illuminant(nc.LayerStack([400.0], aragonite=1.53 + 0.1j))
+        lambda: iridescence.illuminant_model(nc.LayerStack([400.0], aragonite=1.53 + 0.1j))
     )

@@ -77,7 +77,7 @@ def test_the_nucleus_shows_through_thin_nacre_and_not_through_thick() -> None:
     def contrast(name: str) -> float:
         pearl = Pearl.load(name)
         black, white = (
-            nc.body.of_pearl(
+            nc.body.reflectance_of_body(
                 pearl.model_copy(
                     update={"body": pearl.body.model_copy(update={"nucleus": colour})}
                 ),

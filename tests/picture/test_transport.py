@@ -58,7 +58,7 @@ def test_with_absorption_the_loss_is_the_bodys() -> None:
     cosine = (np.arange(64) + 0.5) / 64
     T = 1 - np.mean([nc.optics.energies(c, np.arccos(cosine), nm).R for c in columns[:16]], axis=0)
     hemisphere = 2 * (T * cosine[:, None]).mean(axis=0)
-    rho = nc.body.of_pearl(gold, 0.5)
+    rho = nc.body.reflectance_of_body(gold, 0.5)
     n_o, n_e = 1.683, 1.530
     out = hemisphere / (0.5 * (n_o**2 + n_e**2))
     lit, left = np.ones_like(nm), np.zeros_like(nm)

@@ -1,4 +1,4 @@
-"""The door of answers: the same from everywhere, and every fault named by row and column."""
+"""Answers from outside: the same from everywhere, and every fault named by row and column."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pyarrow import parquet
 
 import nacreous as nc
 from nacreous.scaling import Answers, Comparisons
-from nacreous.scaling.door import table as table_module
+from nacreous.scaling.data import table as table_module
 
 TABLE: dict[str, list[Any]] = {
     "person": ["mika", "mika", "ren", "ren"],

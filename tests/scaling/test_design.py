@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nacreous as nc
-from nacreous.scaling import Design, cyclic_design, full_design, random_design
+from nacreous.scaling import PairDesign, cyclic_design, full_design, random_design
 
 SEEDS = st.integers(0, 2**63 - 1)
 
@@ -23,20 +23,20 @@ def refusal(act: Any) -> str:
     return message
 
 
-def places(design: Design) -> np.ndarray:
+def places(design: PairDesign) -> np.ndarray:
     """How often each stimulus is left and right, [side, stimulus]."""
     count = len(design.stimuli)
     return np.stack([np.bincount(side, minlength=count) for side in (design.left, design.right)])
 
 
-def is_joined(design: Design) -> bool:
+def is_joined(design: PairDesign) -> bool:
     reached = {design.stimuli[0]}
     for _ in design.stimuli:
         reached |= {label for pair in design.pairs if reached & set(pair) for label in pair}
     return reached == set(design.stimuli)
 
 
-def pair_sets(design: Design) -> list[frozenset[str]]:
+def pair_sets(design: PairDesign) -> list[frozenset[str]]:
     return [frozenset(pair) for pair in design.pairs]
 
 

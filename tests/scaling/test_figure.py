@@ -15,7 +15,7 @@ from hypothesis import strategies as some
 
 import nacreous as nc
 from nacreous.scaling.figure import interval_plot, matrix_plot, scale_plot
-from nacreous.scaling.figure.words import elided, spread, ticks, width_pt
+from nacreous.scaling.figure.lettering import elided, spread, ticks, width_pt
 
 
 def fit(values, stimuli=None, unit="z"):

@@ -16,7 +16,7 @@ import pytest
 import nacreous as nc
 from nacreous.scaling import report
 from nacreous.scaling.report.chapters import method
-from nacreous.scaling.report.words import LANGUAGES, Html, Words, number, percent, texts
+from nacreous.scaling.report.translation import LANGUAGES, Html, Words, number, percent, texts
 
 SPITEFUL = ("<script>alert(1)</script>", "a\"b'c", "x & y", "$\\frac{1}{2}$", "真珠 <b>", "{first}")
 
@@ -47,12 +47,12 @@ def survey(stimuli=("a", "b", "c", "d"), people=25, group=True, ties=True, seed=
 
 @pytest.fixture(scope="module")
 def paper():
-    return nc.scaling.study(nc.scaling.paper(), example=True, bootstrap=200)
+    return nc.scaling.analyse(nc.scaling.paper(), example=True, bootstrap=200)
 
 
 @pytest.fixture(scope="module")
 def answered():
-    return nc.scaling.study(survey(SPITEFUL), group="room", bootstrap=200, question="Which <i>?")
+    return nc.scaling.analyse(survey(SPITEFUL), group="room", bootstrap=200, question="Which <i>?")
 
 
 class Page(HTMLParser):
@@ -168,8 +168,8 @@ def test_both_languages_say_the_same_numbers(request, which):
 
 
 def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(paper):
-    again = nc.scaling.study(nc.scaling.paper(), example=True, bootstrap=200)
-    other = nc.scaling.study(nc.scaling.paper(), example=True, bootstrap=200, seed=2)
+    again = nc.scaling.analyse(nc.scaling.paper(), example=True, bootstrap=200)
+    other = nc.scaling.analyse(nc.scaling.paper(), example=True, bootstrap=200, seed=2)
     for ending in ("a.html", "a.csv", "a.json"):
         assert paper.text(ending) == again.text(ending)
         assert paper.text(ending) != other.text(ending)
@@ -211,7 +211,7 @@ def test_only_the_papers_report_is_marked_as_reconstructed(answered):
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_simulated_answers_are_said_to_be_so_first_and_people_s_are_not(answered, language):
     words = Words(language)
-    found = nc.scaling.study(survey(), question="Which?", simulated=True, bootstrap=0)
+    found = nc.scaling.analyse(survey(), question="Which?", simulated=True, bootstrap=0)
     page = found.text("report.html", language)
     title = words("page.simulated", title=words("page.asked", question="Which?"))
     assert f"<title>{title}</title>" in page
@@ -233,7 +233,7 @@ def test_equals_are_too_close_to_call_and_good_answers_fit():
     chance = np.random.default_rng(3)
     wins = chance.binomial(200, 0.5, (4, 4)).astype(float)
     counts = np.triu(wins, 1) + np.tril(200 - wins.T, -1)
-    found = nc.scaling.study(counts, bootstrap=200)
+    found = nc.scaling.analyse(counts, bootstrap=200)
     assert not any(pair.apart for pair in found.neighbours)
     said = told(found)
     assert "All neighbours in this order are too close to call" in said
@@ -241,14 +241,14 @@ def test_equals_are_too_close_to_call_and_good_answers_fit():
 
 
 def test_two_stimuli_make_a_report_without_a_test_of_fit():
-    found = nc.scaling.study([[0, 30], [10, 0]], bootstrap=100)
+    found = nc.scaling.analyse([[0, 30], [10, 0]], bootstrap=100)
     assert "cannot be tested" in told(found)
     assert "一つの尺度" in told(found, "ja")
 
 
 def test_one_answer_a_pair_is_said_to_be_too_few_to_test_the_fit():
     table = {"left": [*"abca"], "right": [*"bcdd"], "chosen": [*"abcd"]}
-    found = nc.scaling.study(nc.scaling.Answers.of_table(table), bootstrap=0)
+    found = nc.scaling.analyse(nc.scaling.Answers.of_table(table), bootstrap=0)
     assert found.goodness.describes is None
     assert "too few answers a pair" in told(found)
     assert "G² =" not in told(found)
@@ -257,7 +257,7 @@ def test_one_answer_a_pair_is_said_to_be_too_few_to_test_the_fit():
 def test_people_are_resampled_where_they_are_known(answered):
     assert answered.doubt.by == "people"
     assert "drawing the 25 people anew" in told(answered)
-    unknown = nc.scaling.study(survey().comparisons(), bootstrap=100)
+    unknown = nc.scaling.analyse(survey().comparisons(), bootstrap=100)
     assert unknown.doubt.by == "answers"
     assert "the true margins are wider" in told(unknown)
 
@@ -273,7 +273,7 @@ HARD = {
 def test_hard_cases_make_a_report_without_nan(case, language):
     count = len(HARD[case]["left"])
     table = HARD[case] | {"person": ["x"] * count, "time": list(range(count))}
-    found = nc.scaling.study(nc.scaling.Answers.of_table(table), bootstrap=100)
+    found = nc.scaling.analyse(nc.scaling.Answers.of_table(table), bootstrap=100)
     said = told(found, language)
     for word in ("nan", "inf ", "None"):
         assert word not in said
@@ -284,15 +284,15 @@ def test_hard_cases_make_a_report_without_nan(case, language):
 def test_a_prior_places_what_the_answers_alone_do_not():
     pairs = [("a", "b")] * 5 + [("b", "c")]
     with pytest.raises(nc.InputError, match="no scale holds"):
-        nc.scaling.study(pairs)
-    found = nc.scaling.study(pairs, prior=1.0, bootstrap=100)
+        nc.scaling.analyse(pairs)
+    found = nc.scaling.analyse(pairs, prior=1.0, bootstrap=100)
     assert found.ranking == ["a", "b", "c"]
     assert "drawn together by a normal prior with spread 1" in told(found)
     assert "(Ford)" not in told(found)
 
 
 def test_few_people_are_said_to_be_few():
-    found = nc.scaling.study(survey(people=8), bootstrap=100)
+    found = nc.scaling.analyse(survey(people=8), bootstrap=100)
     assert "Only 8 people took part" in told(found)
 
 
@@ -305,7 +305,7 @@ def test_groups_sides_repeats_and_times_are_told(answered):
 
 
 def test_without_resampling_the_margins_are_the_models():
-    found = nc.scaling.study(nc.scaling.paper(), bootstrap=0)
+    found = nc.scaling.analyse(nc.scaling.paper(), bootstrap=0)
     assert found.doubt.by == "information"
     np.testing.assert_allclose(found.doubt.se, found.fit.se, rtol=1e-12)
 
@@ -313,7 +313,7 @@ def test_without_resampling_the_margins_are_the_models():
 def test_least_squares_gives_the_papers_row_means():
     shares = nc.scaling.paper_proportions()
     counts = nc.scaling.Comparisons.of_proportions(shares, 104)
-    found = nc.scaling.study(counts, method="least-squares")
+    found = nc.scaling.analyse(counts, method="least-squares")
     printed = [0.278, 0.810, 0.324, 0.419, -0.308, -0.623, -0.900]
     np.testing.assert_allclose(found.fit.scale, printed, atol=0.001)
     assert "in standard deviations (z)" in told(found)
@@ -321,7 +321,7 @@ def test_least_squares_gives_the_papers_row_means():
 
 @pytest.mark.parametrize("unit", ["z", "d'", "JOD", "JND", "logit"])
 def test_units_are_said_and_one_unit_is_what_it_is(unit):
-    found = nc.scaling.study(nc.scaling.paper(), unit=unit, bootstrap=100)
+    found = nc.scaling.analyse(nc.scaling.paper(), unit=unit, bootstrap=100)
     share = {"z": "84", "d'": "76", "JOD": "75", "JND": "75", "logit": "73"}[unit]
     assert f"At a distance of 1 it would be {share}." in told(found)
     assert f"scale value ({unit.replace(chr(39), '′')})" in found.text("a.html")
@@ -338,13 +338,13 @@ def carried(study, name: str) -> str:
 def test_the_answers_carried_in_the_page_make_the_page_again(tmp_path, answered):
     (tmp_path / "answers.csv").write_text(carried(answered, "answers.csv"), encoding="utf-8")
     again = nc.scaling.Answers.read(tmp_path / "answers.csv")
-    found = nc.scaling.study(again, answered.settings)
+    found = nc.scaling.analyse(again, answered.settings)
     for language in LANGUAGES:
         assert found.text("a.html", language) == answered.text("a.html", language)
 
 
 def test_the_counts_carried_in_the_page_make_the_scale_again(tmp_path):
-    found = nc.scaling.study([[0, 30, 41], [20, 0, 33], [9, 17, 0]], bootstrap=100)
+    found = nc.scaling.analyse([[0, 30, 41], [20, 0, 33], [9, 17, 0]], bootstrap=100)
     (tmp_path / "counts.csv").write_text(carried(found, "counts.csv"), encoding="utf-8")
     again = nc.scaling.Comparisons.read_counts(tmp_path / "counts.csv")
     assert again.matrix.tolist() == found.comparisons.matrix.tolist()
@@ -367,7 +367,7 @@ def test_json_holds_no_nan_and_the_numbers_of_the_fit(answered, paper):
 
 def test_large_data_stay_outside_the_page(monkeypatch):
     monkeypatch.setattr(method, "MOST_BYTES", 10)
-    text = nc.scaling.study(survey(), bootstrap=100).text("a.html")
+    text = nc.scaling.analyse(survey(), bootstrap=100).text("a.html")
     assert "too many to be put into this page" in text
     assert 'download="answers.csv"' not in text
 
@@ -378,7 +378,7 @@ def test_many_stimuli_still_make_a_page_of_a_sensible_size():
     shares = 1 / (1 + np.exp(scale[None, :] - scale[:, None]))
     wins = chance.binomial(10, shares)
     counts = np.triu(wins, 1) + np.tril(10 - wins.T, -1)
-    text = nc.scaling.study(counts, bootstrap=0, model="logit").text("a.html")
+    text = nc.scaling.analyse(counts, bootstrap=0, model="logit").text("a.html")
     assert "tables by pair are left out" in text
     assert "too many items to draw the margins" in text
     assert len(text) < 3_000_000
@@ -417,7 +417,7 @@ def test_values_are_escaped_and_html_is_not():
 )
 def test_bad_settings_are_refused(asked, message):
     with pytest.raises(nc.InputError, match=re.escape(message)):
-        nc.scaling.study(nc.scaling.paper(), **asked)
+        nc.scaling.analyse(nc.scaling.paper(), **asked)
 
 
 def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, paper):

@@ -13,8 +13,8 @@ import nacreous as nc
 from nacreous.paper import crop
 from nacreous.spec.key import Key, alternatives, every_key, sections_in
 from nacreous.study.design import Design
+from nacreous.study.design.multilingual import Words
 from nacreous.study.design.stimulus import CROPS
-from nacreous.study.design.words import Words
 from nacreous.study.plan import repetitions, trials
 
 ROOT = Path(__file__).parent.parent.parent

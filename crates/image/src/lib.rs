@@ -1,7 +1,7 @@
 //! The picture of a pearl: camera, ball, lamps, surroundings, facets, grain, and the rings of
 //! interference colour, put together into linear light in named parts.
 //!
-//! In scope: everything between a stack of layers and the pixels, and picture files. Out of scope:
+//! In scope: everything between a stack of layers and the pixels. Out of scope: picture files (`nacreous-file`),
 //! spectra and colour themselves (`nacreous-optics`, `nacreous-colour`), pearl files and presets.
 //!
 //! Conventions: lengths in mm, angles in rad, y up, the origin in the middle (a lone pearl's centre),
@@ -9,77 +9,56 @@
 //! white. The radiance of a lamp, sky or surface is stated as that of a white matt surface, so no factor
 //! pi appears.
 
-mod ball;
-mod bands;
-mod by_angle;
-mod camera;
-mod chart;
-mod coarser;
-mod crowd;
-mod develop;
-mod dome;
-mod draw;
-mod eye;
-mod facet;
-pub mod file;
-mod film;
-mod floor;
-mod glare;
-mod glow;
 pub mod grain;
 pub mod harmonics;
-mod illuminant;
-mod incident;
-mod inside;
 mod iridescence;
-mod irradiance;
-mod knob;
-mod lamp;
 mod light;
-mod net;
-mod nine;
+mod parallel;
 mod pearl;
 mod picture;
-mod pixel;
-mod relief;
+mod progress;
 mod rgb;
-mod rings;
-mod sky;
+mod shape;
 mod surface;
 mod surroundings;
-mod table;
-mod transport;
-mod walls;
-mod window;
+mod view;
 
-pub use ball::{Ball, Hit};
-pub use bands::{BANDS, Bands, Palette};
-pub use by_angle::ByAngle;
-pub use camera::{Camera, Projection, Ray, direction};
-pub use develop::{Developed, develop, eight_bit};
-pub use dome::Dome;
-pub use draw::{Draw, Facet, FacetsSeen};
-pub use facet::Facets;
-pub use film::Film;
-pub use glare::spread as spread_glare;
-pub use glow::Glow;
-pub use illuminant::IlluminantPearl;
-pub use inside::{Beam, Body, Inside};
-pub use iridescence::{Iridescence, Weights, interference_colours};
-pub use irradiance::Irradiance;
-pub use knob::Parameters;
-pub use lamp::{Lamp, Place};
-pub use light::{Light, Source};
-pub use net::Around;
-pub use pearl::{Grain, Model, Pearl, Shade, Sight};
-pub use picture::{CHANNELS, MAX_SIZE_PX, PARTS, Progress, render};
-pub use relief::{Glint, Relief};
+pub use iridescence::by_angle::ByAngle;
+pub use iridescence::colours::{Iridescence, Weights, interference_colours};
+pub use iridescence::rings::Rings;
+pub use light::bands::{BANDS, Bands};
+pub use light::glow::Glow;
+pub use light::palette::Palette;
+pub use light::scene::{Light, Source};
+pub use pearl::illuminant::IlluminantPearl;
+pub use pearl::knob::Parameters;
+pub use pearl::model::{Grain, Model, Pearl};
+pub use pearl::reflection_cache::Around;
+pub use pearl::shade::Shade;
+pub use pearl::sight::Sight;
+pub use pearl::subsurface::{Beam, Body, Subsurface};
+pub use pearl::transport::Transport;
+pub use picture::channels::{CHANNELS, MAX_SIZE_PX, PARTS};
+pub use picture::develop::{Developed, develop, eight_bit};
+pub use picture::glare::spread as spread_glare;
+pub use picture::render::render;
+pub use progress::Progress;
 pub use rgb::Rgb;
-pub use rings::Rings;
-pub use sky::Sky;
-pub use surface::Surface;
-pub use surroundings::{Seen, Surroundings};
-pub use table::Table;
-pub use transport::Transport;
-pub use walls::Walls;
-pub use window::Window;
+pub use shape::ball::{Ball, Hit};
+pub use surface::coating::Surface;
+pub use surface::film::Film;
+pub use surface::microfacets::{Glint, Microfacets};
+pub use surface::sampling::{Facet, FacetSample, FacetsSeen};
+pub use surface::torrance_sparrow::TorranceSparrow;
+pub use surroundings::environment::Surroundings;
+pub use surroundings::irradiance::Irradiance;
+pub use surroundings::lamp::{Lamp, Place};
+pub use surroundings::panorama::Panorama;
+pub use surroundings::seen::Seen;
+pub use surroundings::sky::Sky;
+pub use surroundings::table::Table;
+pub use surroundings::walls::Walls;
+pub use surroundings::window::Window;
+pub use view::camera::{Camera, Projection};
+pub use view::direction::direction;
+pub use view::ray::Ray;

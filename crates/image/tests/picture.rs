@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, RgbSpace, SAMPLES, delta_e_2000, lab_from_xyz};
 use nacreous_image::{
-    Ball, CHANNELS, Camera, Facets, Grain, IlluminantPearl, Irradiance, Lamp, Light, Model, PARTS,
-    Pearl, Place, Progress, Projection, Rings, Sky, Source, Surroundings, Table, direction, render,
+    Ball, CHANNELS, Camera, Grain, IlluminantPearl, Irradiance, Lamp, Light, Model, PARTS, Pearl,
+    Place, Progress, Projection, Rings, Sky, Source, Surroundings, Table, TorranceSparrow,
+    direction, render,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Season};
 use nacreous_optics::IlluminantModel;
@@ -48,15 +49,15 @@ fn light(lamps: &[Source], sky: f64) -> Light {
 struct Set {
     surroundings: Surroundings,
     rings: Rings,
-    facets: Facets,
+    facets: TorranceSparrow,
 }
 
 impl Set {
-    fn new(places: &[Place], table: Option<Table>, sky: f64, facets: Facets) -> Self {
+    fn new(places: &[Place], table: Option<Table>, sky: f64, facets: TorranceSparrow) -> Self {
         let light = light(&vec![source(1.0); places.len()], sky);
         let lamps = places.iter().map(|&place| {
             let brightness = light.brightness(&source(1.0)).unwrap();
-            Lamp::new(place, 0.05, brightness).resolved_for(&facets.relief)
+            Lamp::new(place, 0.05, brightness).resolved_for(&facets.microfacets)
         });
         let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();
         let even = Sky::Gradient { horizon: [sky; 3], zenith: [sky; 3] };
@@ -99,7 +100,7 @@ fn part<'a>(pixels: &'a [f32], name: &str) -> impl Iterator<Item = &'a [f32]> {
 
 #[test]
 fn moving_a_lamp_changes_no_bit_of_the_interference() {
-    let facets = Facets::new(0.05, 1.53, 0.1);
+    let facets = TorranceSparrow::new(0.05, 1.53, 0.1);
     let at = |place| Set::new(&[place], TABLE, 0.2, facets).picture();
     let left = at(Place::Direction(direction(-0.8, 0.7)));
     let near = at(Place::Position(DVec3::new(30.0, 25.0, -10.0)));
@@ -109,7 +110,7 @@ fn moving_a_lamp_changes_no_bit_of_the_interference() {
 
 #[test]
 fn equal_view_angle_means_equal_interference_colour() {
-    let pixels = Set::new(&[], TABLE, 0.5, Facets::new(0.05, 1.53, 0.1)).picture();
+    let pixels = Set::new(&[], TABLE, 0.5, TorranceSparrow::new(0.05, 1.53, 0.1)).picture();
     let rings: Vec<&[f32]> = part(&pixels, "interference").collect();
     for row in 0..SIZE {
         for column in 0..SIZE {
@@ -128,7 +129,7 @@ fn a_balls_highlight_holds_a_quarter_of_the_light_that_meets_its_disc() {
     // A ball with narrow facets scatters evenly: each solid angle gets R^2 / 4 of the irradiance,
     // times the reflectance at half the angle between lamp and eye. Irradiance of brightness 1 is pi.
     for apart_rad in [0.4_f64, 0.9, 1.5] {
-        let facets = Facets::new(0.02, 1.53, 0.1);
+        let facets = TorranceSparrow::new(0.02, 1.53, 0.1);
         let toward = direction(apart_rad, 0.3);
         let pixels = Set::new(&[Place::Direction(toward)], None, 0.0, facets).picture();
         let pixel_mm2 = (FIELD_MM / SIZE as f64).powi(2);
@@ -146,7 +147,7 @@ fn a_mirrored_table_fades_with_distance() {
     let swapped = Some(Table::Checker { colour: [0.1; 3], second_colour: [0.8; 3], check_mm: 2.0 });
     let camera = Camera::new(Projection::Orthographic, 0.1, 0.0, FIELD_MM);
     let mirrored = |table, falloff_mm: f64| -> Vec<f32> {
-        let set = Set::new(&[], table, 0.5, Facets::new(0.05, 1.53, 0.1));
+        let set = Set::new(&[], table, 0.5, TorranceSparrow::new(0.05, 1.53, 0.1));
         let pearl = Set::with(IlluminantPearl { falloff_mm, ..set.model() });
         let pixels = render(&[pearl], &set.surroundings, &camera, SIZE, 2, &Progress::default());
         part(&pixels.unwrap(), "mirror").map(|mirror| mirror[1]).collect()
@@ -182,7 +183,7 @@ fn steps_between_rings_are_far_below_what_can_be_seen() {
 
 #[test]
 fn nothing_lit_is_black_and_finite() {
-    let pixels = Set::new(&[], TABLE, 0.0, Facets::new(0.05, 1.53, 0.1)).picture();
+    let pixels = Set::new(&[], TABLE, 0.0, TorranceSparrow::new(0.05, 1.53, 0.1)).picture();
     for name in ["interference", "diffuse", "mirror", "surroundings"] {
         assert!(part(&pixels, name).flatten().all(|&channel| channel == 0.0), "{name}");
     }
@@ -191,7 +192,7 @@ fn nothing_lit_is_black_and_finite() {
 
 #[test]
 fn the_silhouette_covers_the_area_of_a_disc() {
-    let pixels = Set::new(&[], None, 0.5, Facets::new(0.05, 1.53, 0.1)).picture();
+    let pixels = Set::new(&[], None, 0.5, TorranceSparrow::new(0.05, 1.53, 0.1)).picture();
     let covered: f64 = part(&pixels, "coverage").map(|share| f64::from(share[0])).sum();
     let area_mm2 = covered * (FIELD_MM / SIZE as f64).powi(2);
     assert!((area_mm2 / (PI * RADIUS_MM * RADIUS_MM) - 1.0).abs() < 1e-3, "{area_mm2}");
@@ -199,7 +200,7 @@ fn the_silhouette_covers_the_area_of_a_disc() {
 
 #[test]
 fn a_stopped_render_gives_no_picture() {
-    let set = Set::new(&[], None, 0.5, Facets::new(0.05, 1.53, 0.1));
+    let set = Set::new(&[], None, 0.5, TorranceSparrow::new(0.05, 1.53, 0.1));
     let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, FIELD_MM);
     let progress = Progress::default();
     progress.stop();

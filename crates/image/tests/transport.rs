@@ -9,8 +9,8 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    BANDS, Ball, Bands, Body, Camera, Dome, Film, Grain, Lamp, Light, Model, Pearl, Place,
-    Projection, Relief, Sight, Sky, Source, Surface, Surroundings, Transport,
+    BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Microfacets, Model, Panorama,
+    Pearl, Place, Projection, Sight, Sky, Source, Surface, Surroundings, Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
@@ -100,16 +100,22 @@ fn white(spread: f64) -> Body {
 #[test]
 fn a_lossless_pearl_in_even_light_cannot_be_seen() {
     let furnace = scene([1.0; 3], [1.0; 3], None);
-    for relief in
-        [Relief::grooves(0.012), Relief::grooves(0.25), Relief::ggx(0.1), Relief::ggx(0.4)]
-    {
+    for microfacets in [
+        Microfacets::grooves(0.012),
+        Microfacets::grooves(0.25),
+        Microfacets::ggx(0.1),
+        Microfacets::ggx(0.4),
+    ] {
         for spread in [0.0, 0.3, 1000.0] {
-            let pearl = furnace.pearl(Surface::new(film(), relief), &white(spread));
+            let pearl = furnace.pearl(Surface::new(film(), microfacets), &white(spread));
             for (x, y) in PLACES {
                 let (inside, mirror) = furnace.seen(&pearl, x, y);
                 for i in 0..3 {
                     let light = inside[i] + mirror[i];
-                    assert!((light - 1.0).abs() < 0.005, "{relief:?} {spread} {x} {y}: {light}");
+                    assert!(
+                        (light - 1.0).abs() < 0.005,
+                        "{microfacets:?} {spread} {x} {y}: {light}"
+                    );
                 }
             }
         }
@@ -123,7 +129,7 @@ fn what_is_missing_in_even_light_is_what_the_body_absorbs() {
     // that the eye looks.
     let furnace = scene([1.0; 3], [1.0; 3], None);
     let reflectance: Bands = std::array::from_fn(|band| 0.95 - 0.015 * band as f64);
-    let surface = Surface::new(film(), Relief::grooves(0.05));
+    let surface = Surface::new(film(), Microfacets::grooves(0.05));
     let n2 = 0.5 * (1.683_f64.powi(2) + 1.530_f64.powi(2));
     let out = surface.entering_from_all_sides().map(|share| share / n2);
     let absorbed: Bands = std::array::from_fn(|band| {
@@ -185,7 +191,7 @@ fn entering(scene: &Scene, surface: &Surface, normal: DVec3, lamp: Option<DVec3>
 fn without_spread_the_body_is_matt() {
     let lamp = DVec3::new(0.5, 0.7, 0.5).normalize();
     let scene = scene([0.3, 0.2, 0.1], [0.5, 0.7, 1.0], Some((lamp, 0.02)));
-    let surface = Surface::new(film(), Relief::grooves(0.05));
+    let surface = Surface::new(film(), Microfacets::grooves(0.05));
     let reflectance: Bands = std::array::from_fn(|band| 0.5 + 0.01 * band as f64);
     let pearl = scene.pearl(surface.clone(), &Body { reflectance, spread: 0.0 });
     let leaving = surface.leaving(&reflectance);
@@ -211,7 +217,7 @@ fn much_spread_is_the_illuminant_limit() {
     // place (paper 3.1).
     let lit = |lamp: DVec3| scene([0.2; 3], [0.2; 3], Some((lamp.normalize(), 0.1)));
     let lamps = [DVec3::Y, DVec3::new(-1.0, -0.2, 0.3), DVec3::NEG_Z];
-    let surface = Surface::new(film(), Relief::grooves(0.05));
+    let surface = Surface::new(film(), Microfacets::grooves(0.05));
     let all = surface.entering_from_all_sides();
     for scene in lamps.map(|lamp| Box::new(lit(lamp))) {
         let pearl = scene.pearl(surface.clone(), &white(1000.0));
@@ -265,7 +271,9 @@ fn mirrored_by_all(
         for column in 0..2 * rows {
             let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
             let along = DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
-            let Some(glint) = surface.relief.mirrored(normal, DVec3::Z, along) else { continue };
+            let Some(glint) = surface.microfacets.mirrored(normal, DVec3::Z, along) else {
+                continue;
+            };
             let mut light = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
             // The lamp: an even disc whose light on a surface that faces it is pi.
             let disc = 2.0 * (1.0 - 0.1_f64.cos());
@@ -293,15 +301,20 @@ fn normal_at((x, y): (f64, f64)) -> DVec3 {
 fn few_facets_agree_with_all_of_them() {
     let lamp = DVec3::new(-0.4, 0.6, 0.7).normalize();
     let scene = scene([0.2, 0.3, 0.4], [1.0, 0.9, 0.7], Some((lamp, 0.1)));
-    for relief in [Relief::grooves(0.1), Relief::ggx(0.1), Relief::grooves(0.25)] {
-        let surface = Surface::new(film(), relief);
+    for microfacets in
+        [Microfacets::grooves(0.1), Microfacets::ggx(0.1), Microfacets::grooves(0.25)]
+    {
+        let surface = Surface::new(film(), microfacets);
         let pearl = scene.pearl(surface.clone(), &white(0.0));
         for place in MIRRORING {
             let all = mirrored_by_all(&scene, &surface, normal_at(place), Some(lamp));
             let (_, mirror) = scene.seen(&pearl, place.0, place.1);
             for i in 0..3 {
                 let error = (mirror[i] - all[i]).abs();
-                assert!(error < 0.004 + 0.02 * all[i], "{relief:?} {place:?} {mirror:?} {all:?}");
+                assert!(
+                    error < 0.004 + 0.02 * all[i],
+                    "{microfacets:?} {place:?} {mirror:?} {all:?}"
+                );
             }
         }
     }
@@ -321,12 +334,12 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
             _ => [square, square * 0.8, square * 0.6],
         }
     };
-    let dome = Dome::new(width, height, (0..width * height).map(pixel).collect());
+    let panorama = Panorama::new(width, height, (0..width * height).map(pixel).collect());
     let mut scene = scene([0.0; 3], [0.0; 3], None);
     scene.surroundings.sky =
-        Sky::Panorama { picture: Arc::new(dome), rotation_rad: 0.3, intensity: 1.0 };
-    for relief in [Relief::grooves(0.1), Relief::ggx(0.15)] {
-        let surface = Surface::new(film(), relief);
+        Sky::Panorama { picture: Arc::new(panorama), rotation_rad: 0.3, intensity: 1.0 };
+    for microfacets in [Microfacets::grooves(0.1), Microfacets::ggx(0.15)] {
+        let surface = Surface::new(film(), microfacets);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
         let many = Transport::new(surface.clone(), &white(0.0), &palette, around, 0, &[], 64);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
@@ -336,7 +349,10 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
             let (_, mirror) = scene.seen_with(&pearl, place, 64);
             for i in 0..3 {
                 let error = (mirror[i] - all[i]).abs();
-                assert!(error < 0.002 + 0.02 * all[i], "{relief:?} {place:?} {mirror:?} {all:?}");
+                assert!(
+                    error < 0.002 + 0.02 * all[i],
+                    "{microfacets:?} {place:?} {mirror:?} {all:?}"
+                );
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::{OpticsError, error::within, lanes::LANES};
+use crate::{OpticsError, error::within, lanes::LANES, parallel};
 
 /// The range of every question.
 pub(crate) fn check(angle_rad: &[f64], wavelength_nm: &[f64]) -> Result<(), OpticsError> {
@@ -54,7 +54,7 @@ fn angles<const K: usize>(
             let (first, second) = angles.split_at(angles.len() / 2);
             let row = tables[0].len() / angles.len();
             let [before, after] = split(tables, row * first.len());
-            rayon::join(
+            parallel::join(
                 || self::angles(work, first, before, stop),
                 || self::angles(work, second, after, stop),
             );
@@ -77,7 +77,7 @@ fn row<W: Work<K>, const K: usize>(
     if blocks > BLOCKS_AT_ONCE {
         let half = blocks / 2;
         let [before, after] = split(rows, half * LANES);
-        rayon::join(
+        parallel::join(
             || row(work, angle, from, before, stop),
             || row(work, angle, from + half, after, stop),
         );

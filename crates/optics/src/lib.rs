@@ -23,6 +23,7 @@ mod interference;
 mod lanes;
 mod lossless;
 mod media;
+mod parallel;
 mod phase;
 mod real;
 mod sight;

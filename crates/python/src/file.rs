@@ -5,11 +5,11 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use nacreous_colour::RgbSpace;
-use nacreous_image::file::exr::{self, Channels, Plane};
-use nacreous_image::file::panorama;
-use nacreous_image::file::photograph;
-use nacreous_image::file::picture::{LinearPicture, PictureFileError};
-use nacreous_image::file::png::{self, PngPixels};
+use nacreous_file::exr::{self, Channels, Plane};
+use nacreous_file::panorama;
+use nacreous_file::photograph;
+use nacreous_file::picture::{LinearPicture, PictureFileError};
+use nacreous_file::png::{self, PngPixels};
 use numpy::ndarray::{Array3, ArrayView3, CowArray, Ix3};
 use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyOSError;

@@ -134,13 +134,13 @@ fn lamps(
     light: &Light,
     subjects: &[Subject<'_>],
 ) -> PyResult<Vec<Lamp>> {
-    let reliefs = subjects.iter().map(|subject| subject.relief);
-    let sharpest = reliefs.min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
+    let surfaces = subjects.iter().map(|subject| subject.microfacets);
+    let sharpest = surfaces.min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
     let lamp = |(spec, source): (&LampSpec, &Source)| {
         let brightness = light.brightness(source).map_err(refused)?;
         let lamp = Lamp::new(spec.place(), spec.angular_radius_rad, brightness);
         Ok(match sharpest {
-            Some(relief) => lamp.resolved_for(&relief),
+            Some(microfacets) => lamp.resolved_for(&microfacets),
             None => lamp,
         })
     };

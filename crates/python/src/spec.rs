@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nacreous_colour::Spectrum;
-use nacreous_image::{Camera, Dome, Place, Projection, Rgb, Sky, Source, Table, Walls, Window};
+use nacreous_image::{Camera, Panorama, Place, Projection, Rgb, Sky, Source, Table, Walls, Window};
 use numpy::PyReadonlyArray3;
 use pyo3::prelude::*;
 
@@ -172,7 +172,7 @@ impl SkySpec<'_> {
                 let (height, width, _) = picture.dim();
                 let pixels = picture.rows().into_iter().map(|p| [p[0], p[1], p[2]]).collect();
                 Sky::Panorama {
-                    picture: Arc::new(Dome::new(width, height, pixels)),
+                    picture: Arc::new(Panorama::new(width, height, pixels)),
                     rotation_rad: self.rotation_rad,
                     intensity: self.intensity,
                 }

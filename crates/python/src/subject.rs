@@ -2,8 +2,8 @@
 
 use nacreous_colour::SAMPLES;
 use nacreous_image::{
-    Bands, Body, Facets, Film, Grain, IlluminantPearl, Irradiance, Light, Model, Palette, Pearl,
-    Progress, Relief, Rgb, Rings, Surface, Surroundings, Transport, grain,
+    Bands, Body, Film, Grain, IlluminantPearl, Irradiance, Light, Microfacets, Model, Palette,
+    Pearl, Progress, Rgb, Rings, Surface, Surroundings, TorranceSparrow, Transport, grain,
 };
 use nacreous_nacre::LayerStack;
 use nacreous_optics::{IlluminantModel, OpticsError};
@@ -54,7 +54,7 @@ struct TransportSpec<'py> {
 /// A pearl before its light is known.
 pub struct Subject<'a> {
     pub diameter_mm: f64,
-    pub relief: Relief,
+    pub microfacets: Microfacets,
     model: Known,
     texture: Option<&'a grain::texture::Texture>,
     grain: Grain,
@@ -68,7 +68,7 @@ enum Known {
 /// What the model of 1996 asks of a pearl beside its layers.
 #[derive(Clone, Copy)]
 struct Look {
-    facets: Facets,
+    facets: TorranceSparrow,
     mixing: f64,
     body_colour: Rgb,
     mirror_weight: f64,
@@ -92,17 +92,17 @@ pub struct Around<'a> {
 impl<'a> Subject<'a> {
     pub fn new((spec, texture): &'a PearlGiven<'_>) -> PyResult<Self> {
         let spread_rad = spec.facet_spread_rad;
-        let (model, relief) = match (&spec.illuminant, &spec.transport) {
+        let (model, microfacets) = match (&spec.illuminant, &spec.transport) {
             (Some(illuminant), _) => {
                 let known = illuminant.known(spread_rad)?;
-                (known, Relief::grooves(spread_rad))
+                (known, Microfacets::grooves(spread_rad))
             }
-            (None, Some(transport)) => (transport.known()?, transport.relief(spread_rad)),
+            (None, Some(transport)) => (transport.known()?, transport.microfacets(spread_rad)),
             (None, None) => return Err(InputError::new_err("a pearl has no model")),
         };
         Ok(Self {
             diameter_mm: spec.diameter_mm,
-            relief,
+            microfacets,
             model,
             texture: texture.as_ref().map(|texture| &texture.0),
             grain: Grain {
@@ -124,7 +124,7 @@ impl<'a> Subject<'a> {
                 Rings::new(stack, model, light, progress)?.map(Prepared::Illuminant)
             }
             Known::Transport { columns, .. } => Film::new(columns, progress.stop_flag())?
-                .map(|film| Prepared::Transport(Box::new(Surface::new(film, self.relief)))),
+                .map(|film| Prepared::Transport(Box::new(Surface::new(film, self.microfacets)))),
         })
     }
 
@@ -178,7 +178,7 @@ impl IlluminantSpec<'_> {
             },
             stack: stack.clone(),
             look: Look {
-                facets: Facets::new(spread_rad, index, self.layer_reflectance),
+                facets: TorranceSparrow::new(spread_rad, index, self.layer_reflectance),
                 mixing: self.mixing,
                 body_colour: self.body_colour,
                 mirror_weight: self.mirror_weight,
@@ -200,10 +200,10 @@ impl TransportSpec<'_> {
         })
     }
 
-    fn relief(&self, spread: f64) -> Relief {
+    fn microfacets(&self, spread: f64) -> Microfacets {
         match self.facets.as_str() {
-            "ggx" => Relief::ggx(spread),
-            _ => Relief::grooves(spread),
+            "ggx" => Microfacets::ggx(spread),
+            _ => Microfacets::grooves(spread),
         }
     }
 }

@@ -13,8 +13,8 @@ from nacreous.scaling.check.response import ResponseTime, response_time
 from nacreous.scaling.check.side import SideBias, side_bias
 from nacreous.scaling.check.transitive import Transitivity, transitivity
 from nacreous.scaling.check.triads import Triads, circular_triads
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import comparisons_of
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import comparisons_of
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import comparisons_of
+from nacreous.scaling.data.comparisons import comparisons_of
 
 
 @dataclass(frozen=True)

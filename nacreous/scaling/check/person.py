@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.check.triads import Triads, circular_triads
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.check.person import known_people
 from nacreous.scaling.check.share import Share
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 
 
 @dataclass(frozen=True, eq=False)

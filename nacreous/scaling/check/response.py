@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous.number import number_of, row_of
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 
 #: Nobody sees two pictures, compares them and presses a key in less: simple reactions to light
 #: alone take about 0.2 s (R. D. Luce, Response Times, 1986).

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.check.share import Share
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.uncertainty import holm, level_of
 
 

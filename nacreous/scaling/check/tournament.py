@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 
 #: Shares nearer to each other than this are equal: the same fraction, computed another way.
 EQUAL = 1e-9

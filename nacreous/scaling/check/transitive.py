@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from nacreous.number import seed_of
 from nacreous.scaling.check.tournament import EQUAL, shares_of
-from nacreous.scaling.door.comparisons import comparisons_of
+from nacreous.scaling.data.comparisons import comparisons_of
 
 #: Up to so many triads, 200 stimuli, each is looked at; beyond, as many are drawn.
 MOST_TRIADS = 1_313_400

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.check.circle import count_open
 from nacreous.scaling.check.tournament import Shares, shares_of
-from nacreous.scaling.door.comparisons import comparisons_of
+from nacreous.scaling.data.comparisons import comparisons_of
 
 #: Up to so many stimuli chance is counted out exactly.
 MOST_EXACT = 8

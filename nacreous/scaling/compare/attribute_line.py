@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nacreous.problem import InputError
 from nacreous.scaling.compare.attribute_table import AttributeTable, products
 from nacreous.scaling.compare.estimate import Estimate
-from nacreous.scaling.door.fault import listed
+from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.scale import Scale
 
 __all__ = ["Line", "Prediction"]

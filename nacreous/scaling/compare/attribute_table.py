@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.door.column import number_column, text_column
-from nacreous.scaling.door.fault import Faults, listed, nearest, quoted
-from nacreous.scaling.door.table import read_table, table_of
+from nacreous.scaling.data.column import number_column, text_column
+from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
+from nacreous.scaling.data.table import read_table, table_of
 
 __all__ = ["AttributeTable", "check_columns", "products"]
 

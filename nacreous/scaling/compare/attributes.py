@@ -22,7 +22,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.compare.attribute_line import Line, Prediction
 from nacreous.scaling.compare.attribute_table import AttributeTable, check_columns
 from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotelling, names_of
-from nacreous.scaling.door.fault import listed
+from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from nacreous._core import PairModel
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.fault import quoted
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.clustering import personal

@@ -38,8 +38,8 @@ from nacreous.scaling.compare.estimate import (
 )
 from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.pool import pooled
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import comparisons_of
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model

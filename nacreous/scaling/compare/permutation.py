@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.compare.estimate import names_of, room_of, slopes_of
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import inverse
 

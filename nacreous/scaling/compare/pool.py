@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 
 __all__ = ["pooled"]
 

@@ -24,7 +24,7 @@ from nacreous.scaling.compare.estimate import (
     shared_people,
     spread_over,
 )
-from nacreous.scaling.door.fault import listed, quoted
+from nacreous.scaling.data.fault import listed, quoted
 
 __all__ = ["ClusterRatio", "RatioChange", "cluster_ratio", "compare_ratios"]
 

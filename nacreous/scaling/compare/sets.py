@@ -18,7 +18,7 @@ from nacreous.number import seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.alignment import Alignment, Shifts, align, shifts
 from nacreous.scaling.compare.estimate import estimates, firm_spread_over, shared_people
-from nacreous.scaling.door.fault import quoted
+from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
 

@@ -13,7 +13,7 @@ from nacreous import file
 from nacreous.figure import sheet
 from nacreous.number import array_of
 from nacreous.problem import InputError
-from nacreous.scaling.figure import words
+from nacreous.scaling.figure import lettering
 from nacreous.scaling.figure.fitted import Fitted, by_name, output, span
 
 __all__ = ["interval_plot"]
@@ -58,8 +58,8 @@ def interval_plot(
     bounds = _bounds(named, intervals)
     first = next(iter(named.values()))
     order = np.argsort(-first.scale, kind="stable")
-    labels = [words.elided(first.stimuli[at], width * 0.34) for at in order]
-    left = words.columns(labels, width * 0.34) + 2 * _GAP_PT
+    labels = [lettering.elided(first.stimuli[at], width * 0.34) for at in order]
+    left = lettering.columns(labels, width * 0.34) + 2 * _GAP_PT
     row_pt = _ROW_PT + _STEP_PT * (len(named) - 1)
     head = _ROW_PT * (0 if "" in named else _legend_rows(named, width)) + 4.0
     foot = head + row_pt * len(labels)
@@ -72,12 +72,12 @@ def interval_plot(
         _frame(axes, place, (low, high), (head, foot), width - left)
         for at, label in enumerate(labels):
             middle = head + (at + 0.5) * row_pt
-            words.write(axes, left - _GAP_PT, middle, label, ha="right", va="center_baseline")
+            lettering.write(axes, left - _GAP_PT, middle, label, ha="right", va="center_baseline")
         for at, (name, fit) in enumerate(named.items()):
             y = head + (np.arange(len(order)) + 0.5) * row_pt
             y = y + _STEP_PT * (at - (len(named) - 1) / 2)
             _dots(axes, place(fit.scale[order]), place(bounds[name][order]), y, _MARKS[at])
-        words.write(
+        lettering.write(
             axes, (left + width) / 2, foot + 20.0, unit or first.unit, ha="center", va="top"
         )
         if "" not in named:
@@ -109,11 +109,11 @@ def _frame(
     rows: tuple[float, float],
     room: float,
 ) -> None:
-    for tick in words.ticks(*values, int(room // 55)):
+    for tick in lettering.ticks(*values, int(room // 55)):
         x = place(tick)
         look = {"color": "#b9bbb8", "lw": 0.9} if tick == 0 else {"color": "#e6e6e2", "lw": 0.7}
         axes.plot([x, x], rows, zorder=1, **look)
-        words.write(axes, x, rows[1] + 4.0, words.tick_text(tick), ha="center", va="top")
+        lettering.write(axes, x, rows[1] + 4.0, lettering.tick_text(tick), ha="center", va="top")
 
 
 def _dots(axes: Any, x: Any, ends: Any, y: Any, mark: tuple[str, str]) -> None:
@@ -126,8 +126,8 @@ def _cells(names: Sequence[str], width: float) -> list[tuple[float, int, str]]:
     """Where the legend's entries begin, in which row, and what they say."""
     cells, x, row = [], 4.0, 0
     for name in names:
-        text = words.elided(name, width - 30.0)
-        room = words.width_pt(text) + 26.0
+        text = lettering.elided(name, width - 30.0)
+        room = lettering.width_pt(text) + 26.0
         if x > 4.0 and x + room > width:
             x, row = 4.0, row + 1
         cells.append((x, row, text))
@@ -143,4 +143,4 @@ def _legend(axes: Any, names: Sequence[str], width: float) -> None:
     for (x, row, text), (colour, shape) in zip(_cells(names, width), _MARKS, strict=False):
         y = (row + 0.5) * _ROW_PT
         axes.plot([x + 5.0], [y], shape, color=colour, ms=5, mew=0)
-        words.write(axes, x + 13.0, y, text, va="center_baseline")
+        lettering.write(axes, x + 13.0, y, text, va="center_baseline")

@@ -13,7 +13,7 @@ from nacreous import file
 from nacreous.figure import sheet
 from nacreous.number import array_of
 from nacreous.problem import InputError
-from nacreous.scaling.figure import words
+from nacreous.scaling.figure import lettering
 from nacreous.scaling.figure.fitted import output
 
 __all__ = ["matrix_plot"]
@@ -58,7 +58,7 @@ def matrix_plot(
     rows = np.arange(count) if order is None else np.asarray(order)
     if rows.shape != (count,) or sorted(rows.tolist()) != list(range(count)):
         raise InputError(f"order is no arrangement of 0 to {count - 1}; allowed: each once")
-    labels = [words.elided(stimuli[row], width * 0.25) for row in rows.tolist()]
+    labels = [lettering.elided(stimuli[row], width * 0.25) for row in rows.tolist()]
     with file.atomic(target) as temporary:
         _draw(temporary, matrix[np.ix_(rows, rows)], labels, kind, width)
 
@@ -67,9 +67,9 @@ def _draw(
     path: Any, matrix: NDArray[np.float64], labels: list[str], kind: str, width: float
 ) -> None:
     count = len(labels)
-    left = words.columns(labels, width * 0.25) + 6.0
+    left = lettering.columns(labels, width * 0.25) + 6.0
     cell = (width - left - 2.0) / count
-    flat = max((words.width_pt(label) for label in labels), default=0.0) <= cell
+    flat = max((lettering.width_pt(label) for label in labels), default=0.0) <= cell
     top = 16.0 if flat else left
     bottom = top + cell * count
     colours, low, high = _colours(matrix, kind)
@@ -111,13 +111,15 @@ def _colours(matrix: NDArray[np.float64], kind: str) -> tuple[Any, float, float]
 
 def _names(axes: Any, labels: list[str], left: float, top: float, cell: float, flat: bool) -> None:
     """Every label where there is room, else every second, third ... one."""
-    step = max(1, int(np.ceil(words.SIZE_PT * 1.2 / cell)))
+    step = max(1, int(np.ceil(lettering.SIZE_PT * 1.2 / cell)))
     upright = {"rotation": 90, "rotation_mode": "anchor", "ha": "left", "va": "center"}
     look = {"ha": "center", "va": "bottom"} if flat else upright
     for at in range(0, len(labels), step):
         middle = (at + 0.5) * cell
-        words.write(axes, left - 4.0, top + middle, labels[at], ha="right", va="center_baseline")
-        words.write(axes, left + middle, top - 4.0, labels[at], **look)
+        lettering.write(
+            axes, left - 4.0, top + middle, labels[at], ha="right", va="center_baseline"
+        )
+        lettering.write(axes, left + middle, top - 4.0, labels[at], **look)
 
 
 def _numbers(
@@ -134,8 +136,8 @@ def _numbers(
         text = text.replace("-", "\N{MINUS SIGN}")
         dark = np.dot(colour_of(value)[:3], (0.3, 0.6, 0.1)) < 0.58  # about how light it looks
         x, y = left + (column + 0.5) * cell, top + (row + 0.5) * cell
-        look = {"color": "white" if dark else words.INK, "fontsize": words.SIZE_PT - 1.0}
-        words.write(axes, x, y, text, ha="center", va="center_baseline", **look)
+        look = {"color": "white" if dark else lettering.INK, "fontsize": lettering.SIZE_PT - 1.0}
+        lettering.write(axes, x, y, text, ha="center", va="center_baseline", **look)
 
 
 def _bar(
@@ -158,5 +160,5 @@ def _bar(
     )
     form = "{:.0%}" if kind == "proportions" else "{:+.1f}"
     texts = [form.format(end).replace("-", "\N{MINUS SIGN}") for end in ends]
-    words.write(axes, left + 22.0, bottom + 17.0, texts[0], ha="right", va="center_baseline")
-    words.write(axes, left + length + 30.0, bottom + 17.0, texts[1], va="center_baseline")
+    lettering.write(axes, left + 22.0, bottom + 17.0, texts[0], ha="right", va="center_baseline")
+    lettering.write(axes, left + length + 30.0, bottom + 17.0, texts[1], va="center_baseline")

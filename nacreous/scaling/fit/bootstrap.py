@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel, PersonalAnswers
 from nacreous.number import said, seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.door.fault import listed
+from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.uncertainty import control_of, level_of
 
 Array = NDArray[np.float64]

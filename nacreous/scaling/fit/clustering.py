@@ -11,7 +11,7 @@ from nacreous._core import PairModel, PersonalAnswers
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
-    from nacreous.scaling.door.answers import Answers
+    from nacreous.scaling.data.answers import Answers
 
 Array = NDArray[np.float64]
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from nacreous._core import PairModel
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
-from nacreous.scaling.door.fault import listed
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.fault import listed
 
 REMEDY = "or a prior, as prior=1.0"
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.fit.existence import islands, pair_model, require_maximum
 from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
-from nacreous.scaling.door.table import is_table
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.table import is_table
 from nacreous.scaling.fit.existence import pair_model, require_maximum
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.separation import require_design

@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import Comparisons
-from nacreous.scaling.door.fault import listed
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit import bootstrap, clustering, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
 from nacreous.scaling.fit.unit import Unit, factor, unit_of
 
 if TYPE_CHECKING:
-    from nacreous.scaling.door.answers import Answers
+    from nacreous.scaling.data.answers import Answers
 
 Array = NDArray[np.float64]
 

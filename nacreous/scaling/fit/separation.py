@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 
 
 def require_design(

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.deprecation import keep_former_names
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.door.label import MOST_STIMULI, labels_of, numbered
+from nacreous.scaling.data.label import MOST_STIMULI, labels_of, numbered
 from nacreous.scaling.planning.sequence import balanced_sides, in_sequence
 
 #: A list of more pairs than this nobody answers.
@@ -18,7 +19,7 @@ MOST_PAIRS = 1_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Design:
+class PairDesign:
     """Pairs to show, in order: `left` and `right`, int64 [pair], are indices into `stimuli`.
 
     Every stimulus can be compared with every other through a chain of pairs, so that there is one
@@ -53,7 +54,7 @@ class Design:
         )
 
 
-def full_design(stimuli: int | Iterable[object], seed: int = 1, repeats: int = 1) -> Design:
+def full_design(stimuli: int | Iterable[object], seed: int = 1, repeats: int = 1) -> PairDesign:
     """Every pair once, or `repeats` times (1 to 100), with the sides exchanged each time.
 
     `stimuli` are labels, or how many: then they are "1" to "n". Same arguments, same design; give
@@ -71,7 +72,7 @@ def full_design(stimuli: int | Iterable[object], seed: int = 1, repeats: int = 1
     return _arranged(labels, np.stack([first, second], axis=1), seed_of(seed), times)
 
 
-def cyclic_design(stimuli: int | Iterable[object], each: int, seed: int = 1) -> Design:
+def cyclic_design(stimuli: int | Iterable[object], each: int, seed: int = 1) -> PairDesign:
     """An incomplete design in which every stimulus meets `each` others: 2 to n - 1.
 
     The stimuli stand in a circle, in random order, and each meets those at the same steps from it
@@ -106,7 +107,7 @@ def cyclic_design(stimuli: int | Iterable[object], each: int, seed: int = 1) -> 
     return _arranged(labels, circle[np.concatenate(pairs)], seed_of(seed), 1)
 
 
-def random_design(stimuli: int | Iterable[object], pairs: int, seed: int = 1) -> Design:
+def random_design(stimuli: int | Iterable[object], pairs: int, seed: int = 1) -> PairDesign:
     """So many different `pairs` at random, n - 1 to all of them, joining all stimuli.
 
     A chain through all stimuli in random order joins them; the others are drawn from those left,
@@ -143,7 +144,9 @@ def _steps(count: int, number: int) -> list[int]:
     return [1 + index * (longest - 1) // max(1, number - 1) for index in range(number)]
 
 
-def _arranged(labels: tuple[str, ...], pairs: NDArray[np.int64], seed: int, repeats: int) -> Design:
+def _arranged(
+    labels: tuple[str, ...], pairs: NDArray[np.int64], seed: int, repeats: int
+) -> PairDesign:
     """The pairs with sides and in sequence; the second time round with the sides exchanged."""
     random = np.random.default_rng([seed, 1])
     sided = balanced_sides(pairs, len(labels), random)
@@ -153,7 +156,7 @@ def _arranged(labels: tuple[str, ...], pairs: NDArray[np.int64], seed: int, repe
         before = parts[-1][-1] if parts else None
         parts.append(part[in_sequence(part, random, before)])
     left, right = np.concatenate(parts).T
-    return Design(labels, left.copy(), right.copy())
+    return PairDesign(labels, left.copy(), right.copy())
 
 
 def _labels(stimuli: int | Iterable[object]) -> tuple[str, ...]:
@@ -165,3 +168,6 @@ def _labels(stimuli: int | Iterable[object]) -> tuple[str, ...]:
 def _check_pairs(pairs: int) -> None:
     if pairs > MOST_PAIRS:
         raise InputError(f"the design has {pairs} pairs; allowed: up to {MOST_PAIRS}")
+
+
+keep_former_names(__name__, {"Design": "PairDesign"}, "nacreous.scaling")

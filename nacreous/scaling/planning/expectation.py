@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.planning.simulation import pairs_of, truth_of
 
 if TYPE_CHECKING:

@@ -19,8 +19,8 @@ from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of
 from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.pool import pooled
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.fault import listed, quoted
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.planning.forecast import Needed, Power, Precision
 from nacreous.scaling.planning.simulation import Pairs, simulate, truth_of

@@ -30,8 +30,8 @@ from numpy.typing import NDArray
 from nacreous.number import said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import fit_of
-from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
-from nacreous.scaling.door.label import labels_of
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.label import labels_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
 

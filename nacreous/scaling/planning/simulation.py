@@ -14,15 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous.number import number_of, row_of, said, seed_of, whole_of, within
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.fault import listed, quoted
-from nacreous.scaling.door.label import check_number, natural, numbered
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.fault import listed, quoted
+from nacreous.scaling.data.label import check_number, natural, numbered
 from nacreous.scaling.fit.unit import check_model
-from nacreous.scaling.planning.design import Design
+from nacreous.scaling.planning.design import PairDesign
 
 __all__ = ["simulate"]
 
-Pairs = Sequence[tuple[object, object]] | Design
+Pairs = Sequence[tuple[object, object]] | PairDesign
 
 #: Beyond, a unanimous pair is unanimous among all people who ever lived.
 _WIDEST = 50.0
@@ -48,8 +48,8 @@ def simulate(
                    unit, in which a lead of x is chosen with probability F(x): z for "probit" (F
                    normal), logit for "logit" (F logistic).
     people         how many simulated observers; each answers every pair of `pairs` `repeats` times.
-    pairs          a `Design`, or (label, label) each; by default each pair of stimuli once. Which
-                   one stands on the left is tossed for every answer.
+    pairs          a `PairDesign`, or (label, label) each; by default each pair of stimuli once.
+                   Which one stands on the left is tossed for every answer.
     person_spread  people differ: everyone has a scale of their own, the truth plus normal noise of
                    this standard deviation on each stimulus. 0: all alike, answers independent.
     order          added to the lead of whatever stands on the left.

@@ -1,1 +1,1 @@
-"""A study of answers, and the report that tells of it in plain words."""
+"""An analysis of answers, and the report that tells of it in plain words."""

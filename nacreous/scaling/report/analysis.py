@@ -1,4 +1,4 @@
-"""All that a report says, computed once: `study` of answers, before a word is written."""
+"""All that a report says, computed once, before a word is written."""
 
 from __future__ import annotations
 
@@ -11,19 +11,20 @@ from typing import Any
 import numpy as np
 
 from nacreous import file
+from nacreous.deprecation import keep_former_names
 from nacreous.problem import InputError
 from nacreous.scaling.check.checkup import Consistency, consistency
 from nacreous.scaling.check.misfit import Goodness, goodness
 from nacreous.scaling.compare.groups import GroupComparison, compare_groups
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.report.doubt import Doubt, Neighbours, doubt_of, neighbours_of
 from nacreous.scaling.report.settings import MODELS, Settings
 
-__all__ = ["SUFFIXES", "Study", "study"]
+__all__ = ["SUFFIXES", "Analysis", "analyse"]
 
 SUFFIXES = (".html", ".csv", ".json")
 #: The share of the time that resampling takes.
@@ -31,7 +32,7 @@ _RESAMPLING = 0.8
 
 
 @dataclass(frozen=True, eq=False)
-class Study:
+class Analysis:
     """Answers and all that was found in them.
 
     `answers` is None where only counts are known; `groups` where no column was named; `example`:
@@ -62,8 +63,8 @@ class Study:
     def save(self, path: str | PathLike[str], language: str = "en") -> None:
         """Write a report (.html, in "en" or "ja"), the scale (.csv) or every number (.json).
 
-        Same study, same bytes. Raises `InputError` for other endings and languages, and where the
-        file cannot be written; then there is no file.
+        Same analysis, same bytes. Raises `InputError` for other endings and languages, and where
+        the file cannot be written; then there is no file.
         """
         file.check_output(path, SUFFIXES)
         text = self.text(path, language)
@@ -81,14 +82,14 @@ class Study:
         return record.csv(self) if kind == ".csv" else record.json_text(self)
 
 
-def study(
+def analyse(
     data: Any,
     settings: Settings | None = None,
     *,
     example: bool = False,
     progress: Callable[[float], None] | None = None,
     **asked: Any,
-) -> Study:
+) -> Analysis:
     """Fit a scale to answers or counts and look at it from all sides, as the report does.
 
     data: what `thurstone` takes. What is asked for comes as a `Settings`, or by its names:
@@ -97,7 +98,7 @@ def study(
     bad settings.
 
     >>> import nacreous as nc
-    >>> found = nc.scaling.study(nc.scaling.paper(), bootstrap=100)
+    >>> found = nc.scaling.analyse(nc.scaling.paper(), bootstrap=100)
     >>> found.ranking
     ['2', '4', '3', '1', '5', '6', '7']
     >>> [(pair.first, pair.second) for pair in found.neighbours if not pair.apart]
@@ -118,7 +119,7 @@ def study(
     doubt = doubt_of(fit, wanted, watch)
     groups = _groups(answers, wanted)
     show(1.0)
-    return Study(
+    return Analysis(
         settings=wanted,
         comparisons=comparisons,
         answers=answers,
@@ -165,3 +166,6 @@ def _apart(parts: dict[str, Answers]) -> bool:
     """Whether nobody is in two groups. Within one file a label is one person."""
     people = [label for part in parts.values() for label in part.people]
     return len(people) == len(set(people))
+
+
+keep_former_names(__name__, {"Study": "Analysis", "study": "analyse"}, "nacreous.scaling")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters import (
     consistency,
     fit,
@@ -17,13 +17,13 @@ from nacreous.scaling.report.chapters import (
     scale,
     short,
 )
-from nacreous.scaling.report.words import Html, Words, thousands
+from nacreous.scaling.report.translation import Html, Words, thousands
 
 __all__ = ["html"]
 
 _STYLE = Path(__file__).with_name("page.css")
 
-_CHAPTERS: dict[str, Callable[[Study, Words], Html]] = {
+_CHAPTERS: dict[str, Callable[[Analysis, Words], Html]] = {
     "scale": scale.chapter,
     "neighbours": neighbours.chapter,
     "fit": fit.chapter,
@@ -33,15 +33,19 @@ _CHAPTERS: dict[str, Callable[[Study, Words], Html]] = {
 }
 
 
-def html(study: Study, language: str = "en") -> str:
-    """The page in a language, "en" or "ja". Same study, same text."""
+def html(analysis: Analysis, language: str = "en") -> str:
+    """The page in a language, "en" or "ja". Same analysis, same text."""
     words = Words(language)
-    column = words.name(study.settings.group) if study.settings.group else ""
+    column = words.name(analysis.settings.group) if analysis.settings.group else ""
     title = {key: words(f"{key}.title", column=column) for key in _CHAPTERS}
-    used = [key for key in _CHAPTERS if key != "groups" or study.groups is not None]
+    used = {
+        key: write
+        for key, write in _CHAPTERS.items()
+        if key != "groups" or analysis.groups is not None
+    }
     chapters = "".join(
-        f'<section id="{key}">\n<h2>{title[key]}</h2>\n{_CHAPTERS[key](study, words)}</section>\n'
-        for key in used
+        f'<section id="{key}">\n<h2>{title[key]}</h2>\n{write(analysis, words)}</section>\n'
+        for key, write in used.items()
     )
     links = "\n".join(f'<a href="#{key}">{title[key]}</a>' for key in used)
     return f"""<!DOCTYPE html>
@@ -49,18 +53,18 @@ def html(study: Study, language: str = "en") -> str:
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{_title(study, words)}</title>
+<title>{_title(analysis, words)}</title>
 <style>
 {_STYLE.read_text(encoding="utf-8")}</style>
 </head>
 <body>
 <header>
-<h1>{_title(study, words)}</h1>
-{_asked(study, words)}</header>
+<h1>{_title(analysis, words)}</h1>
+{_asked(analysis, words)}</header>
 <main>
 <section id="short">
 <h2>{words("short.title")}</h2>
-{short.chapter(study, words)}<nav aria-label="{words("page.contents")}">
+{short.chapter(analysis, words)}<nav aria-label="{words("page.contents")}">
 {links}
 </nav>
 </section>
@@ -70,18 +74,18 @@ def html(study: Study, language: str = "en") -> str:
 """
 
 
-def _title(study: Study, words: Words) -> Html:
-    asked = words.question(study.settings.question, study.example)
+def _title(analysis: Analysis, words: Words) -> Html:
+    asked = words.question(analysis.settings.question, analysis.example)
     title = words("page.title") if asked is None else words("page.asked", question=asked)
-    return words("page.simulated", title=title) if study.settings.simulated else title
+    return words("page.simulated", title=title) if analysis.settings.simulated else title
 
 
-def _asked(study: Study, words: Words) -> Html:
-    asked = words.question(study.settings.question, study.example)
+def _asked(analysis: Analysis, words: Words) -> Html:
+    asked = words.question(analysis.settings.question, analysis.example)
     said = [words("head.unasked" if asked is None else "head.asked")]
-    counts = study.comparisons.unsided()
+    counts = analysis.comparisons.unsided()
     each = counts.left_wins + counts.right_wins + counts.ties
-    people = 0 if study.answers is None else len(study.answers.people)
+    people = 0 if analysis.answers is None else len(analysis.answers.people)
     said.append(
         words(
             "head.answered" if people else "head.counted",
@@ -98,9 +102,9 @@ def _asked(study: Study, words: Words) -> Html:
     if counts.ties.any():
         said.append(words("head.ties", ties=thousands(float(counts.ties.sum()))))
     shown = f"<p>{words.sentences(*said)}</p>\n"
-    if study.settings.simulated:
+    if analysis.settings.simulated:
         shown = f'<p class="note"><b>{words("head.simulated")}</b></p>\n' + shown
-    if study.example:
+    if analysis.example:
         shown += f'<p class="note">{words("head.paper")}</p>\n'
     return Html(shown)
 

@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from nacreous.scaling.report.words import Html
+from nacreous.scaling.report.translation import Html
 
 __all__ = ["WIDE_PT", "picture"]
 

@@ -11,20 +11,20 @@ from typing import Any
 import numpy as np
 
 import nacreous
-from nacreous.scaling.door.answers import Answers
-from nacreous.scaling.door.comparisons import Comparisons
-from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.report.analysis import Analysis
 
 __all__ = ["csv", "data_csv", "data_options", "json_text"]
 
 _ROLES = ("person", "left", "right", "chosen", "time", "response_s")
 
 
-def csv(study: Study) -> str:
+def csv(analysis: Analysis) -> str:
     """A line for each stimulus, from the top of the scale."""
-    fit, doubt = study.fit, study.doubt
-    wins = study.comparisons.matrix
-    ties = study.comparisons.tie_matrix
+    fit, doubt = analysis.fit, analysis.doubt
+    wins = analysis.comparisons.matrix
+    ties = analysis.comparisons.tie_matrix
     heads = ("place", "stimulus", "scale", "unit", "low", "high", "se", "chosen", "passed", "ties")
     rows = [
         (
@@ -35,61 +35,61 @@ def csv(study: Study) -> str:
             *(f"{value:.6f}" for value in (*doubt.intervals[at], doubt.se[at])),
             *(f"{value:g}" for value in (wins[at].sum(), wins[:, at].sum(), ties[at].sum())),
         )
-        for place, at in enumerate(study.order)
+        for place, at in enumerate(analysis.order)
     ]
     return _table(heads, rows)
 
 
-def json_text(study: Study) -> str:
+def json_text(analysis: Analysis) -> str:
     """Every number of the report; a person's label stands only where the report names it."""
-    fit = study.fit
+    fit = analysis.fit
     found = {
         "made_by": f"nacreous {nacreous.__version__}",
-        "settings": asdict(study.settings),
-        "reconstructed_from_the_published_table": study.example,
-        "answers": study.comparisons.total,
-        "people": None if study.answers is None else len(study.answers.people),
+        "settings": asdict(analysis.settings),
+        "reconstructed_from_the_published_table": analysis.example,
+        "answers": analysis.comparisons.total,
+        "people": None if analysis.answers is None else len(analysis.answers.people),
         "unit": fit.unit,
         "stimuli": [
             {
                 "stimulus": fit.stimuli[at],
                 "scale": fit.scale[at],
-                "low": study.doubt.intervals[at, 0],
-                "high": study.doubt.intervals[at, 1],
-                "se": study.doubt.se[at],
+                "low": analysis.doubt.intervals[at, 0],
+                "high": analysis.doubt.intervals[at, 1],
+                "se": analysis.doubt.se[at],
             }
-            for at in study.order
+            for at in analysis.order
         ],
         "order_effect": fit.order_effect,
         "tie_threshold": fit.tie_threshold,
         "log_likelihood": fit.log_likelihood,
-        "resampled": {"by": study.doubt.by, "samples": study.doubt.samples},
-        "covariance": study.doubt.covariance,
-        "neighbours": study.neighbours,
-        "pairs": _pairs(study),
-        "goodness": study.goodness,
-        "consistency": study.consistency,
-        "groups": _groups(study),
+        "resampled": {"by": analysis.doubt.by, "samples": analysis.doubt.samples},
+        "covariance": analysis.doubt.covariance,
+        "neighbours": analysis.neighbours,
+        "pairs": _pairs(analysis),
+        "goodness": analysis.goodness,
+        "consistency": analysis.consistency,
+        "groups": _groups(analysis),
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
 
 
-def _pairs(study: Study) -> dict[str, Any]:
+def _pairs(analysis: Analysis) -> dict[str, Any]:
     return {
-        "stimuli": study.fit.stimuli,
-        "wins": study.comparisons.matrix,
-        "ties": study.comparisons.tie_matrix,
-        "fitted_shares": study.fit.proportions,
+        "stimuli": analysis.fit.stimuli,
+        "wins": analysis.comparisons.matrix,
+        "ties": analysis.comparisons.tie_matrix,
+        "fitted_shares": analysis.fit.proportions,
     }
 
 
-def _groups(study: Study) -> Any:
-    groups = study.groups
+def _groups(analysis: Analysis) -> Any:
+    groups = analysis.groups
     if groups is None:
         return None
     return {
         "tests": groups.tests,
-        "scales": {name: fit.to(study.fit.unit).scale for name, fit in groups.fits.items()},
+        "scales": {name: fit.to(analysis.fit.unit).scale for name, fit in groups.fits.items()},
         "differences_in_own_unit": groups.differences,
     }
 
@@ -113,16 +113,16 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def data_csv(study: Study) -> str:
+def data_csv(analysis: Analysis) -> str:
     """The data in the form that `nacreous scale` reads: answers, or a matrix of counts."""
-    if study.answers is None:
-        return _counts_csv(study.comparisons)
-    return _answers_csv(study.answers)
+    if analysis.answers is None:
+        return _counts_csv(analysis.comparisons)
+    return _answers_csv(analysis.answers)
 
 
-def data_options(study: Study) -> list[str]:
+def data_options(analysis: Analysis) -> list[str]:
     """What `nacreous scale` must be told to read `data_csv` as it was meant."""
-    answers = study.answers
+    answers = analysis.answers
     if answers is None:
         return ["--counts"]
     tie = _tie_word(answers)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nacreous.scaling.report.words import Html, markup
+from nacreous.scaling.report.translation import Html, markup
 
 __all__ = ["facts", "table"]
 

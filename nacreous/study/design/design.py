@@ -11,16 +11,16 @@ from pydantic import Field, model_validator
 from nacreous.spec.complaint import Contradiction, nearest, shown
 from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
-from nacreous.spec.words import NAME, Name
+from nacreous.spec.texts import NAME, Name
 from nacreous.study.design import demo
 from nacreous.study.design.display import Display
 from nacreous.study.design.group import Group
+from nacreous.study.design.multilingual import WORDS, Language, Words
 from nacreous.study.design.pairs import Pairs
 from nacreous.study.design.question import Catch, Question
 from nacreous.study.design.screen import Screen
 from nacreous.study.design.sitting import Sitting
 from nacreous.study.design.stimulus import Stimulus
-from nacreous.study.design.words import WORDS, Language, Words
 
 #: The most stimuli of a study: 2016 pairs, more than anyone answers at a sitting.
 MOST_STIMULI = 64
@@ -79,7 +79,7 @@ class Design(SpecFile):
         source="paper 2.2",
         strict=False,
     )
-    pairs: Pairs = section(Pairs, "Which pairs are shown, and which twice.")
+    pairs: Pairs = section("Which pairs are shown, and which twice.")
     catches: Annotated[tuple[Catch, ...], Field(max_length=100)] = key(
         (),
         "Pairs whose answer is known, each headed [[catches]].",
@@ -94,9 +94,9 @@ class Design(SpecFile):
         source="paper 2.2, a real pearl shown before or not",
         strict=False,
     )
-    sitting: Sitting = section(Sitting, "How one participant goes through the study.")
-    display: Display = section(Display, "How large stimuli are.")
-    screen: Screen = section(Screen, "What is asked of the participant's screen.")
+    sitting: Sitting = section("How one participant goes through the study.")
+    display: Display = section("How large stimuli are.")
+    screen: Screen = section("What is asked of the participant's screen.")
 
     @property
     def labels(self) -> tuple[str, ...]:

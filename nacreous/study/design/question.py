@@ -10,8 +10,8 @@ from pydantic import Field
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import key
 from nacreous.spec.section import Section
-from nacreous.spec.words import NAME, Name
-from nacreous.study.design.words import WORDS, Words
+from nacreous.spec.texts import NAME, Name
+from nacreous.study.design.multilingual import WORDS, Words
 
 Word = Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,39}$")]
 WORD = "1 to 40 of a to z, 0 to 9, - and _, the first a letter or digit"

@@ -11,7 +11,7 @@ from nacreous.spec import preset
 from nacreous.spec.complaint import Contradiction
 from nacreous.spec.key import FilePath, key, quantity
 from nacreous.spec.section import Section
-from nacreous.spec.words import NAME, Name, ending
+from nacreous.spec.texts import NAME, Name, ending
 
 _LINKS = (".toml",)
 _PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")

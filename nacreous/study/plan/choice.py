@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.planning.design import random_design
 from nacreous.scaling.planning.selection import next_pairs
 from nacreous.scaling.planning.sequence import balanced_sides

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.planning.sequence import in_sequence
 from nacreous.study.design.design import Design
 from nacreous.study.plan.choice import Choice, choices

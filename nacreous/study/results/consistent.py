@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.answers import Answers
+from nacreous.scaling.data.answers import Answers
 from nacreous.study.design import Design
 from nacreous.study.results.chance import at_least, one_sided
 from nacreous.study.results.circles import circle_flags

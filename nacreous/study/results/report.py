@@ -11,7 +11,7 @@ from nacreous.study.store.codebook import group_column
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
-    from nacreous.scaling.report.analysis import Study
+    from nacreous.scaling.report.analysis import Analysis
     from nacreous.study.running import Running
 
 __all__ = ["report"]
@@ -45,7 +45,7 @@ def report(
     column = None if group is None else group_column(group).name
     if group is None:
         column = _comparable(answers, [group_column(name).name for name in known])
-    return html(_study(answers, text, column, simulated, progress), language)
+    return html(_analysis(answers, text, column, simulated, progress), language)
 
 
 def _comparable(answers: Answers, columns: list[str]) -> str | None:
@@ -65,13 +65,13 @@ def _comparable(answers: Answers, columns: list[str]) -> str | None:
     return None
 
 
-def _study(
+def _analysis(
     answers: Answers,
     text: str,
     column: str | None,
     simulated: bool,
     progress: Callable[[float], None] | None,
-) -> Study:
-    from nacreous.scaling import study
+) -> Analysis:
+    from nacreous.scaling import analyse
 
-    return study(answers, question=text, group=column, simulated=simulated, progress=progress)
+    return analyse(answers, question=text, group=column, simulated=simulated, progress=progress)

@@ -51,16 +51,16 @@ class ScaleSoFar:
 
 
 def scale_so_far(running: Running, question: str, simulated: bool = False) -> ScaleSoFar:
-    """Thurstone's case V of the answers that count, as `nacreous.scaling.study` has it.
+    """Thurstone's case V of the answers that count, as `nacreous.scaling.analyse` has it.
 
     Raises `InputError` with the reason while there is no scale: nobody has answered yet, stimuli
     are not joined by answers, or one of them always wins.
     """
-    from nacreous.scaling import study
+    from nacreous.scaling import analyse
 
     asked = question_of(running, question)
     answers = counted(running, question, simulated)
-    found = study(answers, bootstrap=0)
+    found = analyse(answers, bootstrap=0)
     pictures = {stimulus.label: stimulus.sha256 for stimulus in running.frozen.stimuli}
     stimuli = tuple(
         Placed(

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 
 __all__ = ["counts_of"]
 

@@ -8,9 +8,9 @@ from datetime import datetime
 from typing import Any
 
 from nacreous.problem import InputError
-from nacreous.scaling.door.comparisons import Comparisons
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.design import Frozen
-from nacreous.study.design.words import Words
+from nacreous.study.design.multilingual import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
 from nacreous.study.running.counts import counts_of
 from nacreous.study.running.plans import Plans, plain, trials_of

@@ -1,7 +1,7 @@
 /** What all views of the laboratory share. */
 
 import type { Lab, Progress, Study } from "./api";
-import type { Speech } from "./words/words";
+import type { Speech } from "./words/speech";
 
 /** What a person has opened or typed, kept when the language changes. */
 export interface Kept {

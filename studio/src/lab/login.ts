@@ -4,7 +4,7 @@ import { element } from "../shared/dom";
 import { Problem } from "../shared/http";
 import { fill } from "../shared/language";
 import type { Lab } from "./api";
-import type { Speech } from "./words/words";
+import type { Speech } from "./words/speech";
 
 /** A form that calls `done` once somebody is logged in. `name`: who was before. */
 export function loginForm(

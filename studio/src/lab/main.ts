@@ -13,7 +13,7 @@ import { Lab, type Progress, type Study } from "./api";
 import type { Desk, Kept } from "./desk";
 import { loginAgain, loginForm } from "./login";
 import { languages, Page } from "./page";
-import { rememberedLanguage, rememberLanguage, Speech } from "./words/words";
+import { rememberedLanguage, rememberLanguage, Speech } from "./words/speech";
 
 /** How often the server is asked how far the study is; more slowly while it does not answer. */
 const EVERY_MS = 3_000;

@@ -9,7 +9,7 @@ import { log } from "./views/log";
 import { overview } from "./views/overview";
 import { people } from "./views/people";
 import { scale } from "./views/scale";
-import { LANGUAGES, type Speech } from "./words/words";
+import { LANGUAGES, type Speech } from "./words/speech";
 
 const TABS = { overview, people, scale, invitations, log };
 type Tab = keyof typeof TABS;

@@ -2,8 +2,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::{
-    CHANNELS, Coefficients,
+use crate::harmonics::{
+    coefficients::{CHANNELS, Coefficients},
     legendre::{LANES, Recursion, Scaled, legendre},
 };
 
@@ -96,7 +96,7 @@ fn ring_wave(ring: &[[f64; CHANNELS]], waves: &[[f64; 2]], m: usize) -> [[f64; 2
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::harmonics::synthesise;
+    use crate::harmonics::synthesis::synthesise;
 
     #[test]
     fn what_is_synthesised_is_found_again() {

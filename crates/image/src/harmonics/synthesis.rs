@@ -5,12 +5,12 @@
 //! equator differ by the sign of the odd l - m only, so that both come from the same two sums, and
 //! travel through the transform as the real and the imaginary part of one signal.
 
-use super::{
-    CHANNELS, Coefficients,
+use crate::harmonics::{
+    coefficients::{CHANNELS, Coefficients},
     fourier::{InverseTransform, Signal},
     legendre::{LANES, Lanes, Recursion, Scaled, legendre},
 };
-use rayon::prelude::*;
+use crate::parallel;
 use std::f64::consts::PI;
 
 /// Groups of `LANES` ring pairs that share the walk through the coefficients, which is long.
@@ -29,13 +29,12 @@ pub fn synthesise<T: Send>(
     texel: impl Fn([f64; CHANNELS]) -> T + Sync,
     grid: &mut [T],
 ) {
-    debug_assert!(rows > top && top <= coefficients.band_limit && pitch >= 2 * rows);
+    debug_assert!(rows > top && top <= coefficients.band_limit() && pitch >= 2 * rows);
     let pass = Pass { coefficients, recursion: Recursion::new(top), top, rows };
     let transform = InverseTransform::new(2 * rows);
     let pairs = LANES * GROUPS;
-    let (north, south) = grid.split_at_mut(rows / 2 * pitch);
-    let blocks = north.par_chunks_mut(pairs * pitch).zip(south.par_rchunks_mut(pairs * pitch));
-    blocks.enumerate().for_each(|(block, (north, south))| {
+    let halves = grid.split_at_mut(rows / 2 * pitch);
+    parallel::for_mirrored_chunks(halves, pairs * pitch, |block, north, south| {
         let groups = pass.sum_over_degrees(block * pairs);
         let mut signals = [(); CHANNELS].map(|()| Signal::zero(2 * rows));
         let mut scratch = Signal::zero(2 * rows);

@@ -1,1 +1,1 @@
-"""The chapters of a report, one module each: `chapter(study, words)` gives its HTML."""
+"""The chapters of a report, one module each: `chapter(analysis, words)` gives its HTML."""

@@ -4,29 +4,29 @@ from __future__ import annotations
 
 import numpy as np
 
-from nacreous.scaling.report.analysis import Study
-from nacreous.scaling.report.words import Html, Words, number, percent, thousands
+from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
 __all__ = ["chapter"]
 
 _MOST_CIRCLES, _MOST_PEOPLE = 4, 12
 
 
-def chapter(study: Study, words: Words) -> Html:
+def chapter(analysis: Analysis, words: Words) -> Html:
     """One sentence or two for each thing that these answers allow to say."""
     found = [
-        *_triads(study, words),
-        *_agreement(study, words),
-        *_people(study, words),
-        *_retest(study, words),
-        *_side(study, words),
-        *_response(study, words),
+        *_triads(analysis, words),
+        *_agreement(analysis, words),
+        *_people(analysis, words),
+        *_retest(analysis, words),
+        *_side(analysis, words),
+        *_response(analysis, words),
     ]
     return Html("".join(f"<p>{said}</p>\n" for said in found or [words("consistency.nothing")]))
 
 
-def _triads(study: Study, words: Words) -> list[Html]:
-    triads, broken = study.consistency.triads, study.consistency.transitivity
+def _triads(analysis: Analysis, words: Words) -> list[Html]:
+    triads, broken = analysis.consistency.triads, analysis.consistency.transitivity
     if triads is None or broken is None or not triads.complete:
         return []
     if triads.circular:
@@ -56,16 +56,16 @@ def _triads(study: Study, words: Words) -> list[Html]:
     return [said, rules]
 
 
-def _agreement(study: Study, words: Words) -> list[Html]:
-    agreed = study.consistency.agreement
+def _agreement(analysis: Analysis, words: Words) -> list[Html]:
+    agreed = analysis.consistency.agreement
     if agreed is None:
         return []
     return [words("consistency.agreement", u=number(agreed.u), same=percent((1 + agreed.u) / 2))]
 
 
-def _people(study: Study, words: Words) -> list[Html]:
-    people = study.consistency.people
-    full = len(study.fit.stimuli)
+def _people(analysis: Analysis, words: Words) -> list[Html]:
+    people = analysis.consistency.people
+    full = len(analysis.fit.stimuli)
     # Only those who saw all the things: a zeta of three things says little beside one of seven.
     known = [
         (own.triads.zeta, own.person)
@@ -88,24 +88,24 @@ def _people(study: Study, words: Words) -> list[Html]:
     ]
 
 
-def _retest(study: Study, words: Words) -> list[Html]:
-    again = study.consistency.retest
+def _retest(analysis: Analysis, words: Words) -> list[Html]:
+    again = analysis.consistency.retest
     if again is None:
         return []
     return [words("consistency.retest", **_share(again.agreement))]
 
 
-def _side(study: Study, words: Words) -> list[Html]:
-    side = study.consistency.side
+def _side(analysis: Analysis, words: Words) -> list[Html]:
+    side = analysis.consistency.side
     if side is None:
         return []
-    verdict = "some" if side.p_value < 1 - study.settings.level else "none"
+    verdict = "some" if side.p_value < 1 - analysis.settings.level else "none"
     said = [
         words("consistency.side", **_share(side.left), verdict=words(f"consistency.side_{verdict}"))
     ]
-    if study.fit.order_effect is not None:
+    if analysis.fit.order_effect is not None:
         said.append(
-            words("consistency.order_effect", value=number(study.fit.order_effect, sign=True))
+            words("consistency.order_effect", value=number(analysis.fit.order_effect, sign=True))
         )
     if side.biased:
         people = words.names(side.biased, _MOST_PEOPLE)
@@ -113,8 +113,8 @@ def _side(study: Study, words: Words) -> list[Html]:
     return [words.sentences(*said)]
 
 
-def _response(study: Study, words: Words) -> list[Html]:
-    times = study.consistency.response
+def _response(analysis: Analysis, words: Words) -> list[Html]:
+    times = analysis.consistency.response
     if times is None:
         return []
     said = [words("consistency.response", median=number(times.median_s))]
@@ -129,7 +129,7 @@ def _response(study: Study, words: Words) -> list[Html]:
         else:
             said.append(words("consistency.response_fast", **values))
     if times.correlation is not None and times.p_value is not None:
-        near = times.correlation < 0 and times.p_value < 1 - study.settings.level
+        near = times.correlation < 0 and times.p_value < 1 - analysis.settings.level
         key = "consistency.response_near" if near else "consistency.response_flat"
         said.append(words(key, r=number(times.correlation)))
     return [words.sentences(*said)]

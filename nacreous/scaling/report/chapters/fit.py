@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from nacreous.scaling.figure import matrix_plot
-from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import facts, table
-from nacreous.scaling.report.words import Html, Words, chance, number, percent
+from nacreous.scaling.report.translation import Html, Words, chance, number, percent
 
 __all__ = ["chapter", "shares"]
 
@@ -20,33 +20,33 @@ _MOST_SPARSE = 0.2
 _MAP_PT = 256.0
 
 
-def chapter(study: Study, words: Words) -> Html:
+def chapter(analysis: Analysis, words: Words) -> Html:
     """Verdict, largest misfits, the two maps, the tests."""
-    untold = "few" if study.goodness.df else "none"
-    verdict = {None: untold, True: "good", False: "bad"}[study.goodness.describes]
+    untold = "few" if analysis.goodness.df else "none"
+    verdict = {None: untold, True: "good", False: "bad"}[analysis.goodness.describes]
     parts = [words.paragraph(f"fit.{verdict}")]
-    if study.goodness.describes is False:
-        parts.append(_largest(study, words))
-    if len(study.fit.stimuli) <= MOST_SIDES:
-        parts.append(_maps(study, words))
+    if analysis.goodness.describes is False:
+        parts.append(_largest(analysis, words))
+    if len(analysis.fit.stimuli) <= MOST_SIDES:
+        parts.append(_maps(analysis, words))
     else:
         parts.append(words.paragraph("fit.too_many"))
-    if study.goodness.describes is not None:
-        parts.append(_tests(study, words))
+    if analysis.goodness.describes is not None:
+        parts.append(_tests(analysis, words))
     return Html("".join(parts))
 
 
-def shares(study: Study) -> np.typing.NDArray[np.float64]:
+def shares(analysis: Analysis) -> np.typing.NDArray[np.float64]:
     """[n, n], the share of answers that chose i over j, a tie half; NaN where not compared."""
-    half = study.comparisons.tie_matrix / 2
-    wins = study.comparisons.matrix + half
+    half = analysis.comparisons.tie_matrix / 2
+    wins = analysis.comparisons.matrix + half
     total = wins + wins.T
     return np.divide(wins, total, out=np.full_like(wins, np.nan), where=total > 0)
 
 
-def _largest(study: Study, words: Words) -> Html:
-    residuals, observed = study.goodness.residuals, shares(study)
-    expected = study.fit.proportions
+def _largest(analysis: Analysis, words: Words) -> Html:
+    residuals, observed = analysis.goodness.residuals, shares(analysis)
+    expected = analysis.fit.proportions
     rows = []
     upper = np.triu(np.nan_to_num(np.abs(residuals)), 1)
     for flat in np.argsort(-upper, axis=None, kind="stable")[:_MOST_MISFITS]:
@@ -54,7 +54,7 @@ def _largest(study: Study, words: Words) -> Html:
         if upper[i, j] == 0:
             break
         i, j = (i, j) if residuals[i, j] > 0 else (j, i)
-        first, second = (words.name(study.fit.stimuli[at]) for at in (i, j))
+        first, second = (words.name(analysis.fit.stimuli[at]) for at in (i, j))
         rows.append(
             (
                 words("neighbours.over", first=first, second=second),
@@ -69,11 +69,13 @@ def _largest(study: Study, words: Words) -> Html:
     return Html(words.paragraph("fit.largest") + table(heads, rows, ["", "n", "n", "n"]))
 
 
-def _maps(study: Study, words: Words) -> Html:
-    ends = {"first": study.ranking[0], "last": study.ranking[-1]}
-    stimuli, order = study.fit.stimuli, study.order
+def _maps(analysis: Analysis, words: Words) -> Html:
+    ends = {"first": analysis.ranking[0], "last": analysis.ranking[-1]}
+    stimuli, order = analysis.fit.stimuli, analysis.order
     observed = picture(
-        lambda path, width: matrix_plot(shares(study), stimuli, path, order=order, width_pt=width),
+        lambda path, width: matrix_plot(
+            shares(analysis), stimuli, path, order=order, width_pt=width
+        ),
         "shares",
         words.alt("fit.proportions_alt", **ends),
         words("fit.proportions_caption"),
@@ -81,7 +83,12 @@ def _maps(study: Study, words: Words) -> Html:
     )
     missed = picture(
         lambda path, width: matrix_plot(
-            study.goodness.residuals, stimuli, path, kind="residuals", order=order, width_pt=width
+            analysis.goodness.residuals,
+            stimuli,
+            path,
+            kind="residuals",
+            order=order,
+            width_pt=width,
         ),
         "misfits",
         words.alt("fit.residuals_alt", **ends),
@@ -91,8 +98,8 @@ def _maps(study: Study, words: Words) -> Html:
     return Html(f'<div class="pair">{observed}{missed}</div>\n')
 
 
-def _tests(study: Study, words: Words) -> Html:
-    good = study.goodness
+def _tests(analysis: Analysis, words: Words) -> Html:
+    good = analysis.goodness
     rows = [("G2", "statistic", good.g2, good.g2_p_value)]
     rows += [("X2", "statistic_x", good.x2, good.x2_p_value)]
     if good.mosteller is not None:

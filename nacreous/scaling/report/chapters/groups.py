@@ -5,11 +5,11 @@ from __future__ import annotations
 from nacreous.scaling.compare.groups import GroupComparison
 from nacreous.scaling.figure import interval_plot, scale_plot
 from nacreous.scaling.fit.unit import factor
-from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.scale import MOST_ROWS
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.words import Html, Words, chance, number
+from nacreous.scaling.report.translation import Html, Words, chance, number
 
 __all__ = ["chapter"]
 
@@ -18,12 +18,12 @@ _MOST_COLOURS = 6
 _MOST_DIFFERENCES = 30
 
 
-def chapter(study: Study, words: Words) -> Html:
+def chapter(analysis: Analysis, words: Words) -> Html:
     """Verdict, who is in which group, the scales below each other, what stands differently."""
-    groups = study.groups
+    groups = analysis.groups
     if groups is None:
         return Html("")
-    differ = groups.p_value < 1 - study.settings.level
+    differ = groups.p_value < 1 - analysis.settings.level
     verdict = words.sentences(
         words(
             "groups.differ" if differ else "groups.alike", p=words.equals(chance(groups.p_value))
@@ -32,17 +32,17 @@ def chapter(study: Study, words: Words) -> Html:
     )
     return Html(
         f"<p>{verdict}</p>\n"
-        + _sizes(study, words)
-        + _plots(study, groups, words)
-        + _differences(study, groups, words)
+        + _sizes(analysis, words)
+        + _plots(analysis, groups, words)
+        + _differences(analysis, groups, words)
     )
 
 
-def _sizes(study: Study, words: Words) -> Html:
-    if study.answers is None or study.settings.group is None:
+def _sizes(analysis: Analysis, words: Words) -> Html:
+    if analysis.answers is None or analysis.settings.group is None:
         return Html("")
     items = ""
-    for name, part in study.answers.split(study.settings.group).items():
+    for name, part in analysis.answers.split(analysis.settings.group).items():
         key = "groups.size" if part.people else "groups.size_answers"
         said = words(
             key,
@@ -54,20 +54,20 @@ def _sizes(study: Study, words: Words) -> Html:
     return Html(f"<ul>\n{items}</ul>\n")
 
 
-def _plots(study: Study, groups: GroupComparison, words: Words) -> Html:
-    unit = words.unit(study.fit.unit)
-    fits = {name: fit.to(study.fit.unit) for name, fit in groups.fits.items()}
+def _plots(analysis: Analysis, groups: GroupComparison, words: Words) -> Html:
+    unit = words.unit(analysis.fit.unit)
+    fits = {name: fit.to(analysis.fit.unit) for name, fit in groups.fits.items()}
     shown = picture(
         lambda path, width: scale_plot(fits, path, unit=unit, width_pt=width),
         "groups",
         words.alt("groups.alt"),
         words("groups.lead"),
     )
-    if len(fits) > _MOST_COLOURS or len(study.fit.stimuli) > MOST_ROWS:
+    if len(fits) > _MOST_COLOURS or len(analysis.fit.stimuli) > MOST_ROWS:
         return Html(shown + words.paragraph("groups.too_many"))
     kind = "people" if groups.clustered else "expected"
-    bounds = {name: fit.intervals(study.settings.level, kind=kind) for name, fit in fits.items()}
-    level = f"{100 * study.settings.level:g}"
+    bounds = {name: fit.intervals(analysis.settings.level, kind=kind) for name, fit in fits.items()}
+    level = f"{100 * analysis.settings.level:g}"
     doubt = picture(
         lambda path, width: interval_plot(fits, path, intervals=bounds, unit=unit, width_pt=width),
         "groups-doubt",
@@ -77,9 +77,9 @@ def _plots(study: Study, groups: GroupComparison, words: Words) -> Html:
     return Html(shown + doubt)
 
 
-def _differences(study: Study, groups: GroupComparison, words: Words) -> Html:
-    times = factor("z" if groups.model == "probit" else "logit", study.fit.unit)
-    beyond = [one for one in groups.differences if one.p_adjusted < 1 - study.settings.level]
+def _differences(analysis: Analysis, groups: GroupComparison, words: Words) -> Html:
+    times = factor("z" if groups.model == "probit" else "logit", analysis.fit.unit)
+    beyond = [one for one in groups.differences if one.p_adjusted < 1 - analysis.settings.level]
     if not beyond:
         return words.paragraph("groups.stands_none")
     rows = []

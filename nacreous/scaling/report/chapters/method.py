@@ -12,8 +12,8 @@ from pathlib import Path
 
 import nacreous
 from nacreous.scaling.report import record
-from nacreous.scaling.report.analysis import Study
-from nacreous.scaling.report.words import Html, Words
+from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.translation import Html, Words
 
 __all__ = ["MOST_BYTES", "chapter"]
 
@@ -22,22 +22,22 @@ _REFERENCES = Path(__file__).parent.parent / "references.toml"
 MOST_BYTES = 2_000_000
 
 
-def chapter(study: Study, words: Words) -> Html:
+def chapter(analysis: Analysis, words: Words) -> Html:
     """The methods, the data, the command, the references."""
-    parts = [f"<p>{sentence}</p>\n" for sentence in _methods(study, words)]
-    parts += [f"<h3>{words('method.again')}</h3>\n", again(study, words)]
+    parts = [f"<p>{sentence}</p>\n" for sentence in _methods(analysis, words)]
+    parts += [f"<h3>{words('method.again')}</h3>\n", again(analysis, words)]
     parts.append(f"<h3>{words('method.references')}</h3>\n")
-    listed = "".join(f"<li>{escape(text)}</li>\n" for text in _cited(study))
+    listed = "".join(f"<li>{escape(text)}</li>\n" for text in _cited(analysis))
     parts.append(f'<ol class="quiet">\n{listed}</ol>\n')
     return Html("".join(parts))
 
 
-def _methods(study: Study, words: Words) -> list[Html]:
-    wanted = study.settings
+def _methods(analysis: Analysis, words: Words) -> list[Html]:
+    wanted = analysis.settings
     found = [words(f"method.{wanted.model}.{wanted.method}")]
     if wanted.ties:
         found.append(words("method.ties"))
-    elif study.comparisons.ties.any():
+    elif analysis.comparisons.ties.any():
         found.append(words("method.ties_half"))
     if wanted.order:
         found.append(words("method.order"))
@@ -47,30 +47,30 @@ def _methods(study: Study, words: Words) -> list[Html]:
         found.append(words("method.exists"))
     found.append(words("method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
-    if study.goodness.mosteller is not None:
+    if analysis.goodness.mosteller is not None:
         found.append(words("method.mosteller"))
     found.append(words("method.consistency"))
     return found
 
 
-def again(study: Study, words: Words) -> Html:
+def again(analysis: Analysis, words: Words) -> Html:
     """The data as a link, the command, the versions."""
-    options = study.settings.options(words.language)
-    if study.example:
-        text, key = record.data_csv(study), "method.data_paper"
+    options = analysis.settings.options(words.language)
+    if analysis.example:
+        text, key = record.data_csv(analysis), "method.data_paper"
         link = _link("paper-counts.csv", "text/csv", text)
         command = f"nacreous scale paper -o report.html {options}"
     else:
-        name = "counts.csv" if study.answers is None else "answers.csv"
-        text = record.data_csv(study)
+        name = "counts.csv" if analysis.answers is None else "answers.csv"
+        text = record.data_csv(analysis)
         small = len(text.encode()) <= MOST_BYTES
         link = _link(name, "text/csv", text) if small else Html("")
-        kind = "counts" if study.answers is None else "answers"
+        kind = "counts" if analysis.answers is None else "answers"
         key = f"method.data_{kind}" if small else "method.data_large"
-        flags = shlex.join([*record.data_options(study), "-o", "report.html"])
+        flags = shlex.join([*record.data_options(analysis), "-o", "report.html"])
         command = f"nacreous scale {name} {flags} {options}"
-    scale = _link("scale.csv", "text/csv", record.csv(study))
-    text = record.json_text(study)
+    scale = _link("scale.csv", "text/csv", record.csv(analysis))
+    text = record.json_text(analysis)
     if len(text) <= MOST_BYTES:
         everything = _link("scale.json", "application/json", text)
         numbers = words("method.record", csv=scale, json=everything)
@@ -80,7 +80,7 @@ def again(study: Study, words: Words) -> Html:
         words(key, link=link) if link else words(key),
         Html(f"<code>{escape(command.strip())}</code>"),
         numbers,
-        words("method.versions", versions=versions(), seed=study.settings.seed),
+        words("method.versions", versions=versions(), seed=analysis.settings.seed),
     ]
     return Html("".join(f"<p>{line}</p>\n" for line in lines))
 
@@ -99,9 +99,9 @@ def _link(name: str, kind: str, text: str) -> Html:
     )
 
 
-def _cited(study: Study) -> list[str]:
+def _cited(analysis: Analysis) -> list[str]:
     texts = tomllib.loads(_REFERENCES.read_text(encoding="utf-8"))
-    wanted = study.settings
+    wanted = analysis.settings
     used = {
         "thurstone": wanted.model == "probit",
         "ford": wanted.prior is None and wanted.method == "maximum-likelihood",
@@ -110,8 +110,8 @@ def _cited(study: Study) -> list[str]:
         "davidson": wanted.ties and wanted.model == "logit",
         "beaver": wanted.order and wanted.model == "logit",
         "efron": wanted.bootstrap > 0,
-        "nagata": study.example or wanted.method == "least-squares",
-        "perez": study.fit.unit in ("JOD", "JND"),
-        "mosteller": study.goodness.mosteller is not None,
+        "nagata": analysis.example or wanted.method == "least-squares",
+        "perez": analysis.fit.unit in ("JOD", "JND"),
+        "mosteller": analysis.goodness.mosteller is not None,
     }
     return [text for key, text in texts.items() if used.get(key, True)]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.words import Html, Words, chance, number, percent
+from nacreous.scaling.report.translation import Html, Words, chance, number, percent
 
 __all__ = ["chapter"]
 
 
-def chapter(study: Study, words: Words) -> Html:
+def chapter(analysis: Analysis, words: Words) -> Html:
     """Each thing against the next one down."""
     rows = [
         (
@@ -19,11 +19,11 @@ def chapter(study: Study, words: Words) -> Html:
             Html(f"{number(pair.difference)} <small>{words.span(pair.low, pair.high)}</small>"),
             chance(pair.p_value),
         )
-        for pair in study.neighbours
+        for pair in analysis.neighbours
     ]
     keys = ("pair", "verdict", "expected", "difference", "p")
     heads = [words(f"neighbours.{key}") for key in keys]
-    lead = words.paragraph("neighbours.lead", risk=words.risk(study.settings.level))
-    level = f"{100 * study.settings.level:g}"
+    lead = words.paragraph("neighbours.lead", risk=words.risk(analysis.settings.level))
+    level = f"{100 * analysis.settings.level:g}"
     note = f'<p class="quiet">{words("neighbours.note", level=level)}</p>\n'
     return Html(lead + table(heads, rows, ["", "", "n", "n", "n"]) + note)

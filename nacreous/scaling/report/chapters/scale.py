@@ -8,11 +8,11 @@ import numpy as np
 
 from nacreous.scaling.figure import interval_plot, scale_plot
 from nacreous.scaling.fit.unit import factor
-from nacreous.scaling.report.analysis import Study
+from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.doubt import FEW_PEOPLE
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.words import Html, Words, number, percent, thousands
+from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
 __all__ = ["chapter", "doubt"]
 
@@ -20,10 +20,10 @@ __all__ = ["chapter", "doubt"]
 MOST_ROWS = 60
 
 
-def chapter(study: Study, words: Words) -> Html:
+def chapter(analysis: Analysis, words: Words) -> Html:
     """Line, intervals, how to read them, table."""
-    fit, level = study.fit, study.settings.level
-    ends = {"first": study.ranking[0], "last": study.ranking[-1]}
+    fit, level = analysis.fit, analysis.settings.level
+    ends = {"first": analysis.ranking[0], "last": analysis.ranking[-1]}
     unit = words.unit(fit.unit)
     line = picture(
         lambda path, width: scale_plot(fit, path, unit=unit, width_pt=width),
@@ -33,7 +33,7 @@ def chapter(study: Study, words: Words) -> Html:
     )
     parts = [words.paragraph("scale.lead"), line]
     if len(fit.stimuli) <= MOST_ROWS:
-        bounds = study.doubt.intervals
+        bounds = analysis.doubt.intervals
         parts.append(
             picture(
                 lambda path, width: interval_plot(
@@ -46,39 +46,39 @@ def chapter(study: Study, words: Words) -> Html:
         )
     else:
         parts.append(words.paragraph("scale.too_many"))
-    parts += [_example(study, words), doubt(study, words), _table(study, words)]
+    parts += [_example(analysis, words), doubt(analysis, words), _table(analysis, words)]
     return Html("".join(parts))
 
 
-def _example(study: Study, words: Words) -> Html:
+def _example(analysis: Analysis, words: Words) -> Html:
     """A distance in words: from the first to the one in the middle."""
-    order = study.order
+    order = analysis.order
     first, second = order[0], order[(len(order) + 1) // 2 if len(order) > 2 else 1]
-    fit = study.fit
+    fit = analysis.fit
     return words.paragraph(
         "scale.example",
         first=words.name(fit.stimuli[first]),
         second=words.name(fit.stimuli[second]),
         distance=number(fit.scale[first] - fit.scale[second]),
         percent=percent(float(fit.proportions[first, second])),
-        one=_one(study, words),
+        one=_one(analysis, words),
     )
 
 
-def _one(study: Study, words: Words) -> Html:
+def _one(analysis: Analysis, words: Words) -> Html:
     """What one unit is; not said with ties, where it hangs on how many there are."""
-    if study.fit.tie_threshold is not None:
+    if analysis.fit.tie_threshold is not None:
         return Html("")
-    own = study.fit.own_unit
-    lead = factor(study.fit.unit, own)
+    own = analysis.fit.own_unit
+    lead = factor(analysis.fit.unit, own)
     share = 0.5 * (1 + erf(lead / 2**0.5)) if own == "z" else 1 / (1 + exp(-lead))
     return words("scale.one", percent=percent(share))
 
 
-def doubt(study: Study, words: Words) -> Html:
+def doubt(analysis: Analysis, words: Words) -> Html:
     """Where the margins come from, and when not to trust them."""
-    people = () if study.answers is None else study.answers.people
-    found = study.doubt
+    people = () if analysis.answers is None else analysis.answers.people
+    found = analysis.doubt
     sentences = [
         words("scale.zero"),
         words(
@@ -89,16 +89,16 @@ def doubt(study: Study, words: Words) -> Html:
     ]
     if found.by in ("people", "clusters") and len(people) < FEW_PEOPLE:
         sentences.append(words("scale.doubt.few", people=words.count("person", len(people))))
-    if found.by in ("answers", "information") and study.goodness.describes is False:
+    if found.by in ("answers", "information") and analysis.goodness.describes is False:
         sentences.append(words("scale.doubt.misfit"))
     return Html(f'<p class="quiet">{words.sentences(*sentences)}</p>\n')
 
 
-def _table(study: Study, words: Words) -> Html:
-    fit, bounds = study.fit, study.doubt.intervals
-    half = study.comparisons.tie_matrix / 2
-    wins = (study.comparisons.matrix + half).sum(axis=1)
-    total = wins + (study.comparisons.matrix + half).sum(axis=0)
+def _table(analysis: Analysis, words: Words) -> Html:
+    fit, bounds = analysis.fit, analysis.doubt.intervals
+    half = analysis.comparisons.tie_matrix / 2
+    wins = (analysis.comparisons.matrix + half).sum(axis=1)
+    total = wins + (analysis.comparisons.matrix + half).sum(axis=0)
     rows = [
         (
             str(rank + 1),
@@ -107,9 +107,9 @@ def _table(study: Study, words: Words) -> Html:
             words.span(bounds[at, 0], bounds[at, 1]),
             words("scale.of", wins=_count(wins[at]), total=_count(total[at])),
         )
-        for rank, at in enumerate(study.order)
+        for rank, at in enumerate(analysis.order)
     ]
-    level = f"{100 * study.settings.level:g}"
+    level = f"{100 * analysis.settings.level:g}"
     heads = [
         words("scale.rank"),
         words("scale.stimulus"),

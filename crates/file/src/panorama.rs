@@ -1,0 +1,225 @@
+//! A panorama, the light from all around, from a user's file.
+//!
+//! Radiance `.hdr` (RGBE) and EXR `.exr` (the first part with channels R, G and B), both
+//! linear. An EXR file that states other primaries is converted; a `.hdr` is taken as Rec. 709
+//! and its `EXPOSURE` line is not applied. Values below zero, as resampling leaves them around
+//! lamps, become zero; NaN and infinity are refused. Limits: [`crate::picture`].
+
+use std::io::Cursor;
+use std::path::Path;
+
+use exr::meta::attribute::Chromaticities;
+use exr::meta::header::Header;
+use exr::prelude::{ReadChannels, ReadLayers, Vec2};
+use image::codecs::hdr::HdrDecoder;
+use image::{DynamicImage, ImageDecoder, ImageFormat};
+
+use crate::picture::{
+    LinearPicture, PictureFileError, check_finite, check_size, guarded, read_bytes,
+};
+use crate::profile::srgb_from_rgb;
+
+/// Reads the panorama at `path`; see [`decode_panorama`].
+///
+/// # Errors
+/// As [`decode_panorama`], and a path that is no readable file, each with the path in front.
+pub fn read_panorama(path: &Path) -> Result<LinearPicture, PictureFileError> {
+    read_bytes(path)
+        .and_then(|bytes| guarded(|| decode_panorama(&bytes)))
+        .map_err(|problem| problem.at(path))
+}
+
+/// Decodes the bytes of a `.hdr` or `.exr` file to linear-light sRGB, 0 or more.
+///
+/// # Errors
+/// Another format, a damaged file, no R, G and B channels, a cropped picture, NaN or infinity, and
+/// a size beyond the limits, found in the header before anything is decoded.
+pub fn decode_panorama(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
+    let mut picture = match image::guess_format(bytes) {
+        Ok(ImageFormat::Hdr) => decode_hdr(bytes)?,
+        Ok(ImageFormat::OpenExr) => decode_exr(bytes)?,
+        _ => return Err(PictureFileError::Format { allowed: "Radiance (.hdr), OpenEXR (.exr)" }),
+    };
+    check_finite(&picture.rgb, picture.width, 3)?;
+    for value in &mut picture.rgb {
+        *value = value.max(0.0);
+    }
+    Ok(picture)
+}
+
+fn decode_hdr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
+    let damaged = |problem: image::ImageError| PictureFileError::damaged(&problem);
+    let decoder = HdrDecoder::new(Cursor::new(bytes)).map_err(damaged)?;
+    let (width, height) = decoder.dimensions();
+    check_size(width.into(), height.into())?;
+    let rgb = DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb32f().into_raw();
+    Ok(LinearPicture { width: width as usize, height: height as usize, rgb })
+}
+
+fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
+    let damaged = |problem: exr::error::Error| PictureFileError::damaged(&problem);
+    let reader = exr::block::read(Cursor::new(bytes), false).map_err(damaged)?;
+    for header in reader.headers() {
+        check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
+    }
+    let header = reader.headers().iter().find(|header| has_rgb(header)).ok_or_else(|| {
+        PictureFileError::Unsupported("has no channels R, G and B; a panorama needs them".into())
+    })?;
+    if header.data_window() != header.shared_attributes.display_window {
+        let problem = "is cropped (its data and display windows differ); a panorama must be whole";
+        return Err(PictureFileError::Unsupported(problem.to_owned()));
+    }
+    let conversion = conversion(header.shared_attributes.chromaticities)?;
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size, _| LinearPicture {
+                width: size.width(),
+                height: size.height(),
+                rgb: vec![0.0; size.area() * 3],
+            },
+            |picture: &mut LinearPicture, Vec2(x, y), (r, g, b): (f32, f32, f32)| {
+                let first = (y * picture.width + x) * 3;
+                picture.rgb[first..first + 3].copy_from_slice(&[r, g, b]);
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel() // a panic in a worker thread could not be caught
+        .from_chunks(reader)
+        .map_err(damaged)?;
+    let mut picture = image.layer_data.channel_data.pixels;
+    if let Some(matrix) = conversion {
+        convert(&mut picture.rgb, matrix);
+    }
+    Ok(picture)
+}
+
+fn has_rgb(header: &Header) -> bool {
+    ["R", "G", "B"]
+        .into_iter()
+        .all(|name| header.channels.list.iter().any(|channel| channel.name.eq(name)))
+}
+
+/// The matrix to linear sRGB, or nothing where the file says or implies Rec. 709.
+fn conversion(stated: Option<Chromaticities>) -> Result<Option<[[f64; 3]; 3]>, PictureFileError> {
+    let Some(Chromaticities { red, green, blue, white }) = stated else { return Ok(None) };
+    let [red, green, blue, white] = [red, green, blue, white].map(|Vec2(x, y)| [x, y]);
+    let rec709 = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06], [0.3127, 0.3290]];
+    let near = |(a, b): (&f32, &f32)| (a - b).abs() < 1e-3;
+    if [red, green, blue, white].as_flattened().iter().zip(rec709.as_flattened()).all(near) {
+        return Ok(None);
+    }
+    let matrix = srgb_from_rgb([red, green, blue], white).ok_or_else(|| {
+        PictureFileError::ColourProfile("its chromaticities span no colour space".to_owned())
+    })?;
+    Ok(Some(matrix))
+}
+
+fn convert(rgb: &mut [f32], matrix: [[f64; 3]; 3]) {
+    for pixel in rgb.chunks_exact_mut(3) {
+        let source = [pixel[0], pixel[1], pixel[2]].map(f64::from);
+        for (value, row) in pixel.iter_mut().zip(matrix) {
+            *value = row.iter().zip(source).map(|(a, b)| a * b).sum::<f64>() as f32;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use exr::prelude::{Image, SpecificChannels, WritableImage};
+
+    use super::*;
+
+    fn radiance(size: &str, pixels: &[[u8; 4]]) -> Vec<u8> {
+        let header = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n{size}\n");
+        [header.as_bytes(), pixels.as_flattened()].concat()
+    }
+
+    fn open_exr(first: f32, chromaticities: Option<Chromaticities>) -> Vec<u8> {
+        let value = |Vec2(x, _)| if x == 0 { (first, 0.25_f32, 4.0_f32) } else { (1.0, 1.0, 1.0) };
+        let mut image = Image::from_channels((3, 2), SpecificChannels::rgb(value));
+        image.attributes.chromaticities = chromaticities;
+        let mut file = Cursor::new(Vec::new());
+        image.write().to_buffered(&mut file).unwrap();
+        file.into_inner()
+    }
+
+    fn message(bytes: &[u8]) -> String {
+        decode_panorama(bytes).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn rgbe_is_mantissa_times_a_power_of_two() {
+        // Ward, "Real Pixels" (1991): value = mantissa * 2^(exponent - 136).
+        let file = radiance("-Y 1 +X 2", &[[128, 64, 32, 129], [128, 0, 0, 140]]);
+        let picture = decode_panorama(&file).unwrap();
+        assert_eq!(
+            picture,
+            LinearPicture { width: 2, height: 1, rgb: vec![1.0, 0.5, 0.25, 2048.0, 0.0, 0.0] }
+        );
+    }
+
+    #[test]
+    fn floats_pass_unchanged_and_undershoots_become_black() {
+        assert_eq!(decode_panorama(&open_exr(1e6, None)).unwrap().rgb[..3], [1e6, 0.25, 4.0]);
+        assert_eq!(decode_panorama(&open_exr(-0.01, None)).unwrap().rgb[..3], [0.0, 0.25, 4.0]);
+    }
+
+    #[test]
+    fn white_stays_white_from_other_primaries() {
+        let xy = |x, y| Vec2(x, y);
+        let rec2020 = Chromaticities {
+            red: xy(0.708, 0.292),
+            green: xy(0.170, 0.797),
+            blue: xy(0.131, 0.046),
+            white: xy(0.3127, 0.3290),
+        };
+        let picture = decode_panorama(&open_exr(0.5, Some(rec2020))).unwrap();
+        assert!(picture.rgb[3..6].iter().all(|value| (value - 1.0).abs() < 1e-5));
+        // ITU-R BT.2087: green of Rec. 709 is -0.1246 R + 1.1329 G - 0.0083 B of Rec. 2020.
+        let green = -0.1246 * 0.5 + 1.1329 * 0.25 - 0.0083 * 4.0;
+        assert!((picture.rgb[1] - green).abs() < 1e-3, "{}", picture.rgb[1]);
+    }
+
+    #[test]
+    fn values_that_are_no_numbers_are_refused() {
+        let place = "the first at row 0, column 0, channel 0";
+        for value in [f32::NAN, f32::INFINITY] {
+            let expected = format!("holds 2 values that are not finite, {place}");
+            assert_eq!(message(&open_exr(value, None)), expected);
+        }
+    }
+
+    #[test]
+    fn huge_broken_and_foreign_files_are_refused() {
+        let huge = message(&radiance("-Y 20000 +X 40000", &[]));
+        assert!(huge.starts_with("is 40000 x 20000 pixels; allowed:"), "{huge}");
+        assert!(message(&radiance("-Y 9 +X 9", &[[1; 4]])).contains("damaged or cut short"));
+        let whole = open_exr(1.0, None);
+        assert!(message(&whole[..whole.len() / 2]).contains("damaged or cut short"));
+        assert!(message(b"\x89PNG\r\n\x1a\n").contains("allowed: Radiance (.hdr), OpenEXR (.exr)"));
+    }
+
+    #[test]
+    fn no_broken_file_brings_the_decoders_down() {
+        let mut state = 1_u32;
+        let mut random = move |below: usize| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as usize % below
+        };
+        for whole in [open_exr(0.5, None), radiance("-Y 2 +X 2", &[[9, 8, 7, 128]; 4])] {
+            for _ in 0..2000 {
+                let mut broken = whole.clone();
+                for _ in 0..=random(4) {
+                    let place = random(broken.len());
+                    broken[place] = random(256) as u8;
+                }
+                if let Ok(LinearPicture { rgb, .. }) = decode_panorama(&broken) {
+                    assert!(rgb.iter().all(|value| *value >= 0.0 && value.is_finite()));
+                }
+            }
+        }
+    }
+}

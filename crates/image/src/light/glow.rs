@@ -1,0 +1,72 @@
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use crate::{harmonics::second_order::SecondOrder, rgb::Rgb};
+
+/// The light that a ball sends out as its neighbours see it: the mean radiance of its disc, by the
+/// direction that it is seen from. Nine spherical harmonics **(ours)**: what lights a table or is
+/// mirrored in the next pearl is spread too widely for finer detail to matter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glow(SecondOrder);
+
+impl Glow {
+    /// A ball that sends out nothing.
+    pub const BLACK: Self = Self(SecondOrder::ZERO);
+
+    /// The nearest to `radiance`, which is asked for directions towards the viewer, 72 of them. Exact
+    /// for what nine harmonics can say.
+    pub fn from_fn(radiance: impl Fn(DVec3) -> Rgb) -> Self {
+        Self(SecondOrder::nearest_to(directions().map(|(to, share)| (to, share, radiance(to)))))
+    }
+
+    /// Mean radiance shown to a viewer in a direction (a unit vector from the ball).
+    pub fn at(&self, towards_viewer: DVec3) -> Rgb {
+        self.0.at(towards_viewer, &[1.0; 9]).map(|channel| channel.max(0.0))
+    }
+}
+
+/// Gauss and Legendre's six nodes between -1 and 1, the positive half, and their weights.
+const NODES: [(f64, f64); 3] = [
+    (0.238_619_186_083_196_9, 0.467_913_934_572_691),
+    (0.661_209_386_466_264_5, 0.360_761_573_048_138_6),
+    (0.932_469_514_203_152, 0.171_324_492_379_170_35),
+];
+/// Even steps around the upright axis.
+const STEPS: u32 = 12;
+
+/// Directions with their shares of the sphere, by which polynomials up to degree 11 are summed exactly.
+fn directions() -> impl Iterator<Item = (DVec3, f64)> {
+    let both = NODES.into_iter().flat_map(|(y, weight)| [(y, weight), (-y, weight)]);
+    both.flat_map(|(y, weight)| {
+        let flat = (1.0 - y * y).sqrt();
+        (0..STEPS).map(move |step| {
+            let (sin, cos) = libm::sincos(2.0 * PI * (f64::from(step) + 0.5) / f64::from(STEPS));
+            (DVec3::new(flat * sin, y, flat * cos), 0.5 * weight / f64::from(STEPS))
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_nine_harmonics_can_say_comes_back_exactly() {
+        let light = |d: DVec3| [1.0 + 0.2 * d.x, 2.0 + d.x * d.y - 0.3 * d.z, 1.0 + d.y * d.y];
+        let glow = Glow::from_fn(light);
+        for direction in [DVec3::X, DVec3::NEG_Y, DVec3::new(0.48, 0.6, -0.64)] {
+            let (got, put) = (glow.at(direction), light(direction));
+            assert!(got.iter().zip(put).all(|(a, b)| (a - b).abs() < 1e-12), "{got:?} {put:?}");
+        }
+    }
+
+    #[test]
+    fn light_is_never_negative() {
+        let lamp = Glow::from_fn(|d| [if d.y > 0.9 { 1.0 } else { 0.0 }; 3]);
+        for (direction, _) in directions() {
+            assert!(lamp.at(direction)[0] >= 0.0);
+        }
+        assert!(Glow::BLACK.at(DVec3::Y).iter().all(|channel| *channel == 0.0));
+    }
+}

@@ -1,0 +1,80 @@
+use crate::{
+    iridescence::rings::Rings,
+    pearl::{shade::Shade, sight::Sight},
+    rgb::{self, Rgb},
+    surface::torrance_sparrow::TorranceSparrow,
+    surroundings::{environment::Surroundings, irradiance::Irradiance},
+    view::ray::Ray,
+};
+
+/// A pearl by the model of 1996: rings of interference colour by the view angle alone, a matt body, and a
+/// mirroring surface.
+#[derive(Debug)]
+pub struct IlluminantPearl {
+    /// Interference colour by view angle.
+    pub rings: Rings,
+    /// Share of interference against body colour.
+    pub mixing: f64,
+    /// Share of light that the body sends back, linear RGB.
+    pub body_colour: Rgb,
+    /// Light of the surroundings, lamps apart, on every side of the pearl where it lies.
+    pub irradiance: Irradiance,
+    /// The surface.
+    pub facets: TorranceSparrow,
+    /// Share of the mirrored surroundings that the surface leaves clear.
+    pub mirror_weight: f64,
+    /// Distance over which a mirrored thing fades to 1/e of its contrast with the backdrop.
+    pub falloff_mm: f64,
+}
+
+impl IlluminantPearl {
+    /// What goes from the point towards the eye, without the grain.
+    pub(crate) fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+        Shade {
+            interference: rgb::scaled(self.rings.colour(sight.hit.cos_view), self.mixing),
+            diffuse: rgb::scaled(self.body(surroundings, sight), 1.0 - self.mixing),
+            mirror: self.mirror(surroundings, sight),
+            ..Shade::default()
+        }
+    }
+
+    /// Lambert's law in the body colour.
+    fn body(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
+        let Sight { ball, hit, .. } = sight;
+        let mut light = self.irradiance.at(hit.normal);
+        for lamp in &surroundings.lamps {
+            let past = surroundings.lamp_past(lamp, hit.point, Some(*ball));
+            rgb::add(&mut light, rgb::scaled(lamp.matt(hit.point, hit.normal), past));
+        }
+        rgb::times(self.body_colour, light)
+    }
+
+    /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
+    fn mirror(&self, surroundings: &Surroundings, sight: &Sight) -> Rgb {
+        let Sight { ball, hit, view, pixel_mm, .. } = *sight;
+        let along = 2.0 * hit.cos_view * hit.normal - view;
+        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
+        // a slanted surface turns it faster.
+        let spread_rad =
+            2.0 * pixel_mm / surroundings.balls[ball].radius_mm / hit.cos_view.max(0.02);
+        let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
+        let clear = libm::exp(-seen.distance_mm / self.falloff_mm);
+        let faded = if clear < 1.0 && seen.distance_mm.is_finite() {
+            rgb::mix(surroundings.backdrop(along, spread_rad), seen.radiance, clear)
+        } else {
+            seen.radiance
+        };
+        let mut mirrored =
+            rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
+        for lamp in &surroundings.lamps {
+            let facets = &self.facets;
+            let reflected = |cos_half| [facets.reflectance(cos_half); 3];
+            let image = lamp.image(&facets.microfacets, hit.point, hit.normal, view, reflected);
+            if image[0] > 0.0 {
+                let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
+                rgb::add(&mut mirrored, rgb::times(lamp.brightness, rgb::scaled(image, past)));
+            }
+        }
+        mirrored
+    }
+}

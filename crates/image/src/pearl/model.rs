@@ -1,0 +1,120 @@
+use glam::DVec3;
+
+use crate::{
+    grain::texture::Texture,
+    light::glow::Glow,
+    pearl::{
+        illuminant::IlluminantPearl, reflection_cache::ReflectionCache, shade::Shade, sight::Sight,
+        transport::Transport,
+    },
+    rgb,
+    shape::ball::Hit,
+    surroundings::environment::Surroundings,
+    view::camera::Camera,
+};
+
+/// How strongly the grain's textures act, per unit of texture and of lightness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grain {
+    /// Radians of hue.
+    pub hue_rad: f64,
+    /// Relative chroma.
+    pub chroma: f64,
+    /// Relative brightness of what is mirrored.
+    pub value: f64,
+}
+
+/// A pearl in its place and light, all of it known before the first pixel.
+#[derive(Debug)]
+pub struct Pearl<'a> {
+    /// What it does with light.
+    pub model: Model,
+    /// The grain over the sphere, if any.
+    pub texture: Option<&'a Texture>,
+    /// How strongly it acts.
+    pub grain: Grain,
+}
+
+/// The two models of a pearl's light.
+#[derive(Debug)]
+pub enum Model {
+    /// The paper's of 1996.
+    Illuminant(Box<IlluminantPearl>),
+    /// Light through the film, into the pearl and out again.
+    Transport(Box<Transport>),
+}
+
+impl Pearl<'_> {
+    /// Whether it lights its table: the paper's pearl of 1996 does not.
+    pub fn gives_light(&self) -> bool {
+        matches!(self.model, Model::Transport(_))
+    }
+
+    /// Whether its light has no detail that is finer than a pixel.
+    pub(crate) fn is_smooth(&self) -> bool {
+        matches!(self.model, Model::Transport(_))
+    }
+
+    /// The cache of what its facets show the camera, if there shall be one.
+    pub(crate) fn reflection_cache(
+        &self,
+        surroundings: &Surroundings,
+        ball: usize,
+        camera: &Camera,
+        pixel_mm: f64,
+    ) -> Option<ReflectionCache> {
+        match &self.model {
+            Model::Illuminant(_) => None,
+            Model::Transport(model) => model.reflection_cache(surroundings, ball, camera, pixel_mm),
+        }
+    }
+
+    /// What goes from the point towards the eye.
+    pub fn shade(&self, surroundings: &Surroundings, sight: &Sight) -> Shade {
+        let radius_mm = surroundings.balls[sight.ball].radius_mm;
+        let texture = self.texture.map_or([0.0; 3], |texture| {
+            texture.at(sight.hit.normal, sight.pixel_mm / radius_mm).map(f64::from)
+        });
+        let shade = match &self.model {
+            Model::Illuminant(model) => model.shade(surroundings, sight),
+            Model::Transport(model) => model.shade(surroundings, sight),
+        };
+        Shade { texture, ..shade }
+    }
+
+    /// The mean light of the pearl's disc as its neighbours see it, from all around.
+    pub fn glow(&self, surroundings: &Surroundings, ball: usize) -> Glow {
+        let radius_mm = surroundings.balls[ball].radius_mm;
+        Glow::from_fn(|towards| {
+            // Mirrored scenes shall have mirrored glows.
+            let y = (DVec3::Y - towards * towards.y).normalize_or(DVec3::X);
+            let x = y.cross(towards);
+            let mut sum = [0.0; 3];
+            for part in 0..RINGS * SPOKES {
+                let [across, up] = on_disc(part);
+                let cos_view = (1.0 - across * across - up * up).sqrt();
+                let normal = x * across + y * up + towards * cos_view;
+                let point = surroundings.balls[ball].centre + normal * radius_mm;
+                let hit = Hit { point, normal, cos_view, coverage: 1.0 };
+                let pixel_mm = 0.2 * radius_mm;
+                let sight = Sight { ball, hit, view: towards, pixel_mm, part, around: None };
+                let shade = self.shade(surroundings, &sight);
+                for light in [shade.interference, shade.diffuse, shade.mirror] {
+                    rgb::add(&mut sum, rgb::scaled(light, 1.0 / (RINGS * SPOKES) as f64));
+                }
+            }
+            sum
+        })
+    }
+}
+
+/// Rings of equal area, with so many points each, that stand for the disc.
+const RINGS: usize = 4;
+const SPOKES: usize = 16;
+
+fn on_disc(point: usize) -> [f64; 2] {
+    let (ring, spoke) = (point / SPOKES, point % SPOKES);
+    let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
+    let (sin, cos) = libm::sincos(std::f64::consts::TAU * (spoke as f64 + 0.5) / SPOKES as f64);
+    [radius * cos, radius * sin]
+}

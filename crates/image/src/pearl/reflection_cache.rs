@@ -1,0 +1,174 @@
+use std::f64::consts::FRAC_PI_4;
+
+use glam::DVec3;
+
+use crate::{
+    parallel,
+    rgb::{self, Rgb},
+    shape::ball::{Ball, Hit},
+    surface::{microfacets::Microfacets, sampling::FacetSample},
+    view::camera::Camera,
+};
+
+/// What a satin pearl's facets show of the surroundings, cached at the knots of a grid over the side that the eye
+/// sees, with cubics between them.
+///
+/// The facets blur whatever they mirror: a picture of it has no detail finer than their spread, and need not
+/// be worked out at every pixel. What the film makes of it changes faster, and is left to the pixel.
+#[derive(Debug)]
+pub(crate) struct ReflectionCache {
+    /// From the ball's centre to the eye, and two directions across.
+    axis: DVec3,
+    across: [DVec3; 2],
+    /// Angle between the axis and the last points that the eye sees.
+    reach_rad: f64,
+    side: usize,
+    knots: Vec<Around>,
+}
+
+/// The surroundings as all facets together show them to the eye.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Around {
+    /// Their mean light, before the film.
+    pub light: Rgb,
+    /// What the film mirrors beyond what it would if they were even.
+    pub rest: Rgb,
+}
+
+/// Knots beyond the edge on each side, for the cubics.
+const BORDER: usize = 2;
+
+/// Steps of the grid for each standard deviation of the facets' lean.
+const STEPS_PER_SPREAD: f64 = 1.4;
+
+/// The cache's share of the facets that it spares, and how many a knot has.
+const SHARE: f64 = 0.4;
+const FEWEST: f64 = 96.0;
+const MOST: usize = 1024;
+
+impl ReflectionCache {
+    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots.
+    /// `gather` works out a knot for a point, the direction to the eye, and samples of facets.
+    pub(crate) fn new(
+        ball: &Ball,
+        camera: &Camera,
+        microfacets: &Microfacets,
+        facets: f64,
+        gather: impl Fn(Hit, DVec3, &[FacetSample]) -> Around + Sync,
+    ) -> Option<Self> {
+        let (axis, far_mm) = camera.toward_eye(ball.centre);
+        if far_mm <= ball.radius_mm {
+            return None;
+        }
+        let reach_rad = libm::acos(ball.radius_mm / far_mm);
+        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / microfacets.spread_rad()) as usize;
+        let side = 2 * (half + BORDER) + 1;
+        // The knots lie in the disc; those beside it cost nothing.
+        let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
+        if each < FEWEST {
+            return None;
+        }
+        let samples = microfacets.lattice((each as usize).min(MOST));
+        let (u, v) = axis.any_orthonormal_pair();
+        let mut cache = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
+        let knot = |i: usize| {
+            let at = |i: usize| (i as f64 - (half + BORDER) as f64) / half as f64;
+            let normal = cache.normal(at(i % side), at(i / side))?;
+            let point = ball.centre + normal * ball.radius_mm;
+            let view = camera.toward_eye(point).0;
+            let cos_view = normal.dot(view).max(0.02);
+            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &samples))
+        };
+        cache.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
+        Some(cache)
+    }
+
+    /// The normal at a place of the grid; the edge of what the eye sees has radius 1. Beyond it, where cubics
+    /// need knots, the edge's goes on; `None` where none is needed.
+    fn normal(&self, x: f64, y: f64) -> Option<DVec3> {
+        let radius = (x * x + y * y).sqrt();
+        let needed = 1.0 + 3.0 * (2 * BORDER) as f64 / self.side as f64;
+        if radius > needed {
+            return None;
+        }
+        let (sin, cos) = libm::sincos(radius.min(1.0) * self.reach_rad);
+        let outward = (self.across[0] * x + self.across[1] * y) / radius.max(1e-12);
+        Some(self.axis * cos + outward * sin)
+    }
+
+    /// What the facets show at a point of the ball.
+    pub(crate) fn at(&self, normal: DVec3) -> Around {
+        let half = (self.side / 2 - BORDER) as f64;
+        let [u, v] = self.across.map(|axis| normal.dot(axis));
+        let radius = libm::acos(normal.dot(self.axis).clamp(-1.0, 1.0)) / self.reach_rad;
+        let scale = radius.min(1.0) * half / (u * u + v * v).sqrt().max(1e-12);
+        let middle = (self.side / 2) as f64;
+        let (x, y) = (middle + u * scale, middle + v * scale);
+        let (left, top) = (x.floor(), y.floor());
+        let (across, down) = (cubic(x - left), cubic(y - top));
+        let mut sum = Around::default();
+        for (j, b) in down.iter().enumerate() {
+            let row = (top as usize + j - 1) * self.side + left as usize - 1;
+            for (knot, a) in self.knots[row..row + 4].iter().zip(across) {
+                rgb::add(&mut sum.light, rgb::scaled(knot.light, a * b));
+                rgb::add(&mut sum.rest, rgb::scaled(knot.rest, a * b));
+            }
+        }
+        sum
+    }
+}
+
+/// Weights of four neighbours at a place between the middle two (Catmull and Rom 1974).
+fn cubic(t: f64) -> [f64; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [
+        0.5 * (2.0 * t2 - t3 - t),
+        0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
+        0.5 * (4.0 * t2 - 3.0 * t3 + t),
+        0.5 * (t3 - t2),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::camera::Projection;
+
+    fn wave(hit: Hit) -> Rgb {
+        [0, 1, 2].map(|i| 1.0 + libm::sin(8.0 * hit.normal[i]))
+    }
+
+    fn cache(projection: Projection, spread_rad: f64) -> Option<ReflectionCache> {
+        let camera = Camera::new(projection, 0.3, -0.5, 12.0);
+        let gather =
+            |hit, _, _: &[FacetSample]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
+        ReflectionCache::new(
+            &Ball::alone(4.0),
+            &camera,
+            &Microfacets::grooves(spread_rad),
+            1e7,
+            gather,
+        )
+    }
+
+    #[test]
+    fn between_knots_is_what_a_knot_there_would_be() {
+        for projection in [Projection::Orthographic, Projection::Perspective { distance_mm: 60.0 }]
+        {
+            let cache = cache(projection, 0.1).unwrap();
+            let camera = Camera::new(projection, 0.3, -0.5, 12.0);
+            for i in 0..400 {
+                let (x, y) = (f64::from(i % 20) / 14.0 - 0.68, f64::from(i / 20) / 14.0 - 0.68);
+                let Some(hit) = Ball::alone(4.0).hit(&camera.ray(x, y), 1e-6) else { continue };
+                let found = cache.at(hit.normal).light;
+                let expected = wave(hit);
+                assert!((0..3).all(|i| (found[i] - expected[i]).abs() < 0.01), "{hit:?} {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_mirror_has_no_net() {
+        assert!(cache(Projection::Orthographic, 0.01).is_none());
+    }
+}

@@ -1,0 +1,15 @@
+use crate::rgb::Rgb;
+
+/// The light of one point of the pearl, in parts.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Shade {
+    /// What interference does. In the model of 1996 the rings' light; in the transport model what the film's
+    /// colours add to light from inside, and take from it: there it may be negative.
+    pub interference: Rgb,
+    /// From the body; in the transport model light from inside, were the film without colour.
+    pub diffuse: Rgb,
+    /// Lamps and surroundings mirrored.
+    pub mirror: Rgb,
+    /// Grain in hue, value, chroma.
+    pub texture: Rgb,
+}

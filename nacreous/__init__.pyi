@@ -1,0 +1,19 @@
+from . import body as body
+from . import colour as colour
+from . import file as file
+from . import iridescence as iridescence
+from . import medium as medium
+from . import nacre as nacre
+from . import optics as optics
+from . import scaling as scaling
+from . import texture as texture
+from .image import Image as Image
+from .image import render as render
+from .nacre import LayerStack as LayerStack
+from .nacre import grow as grow
+from .problem import InputError as InputError
+from .spec import Pearl as Pearl
+from .spec import Scene as Scene
+from .spec import load as load
+
+__version__: str

@@ -1,0 +1,197 @@
+"""Answers of people: who saw which two things, and which one was chosen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from os import PathLike
+from types import MappingProxyType
+from typing import Any, Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nacreous.problem import InputError
+from nacreous.scaling.data.column import Grouping
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.entrance import Names, fields_of
+from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.pairs import codes_of_pairs
+from nacreous.scaling.data.table import read_table, table_of
+
+
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """One row an answer. Made by `read`, `of_table` or `of_pairs`, which check everything.
+
+    - `stimuli`: labels in natural order ("2" before "10"), or as given
+    - `left`, `right`: int64 [answer], indices into `stimuli`
+    - `outcome`: int8 [answer]: 1 left chosen, -1 right chosen, 0 a tie
+    - `people`, `person`: labels of people and int64 [answer], an index into them; () and None
+      where unknown
+    - `groups`: every other column by name, a `Grouping` of `levels` and `code` [answer]
+    - `response_s`: float64 [answer], seconds until the answer, NaN where empty; or None
+    - `time`: float64 [answer], when or in which order (column time, else trial or order); or None
+    - `sided`: left and right are places before the eye, and not only an order of listing
+
+    >>> answers = Answers.of_pairs([("a", "b"), ("a", "c"), ("c", "b")])
+    >>> answers
+    Answers(3 answers, 3 stimuli, people unknown)
+    """
+
+    stimuli: tuple[str, ...]
+    left: NDArray[np.int64]
+    right: NDArray[np.int64]
+    outcome: NDArray[np.int8]
+    people: tuple[str, ...] = ()
+    person: NDArray[np.int64] | None = None
+    groups: Mapping[str, Grouping] = field(default_factory=lambda: MappingProxyType({}))
+    response_s: NDArray[np.float64] | None = None
+    time: NDArray[np.float64] | None = None
+    sided: bool = True
+
+    @classmethod
+    def read(
+        cls,
+        path: str | PathLike[str],
+        *,
+        stimuli: Iterable[object] | None = None,
+        repeats: bool = False,
+        sided: bool = True,
+        **names: Unpack[Names],
+    ) -> Answers:
+        r"""Read answers from a .csv file (UTF-8; comma, semicolon or tab) or a .parquet file.
+
+        Columns, which `names` may call otherwise (`left="first"`): `left`, `right` and `chosen`
+        are needed; `chosen` holds the label of either, or left, right or tie (`tie="equal"` for
+        another word). `person`, `time`, `trial` (or `order`), `response_s` or `response_ms` are
+        used where they are; every other column is a group. `stimuli` gives the labels in an order
+        of your own, and allows no others.
+
+        An answer given twice is refused: the same person, left and right, with the same time and
+        trial where there are such columns; without people, rows that are the same in every column,
+        a time among them. `repeats=True` takes them all.
+
+        Raises `InputError` with a line for each of the first problems: file, row (a CSV file's
+        header is row 1) and column. At most 1 GiB and 100 000 000 answers.
+
+        >>> from pathlib import Path
+        >>> from tempfile import TemporaryDirectory
+        >>> with TemporaryDirectory() as folder:
+        ...     path = Path(folder, "answers.csv")
+        ...     _ = path.write_text("person,left,right,chosen\nmika,a,b,b\nmika,b,a,tie\n")
+        ...     Answers.read(path)
+        Answers(2 answers, 2 stimuli, 1 person)
+        """
+        return cls(**fields_of(read_table(path), names, stimuli, repeats, sided))
+
+    @classmethod
+    def of_table(
+        cls,
+        table: Any,
+        *,
+        stimuli: Iterable[object] | None = None,
+        repeats: bool = False,
+        sided: bool = True,
+        **names: Unpack[Names],
+    ) -> Answers:
+        """The answers in a pandas, Polars or pyarrow table, or in a dict of columns.
+
+        As `read`; rows are counted from 0.
+
+        >>> Answers.of_table({"left": ["a"], "right": ["b"]})
+        Traceback (most recent call last):
+        nacreous.problem.InputError: table: has no column chosen; columns here: "left", "right"
+        """
+        return cls(**fields_of(table_of(table), names, stimuli, repeats, sided))
+
+    @classmethod
+    def of_pairs(cls, pairs: Any, *, stimuli: Iterable[object] | None = None) -> Answers:
+        """Answers as (winner, loser), each a label or a whole number; or an array [answer, 2].
+
+        Whole numbers become labels: 0 is the stimulus "0". The first of a pair is no left, so the
+        answers are not `sided`.
+
+        >>> Answers.of_pairs([(0, 1), (1, 2)]).stimuli
+        ('0', '1', '2')
+        """
+        labels, codes = codes_of_pairs(pairs, stimuli)
+        outcome = np.ones(len(codes), np.int8)
+        return cls(labels, codes[:, 0].copy(), codes[:, 1].copy(), outcome, sided=False)
+
+    def __len__(self) -> int:
+        """How many answers there are."""
+        return len(self.left)
+
+    def __repr__(self) -> str:
+        """In one line how much is here."""
+        count = len(self.people)
+        people = f"{count} {'person' if count == 1 else 'people'}" if count else "people unknown"
+        return f"Answers({len(self)} answers, {len(self.stimuli)} stimuli, {people})"
+
+    def comparisons(self) -> Comparisons:
+        """The answers counted by pair.
+
+        >>> Answers.of_pairs([("a", "b"), ("b", "a"), ("a", "b")]).comparisons().matrix
+        array([[0., 2.],
+               [1., 0.]])
+        """
+        return Comparisons.of_outcomes(
+            self.stimuli, self.left, self.right, self.outcome, self.sided
+        )
+
+    def take(self, rows: ArrayLike) -> Answers:
+        """The answers of some rows (a mask, or positions), with the same stimuli and people."""
+        chosen = np.asarray(rows)
+
+        def part(column: Any) -> Any:
+            return None if column is None else column[chosen]
+
+        groups = {
+            name: Grouping(group.levels, group.code[chosen]) for name, group in self.groups.items()
+        }
+        return replace(
+            self,
+            left=part(self.left),
+            right=part(self.right),
+            outcome=part(self.outcome),
+            person=part(self.person),
+            groups=groups,
+            response_s=part(self.response_s),
+            time=part(self.time),
+        )
+
+    def split(self, column: str) -> dict[str, Answers]:
+        """The answers of each group, by a group column or "person"; all keep the same stimuli.
+
+        Answers whose cell is empty belong to none. People keep only those of the group.
+
+        >>> table = {"left": ["a", "b"], "right": ["b", "a"], "chosen": ["a"] * 2}
+        >>> table["eye"] = ["L", "R"]
+        >>> {name: len(part) for name, part in Answers.of_table(table).split("eye").items()}
+        {'L': 1, 'R': 1}
+        """
+        group = self._group(column)
+        parts = {}
+        for index, level in enumerate(group.levels):
+            rows = np.flatnonzero(group.code == index)
+            if len(rows):
+                parts[level] = self.take(rows)._with_own_people()
+        return parts
+
+    def _group(self, column: str) -> Grouping:
+        if column in self.groups:
+            return self.groups[column]
+        if column == "person" and self.person is not None:
+            return Grouping(self.people, self.person)
+        near = nearest(column, self.groups)
+        allowed = listed(self.groups) or "none, for the answers have no other columns"
+        hint = f"did you mean {near}?" if near else f"allowed: {allowed}"
+        raise InputError(f"{column} is no group of these answers; {hint}")
+
+    def _with_own_people(self) -> Answers:
+        if self.person is None:
+            return self
+        here, person = np.unique(self.person, return_inverse=True)
+        people = tuple(self.people[index] for index in here)
+        return replace(self, people=people, person=person.astype(np.int64))

@@ -1,0 +1,148 @@
+"""One column of a table as text, as numbers or as times, with its faults by row."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.deprecation import keep_former_names
+from nacreous.problem import InputError
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.label import LONGEST_LABEL, natural
+from nacreous.scaling.data.table import Table
+
+
+@dataclass(frozen=True, eq=False)
+class Grouping:
+    """A column that sorts answers into groups, such as `sex` or `cohort`.
+
+    `levels` are its values in natural order; `code` is int64 [answer], an index into them, or -1
+    where the cell is empty.
+    """
+
+    levels: tuple[str, ...]
+    code: NDArray[np.int64]
+
+
+def text_column(table: Table, name: str) -> Any:
+    """Arrow large_string [row]: cells without space around them; empty ones are null.
+
+    Whole numbers are written without a point, for pandas turns 1 into 1.0 beside an empty cell.
+    """
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    array = table.columns[name]
+    if pa.types.is_dictionary(array.type):
+        array = array.dictionary_decode()
+    if pa.types.is_floating(array.type):
+        array = _whole_where_possible(array)
+    try:
+        text = pc.utf8_trim_whitespace(pc.cast(array, pa.large_string()))
+    except (pa.ArrowInvalid, pa.ArrowNotImplementedError) as problem:
+        kind = f"column {name} holds values of the kind {array.type}"
+        raise InputError(f"{table.place}: {kind}; allowed: text or whole numbers") from problem
+    return pc.if_else(pc.equal(text, ""), pa.scalar(None, pa.large_string()), text)
+
+
+def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
+    """Note empty cells, and labels that nobody could want."""
+    import pyarrow.compute as pc
+
+    empty = np.flatnonzero(np.asarray(text.is_null()))
+    faults.say_of_rows(empty, lambda _: f"{name} is empty; allowed: a label")
+    length = np.asarray(pc.fill_null(pc.utf8_length(text), 0))
+    faults.say_of_rows(
+        np.flatnonzero(length > LONGEST_LABEL),
+        lambda row: f"{name} is {length[row]} characters long; allowed: 1 to {LONGEST_LABEL}",
+    )
+
+
+def codes_of(text: Any) -> tuple[tuple[str, ...], NDArray[np.int64]]:
+    """The values of a text column in natural order, and for each row the index of its value.
+
+    Empty cells have the index -1.
+    """
+    import pyarrow.compute as pc
+
+    encoded = text.dictionary_encode()
+    found = encoded.dictionary.to_pylist()
+    # Beyond, they are numbers of sessions or the like, and nobody reads them in order.
+    levels = natural(found) if len(found) <= 20_000 else sorted(found)
+    place = {label: index for index, label in enumerate(levels)}
+    order = np.array([place[label] for label in found] + [-1], np.int64)
+    rows = np.asarray(pc.fill_null(encoded.indices, -1), dtype=np.int64)
+    return tuple(levels), order[rows]
+
+
+def group_column(table: Table, name: str) -> Grouping:
+    """Any column as a group."""
+    return Grouping(*codes_of(text_column(table, name)))
+
+
+def number_column(table: Table, name: str, faults: Faults, least: float) -> NDArray[np.float64]:
+    """float64 [row], finite and `least` or more; anything else is noted as a fault.
+
+    Empty cells are NaN: that the time of one answer is unknown spoils no other.
+    """
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    text = text_column(table, name)
+    number = r"^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$"
+    good = pc.fill_null(pc.match_substring_regex(text, number), True)
+    value = pc.cast(pc.if_else(good, text, pa.scalar(None, text.type)), pa.float64())
+    values = np.asarray(pc.fill_null(value, np.nan)).copy()
+    bad = ~np.asarray(good) | np.isinf(values) | (values < least)
+    allowed = "a number" if least == -np.inf else f"a number of at least {least:g}"
+    faults.say_of_rows(
+        np.flatnonzero(bad), lambda row: f"{name} is {quoted(text[row])}; allowed: {allowed}"
+    )
+    return values
+
+
+def time_column(table: Table, name: str, faults: Faults) -> NDArray[np.float64]:
+    """float64 [row]: numbers as they are, dates and times as seconds since 1970, empty as NaN.
+
+    Text is read as a number or as ISO 8601, such as 2026-03-01T09:30:00.
+    """
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    array = table.columns[name]
+    if not pa.types.is_temporal(array.type):
+        text = text_column(table, name)
+        dated = pc.fill_null(pc.match_substring_regex(text, r"^[0-9]{4}-[0-9]{2}-[0-9]{2}"), False)
+        if not pc.any(dated).as_py():
+            return number_column(table, name, faults, -np.inf)
+        try:
+            array = pc.cast(
+                pc.replace_substring_regex(text, "(Z|[+]00:?00)$", ""), pa.timestamp("us")
+            )
+        except pa.ArrowInvalid as problem:
+            faults.say(f"column {name} is no time ({problem}); allowed: numbers or ISO 8601")
+            return np.full(table.rows, np.nan)
+    try:
+        instant = pc.cast(array, pa.timestamp("us"), safe=False)
+    except (pa.ArrowInvalid, pa.ArrowNotImplementedError):  # a time of day
+        faults.say(f"column {name} is of the kind {array.type}; allowed: numbers or ISO 8601")
+        return np.full(table.rows, np.nan)
+    seconds = np.asarray(pc.fill_null(pc.cast(instant, pa.int64()), 0)) / 1e6
+    return np.where(np.asarray(array.is_null()), np.nan, seconds)
+
+
+def _whole_where_possible(array: Any) -> Any:
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    array = pc.if_else(pc.is_nan(array), pa.scalar(None, array.type), array)
+    values = np.asarray(pc.fill_null(pc.cast(array, pa.float64()), 0.0))
+    if np.all((np.abs(values) < 2**53) & (values == np.rint(values))):
+        return pc.cast(array, pa.int64())
+    return array
+
+
+keep_former_names(__name__, {"Group": "Grouping"}, "nacreous.scaling")

@@ -1,0 +1,82 @@
+"""Labels of stimuli: their natural order, and what may be one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from nacreous.number import said
+from nacreous.problem import InputError
+from nacreous.scaling.data.fault import quoted
+
+#: The largest design that is taken. A matrix of counts of that size fills 800 MB.
+MOST_STIMULI = 10_000
+LONGEST_LABEL = 200
+
+
+def natural(labels: Iterable[str]) -> list[str]:
+    """The labels in the order in which people number things.
+
+    >>> natural(["crop 10", "crop 2", "Crop 1"])
+    ['Crop 1', 'crop 2', 'crop 10']
+    """
+    return sorted(labels, key=_natural_key)
+
+
+def labels_of(stimuli: Iterable[object], count: int | None = None) -> tuple[str, ...]:
+    """Labels that a caller gave, as text and checked: `count` of them, no two alike, none empty.
+
+    >>> labels_of([1, 2, "akoya"])
+    ('1', '2', 'akoya')
+    """
+    if isinstance(stimuli, str | bytes) or not isinstance(stimuli, Iterable):
+        raise InputError(f"stimuli is {said(stimuli)}; allowed: a list of labels")
+    labels = tuple(_label(index, label) for index, label in enumerate(stimuli))
+    if count is not None and len(labels) != count:
+        raise InputError(f"stimuli has {len(labels)} labels; allowed: {count}, one a stimulus")
+    seen: set[str] = set()
+    for index, label in enumerate(labels):
+        if label in seen:
+            raise InputError(f"stimuli[{index}] is {quoted(label)} again; allowed: each label once")
+        seen.add(label)
+    check_number(labels)
+    return labels
+
+
+def numbered(count: int) -> tuple[str, ...]:
+    """The labels "1" to "count"."""
+    return tuple(str(number) for number in range(1, count + 1))
+
+
+def check_number(labels: Sequence[str], place: str = "stimuli") -> None:
+    """Refuse fewer than two stimuli, and more than can be worked with."""
+    if len(labels) < 2:
+        only = f", {quoted(labels[0])}" if labels else ""
+        raise InputError(f"{place}: {len(labels)} stimuli{only}; allowed: 2 to {MOST_STIMULI}")
+    if len(labels) > MOST_STIMULI:
+        raise InputError(f"{place}: {len(labels)} stimuli; allowed: 2 to {MOST_STIMULI}")
+
+
+def _label(index: int, label: Any) -> str:
+    if isinstance(label, bool | np.bool_) or not isinstance(label, str | int | np.integer):
+        raise InputError(f"stimuli[{index}] is {said(label)}; allowed: text or a whole number")
+    text = str(label).strip()
+    if not 0 < len(text) <= LONGEST_LABEL:
+        length = f"{len(text)} characters long"
+        raise InputError(f"stimuli[{index}] is {length}; allowed: 1 to {LONGEST_LABEL} characters")
+    return text
+
+
+def _natural_key(label: str) -> tuple[Any, ...]:
+    parts = re.split(r"([0-9]+)", label)
+    words = [
+        (part.casefold(), 0) if i % 2 == 0 else ("", _number(part)) for i, part in enumerate(parts)
+    ]
+    return (*words, (label, 0))  # "a" and "A", "1" and "01" still have an order
+
+
+def _number(digits: str) -> float:
+    return float(digits[:300])  # beyond, the order is by the first 300 digits

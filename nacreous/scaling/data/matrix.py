@@ -1,0 +1,148 @@
+"""Square matrices from outside: counts, ties and proportions, checked once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.number import array_of, number_of, said
+from nacreous.problem import InputError
+from nacreous.scaling.data.csv_table import parse_csv
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.label import MOST_STIMULI
+from nacreous.scaling.data.table import read_bytes
+
+#: How far a proportion and its mirror may be from 1 together: two roundings to two decimals.
+ROUNDING = 0.011
+MOST_COUNT = 2.0**53
+
+
+def labelled_matrix(name: str, values: Any) -> tuple[NDArray[np.float64], list[object] | None]:
+    """The numbers of a nested list, an array or a DataFrame, and the labels of the last."""
+    if not hasattr(values, "columns"):
+        return _square(name, array_of(name, values)), None
+    columns = list(values.columns)
+    if hasattr(values, "iloc"):  # pandas: rows have labels too
+        index = list(values.index)
+        if index not in (columns, list(range(len(columns)))):
+            raise InputError(f"{name}: rows and columns differ in their labels; allowed: the same")
+        columns = [int(c) + 1 for c in columns] if columns == list(range(len(columns))) else columns
+    return _square(name, array_of(name, values.to_numpy())), columns
+
+
+def check_counts(name: str, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Whole counts of 0 or more with nothing on the diagonal."""
+    diagonal = np.eye(len(matrix), dtype=bool)
+    counts = np.where(diagonal & np.isnan(matrix), 0.0, matrix)
+    with np.errstate(invalid="ignore"):
+        whole = (counts >= 0) & (counts <= MOST_COUNT) & (counts == np.floor(counts))
+    _stop_at(name, counts, ~whole, "a whole number, 0 or more")
+    _stop_at(name, counts, diagonal & (counts != 0), "0, for nothing is compared with itself")
+    return counts
+
+
+def check_ties(ties: Any, size: int) -> NDArray[np.float64]:
+    """Whole symmetric counts of the same size."""
+    values, _ = labelled_matrix("ties", ties)
+    if len(values) != size:
+        raise InputError(f"ties has {len(values)} rows; allowed: {size}, as counts")
+    matrix = check_counts("ties", values)
+    _stop_at("ties", matrix, matrix != matrix.T, "the same as its mirror, for a tie has no side")
+    return matrix
+
+
+def check_proportions(name: str, matrix: NDArray[np.float64], answers: object) -> Any:
+    """Proportions that add up to 1 with their mirrors, then exactly so; 0 on the diagonal."""
+    people = number_of("answers", answers)
+    if not 1 <= people <= MOST_COUNT:
+        raise InputError(f"answers is {people:g}; allowed: 1 or more a pair")
+    diagonal = np.eye(len(matrix), dtype=bool)
+    shares = np.where(diagonal, 0.5, matrix)
+    with np.errstate(invalid="ignore"):
+        _stop_at(name, shares, ~((shares >= 0) & (shares <= 1)), "0 to 1")
+        total = shares + shares.T
+        _stop_at(name, shares, np.abs(total - 1) > ROUNDING, "1 less its mirror")
+    return np.where(diagonal, 0.0, shares / total)
+
+
+def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
+    """A matrix of numbers from a CSV file, and its labels where it has them."""
+    content = read_bytes(path)
+    columns = [column.to_pylist() for _, column in parse_csv(str(path), content, header=False)]
+    rows = [[(cell or "").strip() for cell in row] for row in zip(*columns, strict=True)]
+    labels: list[str] | None = None
+    first_row = 1
+    if len(rows) == len(rows[0]) + 1:
+        labels, rows = rows[0], rows[1:]
+        first_row = 2
+    elif _has_corner(rows):
+        labels = rows[0][1:]
+        if [row[0] for row in rows[1:]] != labels:
+            differ = "rows and columns differ in their labels"
+            raise InputError(f"{path}: {differ}; allowed: the same")
+        rows = [row[1:] for row in rows[1:]]
+        first_row = 2
+    return _square(str(path), _matrix_of(path, rows, first_row)), labels
+
+
+def _has_corner(rows: list[list[str]]) -> bool:
+    """Whether a square has labels in its first row and column.
+
+    With an empty corner it may also be counts with an empty diagonal. Those have numbers all along
+    the first row, and an empty cell at the end.
+    """
+    corner = rows[0][0]
+    if len(rows) != len(rows[0]) or (corner and _number(corner) is not None):
+        return False
+    numbers = all(_number(cell) is not None for cell in rows[0][1:])
+    return bool(corner) or not numbers or rows[-1][-1] != ""
+
+
+def _matrix_of(path: Path, rows: list[list[str]], first_row: int) -> NDArray[np.float64]:
+    """The numbers in cells of text; an empty diagonal is NaN."""
+    matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
+    faults = Faults(str(path), first_row)
+    for i, row in enumerate(rows):
+        for j, cell in enumerate(row):
+            number = np.nan if i == j and not cell else _number(cell)
+            if number is None:
+                verdict = f"column {j + 1} is {quoted(cell)}; allowed: a number"
+                faults.say_of_rows(np.array([i]), lambda _, verdict=verdict: verdict)  # type: ignore[misc]
+            else:
+                matrix[i, j] = number
+    faults.stop()
+    return matrix
+
+
+def _number(cell: str) -> float | None:
+    try:
+        return float(cell)
+    except ValueError:
+        return None
+
+
+def _square(name: str, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    size = matrix.shape[0] if matrix.ndim else 0
+    if matrix.ndim != 2 or matrix.shape[1] != size:
+        shape = " x ".join(str(length) for length in matrix.shape) or "a single number"
+        raise InputError(f"{name} is {shape}; allowed: a square, one row and one column a stimulus")
+    if not 2 <= size <= MOST_STIMULI:
+        raise InputError(f"{name} has {size} stimuli; allowed: 2 to {MOST_STIMULI}")
+    return matrix
+
+
+def _stop_at(name: str, matrix: NDArray[np.float64], bad: Any, allowed: str) -> None:
+    """Name the first few cells that are bad."""
+    cells = np.argwhere(bad)
+    if len(cells) == 0:
+        return
+    lines = [
+        f"{name}[{i}, {j}] is {said(float(matrix[i, j])).removesuffix('.0')}; allowed: {allowed}"
+        for i, j in cells[:5].tolist()
+    ]
+    if len(cells) > len(lines):
+        lines.append(f"{name}: {len(cells)} such cells in all")
+    raise InputError("\n".join(lines))

@@ -1,0 +1,165 @@
+"""Tables of answers from wherever they come: a file, a frame, or a dict of columns.
+
+Arrow holds them, so that a million rows are never a million Python objects.
+"""
+
+from __future__ import annotations
+
+import stat
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nacreous.number import said
+from nacreous.problem import InputError
+from nacreous.scaling.data.csv_table import parse_csv
+from nacreous.scaling.data.fault import listed
+
+#: The largest file that is opened: about 30 million answers.
+MOST_BYTES = 2**30
+#: The longest table that is taken.
+MOST_ROWS = 100_000_000
+ENDINGS = (".csv", ".parquet")
+
+_FRAMES = "a pandas, Polars or pyarrow table, or a dict of columns"
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """Named columns of equal length.
+
+    `place` is the file's name, or "table"; `first_row` is the number by which messages call the
+    first answer: 2 in a CSV file, as spreadsheets count (blank lines left out), otherwise 0.
+    """
+
+    place: str
+    first_row: int
+    columns: Mapping[str, Any]
+    rows: int
+
+
+def read_table(path: str | PathLike[str]) -> Table:
+    """Read a .csv or .parquet file, or say in one line why that cannot be done."""
+    file = Path(path)
+    if file.suffix.lower() not in ENDINGS:
+        given = file.suffix or "missing"
+        raise InputError(f"{file}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
+    content = read_bytes(file)
+    if file.suffix.lower() == ".csv":
+        return _table(str(file), 2, parse_csv(str(file), content))
+    return _table(str(file), 0, _parse_parquet(str(file), content))
+
+
+def read_bytes(file: Path) -> bytes:
+    """The bytes of an ordinary file of at most `MOST_BYTES`."""
+    try:
+        status = file.stat()
+        if stat.S_ISDIR(status.st_mode):
+            raise InputError(f"{file}: is a folder; a file is needed")
+        if not stat.S_ISREG(status.st_mode):
+            raise InputError(f"{file}: is no ordinary file")
+        if status.st_size > MOST_BYTES:
+            size = f"{status.st_size / 2**20:.0f} MiB"
+            raise InputError(f"{file}: is {size} large; allowed: up to {MOST_BYTES >> 20} MiB")
+        return file.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{file}: does not exist") from None
+    except (OSError, ValueError) as problem:
+        if isinstance(problem, InputError):
+            raise
+        reason = problem.strerror if isinstance(problem, OSError) else problem
+        raise InputError(f"{file}: cannot be read ({reason})") from problem
+
+
+def is_table(data: object) -> bool:
+    """Whether the data are a frame or a dict of columns."""
+    return isinstance(data, Mapping) or _is_frame(data)
+
+
+def table_of(data: object) -> Table:
+    """The table in a frame of pandas, Polars or pyarrow, or in a dict of columns."""
+    if isinstance(data, Mapping):
+        return _table("table", 0, list(data.items()))
+    if not _is_frame(data):
+        raise InputError(f"the table is {said(data)}; allowed: {_FRAMES}")
+    frame: Any = data
+    if hasattr(frame, "iloc"):  # pandas, whose columns may hold text and numbers mixed
+        return _table("table", 0, [(name, frame.iloc[:, i]) for i, name in enumerate(frame)])
+    import pyarrow as pa
+
+    if not isinstance(frame, pa.Table | pa.RecordBatch):
+        frame = frame.to_arrow() if hasattr(frame, "to_arrow") else pa.table(frame)
+    return _table("table", 0, list(zip(frame.column_names, frame.columns, strict=True)))
+
+
+def _is_frame(data: object) -> bool:
+    return hasattr(data, "__arrow_c_stream__") and hasattr(data, "columns")  # a Series has none
+
+
+def _table(place: str, first_row: int, columns: list[tuple[Any, Any]]) -> Table:
+    names = [str(name).strip() for name, _ in columns]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
+    arrays = {
+        name: _array(place, name, values) for name, (_, values) in zip(names, columns, strict=True)
+    }
+    lengths = {name: len(array) for name, array in arrays.items()}
+    if len(set(lengths.values())) > 1:
+        both = ", ".join(f"{name} has {length}" for name, length in list(lengths.items())[:8])
+        raise InputError(f"{place}: columns differ in length ({both}); allowed: equal lengths")
+    rows = next(iter(lengths.values()), 0)
+    if rows == 0:
+        raise InputError(f"{place}: has no rows; allowed: 1 to {MOST_ROWS} answers")
+    if rows > MOST_ROWS:
+        raise InputError(f"{place}: has {rows} rows; allowed: 1 to {MOST_ROWS} answers")
+    return Table(place, first_row, arrays, rows)
+
+
+def _array(place: str, name: str, values: Any) -> Any:
+    """An Arrow array of a column, whatever held it."""
+    import pyarrow as pa
+
+    if isinstance(values, pa.ChunkedArray):
+        return values.combine_chunks()
+    if isinstance(values, pa.Array):
+        return values
+    lone = isinstance(values, str | bytes | Mapping) or not hasattr(values, "__iter__")
+    if lone or (isinstance(values, np.ndarray) and values.ndim != 1):
+        raise InputError(f"{place}: column {name} is {said(values)}; allowed: a list of values")
+    values = values if hasattr(values, "__len__") else list(values)
+    try:
+        array = pa.array(values, from_pandas=True)
+    except UnicodeEncodeError as problem:
+        raise InputError(
+            f"{place}: column {name} holds half a character; allowed: text"
+        ) from problem
+    except (pa.ArrowInvalid, pa.ArrowTypeError, pa.ArrowNotImplementedError, OverflowError):
+        return pa.array([_mixed(place, name, row, cell) for row, cell in enumerate(values)])
+    return array.combine_chunks() if isinstance(array, pa.ChunkedArray) else array
+
+
+def _mixed(place: str, name: str, row: int, cell: Any) -> str | None:
+    """A cell of a column that mixes kinds, such as the labels 1 and 2 with the word tie."""
+    if cell is None or (isinstance(cell, float) and cell != cell):
+        return None
+    if isinstance(cell, str | int | np.integer):
+        return str(cell)
+    if isinstance(cell, float | np.floating) and float(cell).is_integer():
+        return str(int(cell))
+    raise InputError(f"{place}: row {row}: {name} is {said(cell)}; allowed: text or a whole number")
+
+
+def _parse_parquet(place: str, content: bytes) -> list[tuple[str, Any]]:
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        table = parquet.read_table(pa.BufferReader(content))
+    except (pa.ArrowException, OSError, ValueError) as problem:
+        raise InputError(f"{place}: is no whole Parquet file") from problem
+    return list(zip(table.column_names, table.columns, strict=True))
