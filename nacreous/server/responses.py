@@ -9,9 +9,9 @@ from pydantic import BaseModel, JsonValue
 from typing_extensions import TypedDict  # pydantic reads typing's own from Python 3.12 on
 
 from nacreous.scaling.fit.unit import Unit
+from nacreous.study.design.multilingual import Language
 from nacreous.study.design.screen import Screen
 from nacreous.study.design.sitting import Sitting
-from nacreous.study.design.words import Language
 from nacreous.study.running.screening import ScreenFlag
 
 
