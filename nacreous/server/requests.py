@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import AwareDatetime, BaseModel, ConfigDict, Field, JsonValue
+from pydantic.json_schema import models_json_schema
 from starlette.requests import Request
 
+from nacreous.study.running.screen_check import ScreenCheck
 from nacreous.study.task.response import Response
 from nacreous.study.task.tasks import Answerable
 
@@ -30,9 +32,9 @@ class Entering(RequestBody):
 
 
 class Checking(RequestBody):
-    """What the browser found out about the screen, kept as it is."""
+    """What the browser found out about the screen."""
 
-    content: Noticed
+    content: ScreenCheck
 
 
 class Answering(RequestBody):
@@ -90,6 +92,9 @@ class Excluding(RequestBody):
     reason: Annotated[str, Field(min_length=1, max_length=1000)]
 
 
+#: Where a description keeps schemas.
+_PLACE = "#/components/schemas/{model}"
+
 Body = TypeVar("Body", bound=RequestBody)
 
 
@@ -99,6 +104,16 @@ async def body_of(request: Request, model: type[Body]) -> Body:
 
 
 def body_schema(model: type[RequestBody]) -> dict[str, Any]:
-    """The same, for the description of a route."""
-    schema = model.model_json_schema()
+    """The body of a route, for its description; `body_schemas` has what it refers to."""
+    schema = {"$ref": _PLACE.format(model=model.__name__)}
     return {"requestBody": {"required": True, "content": {"application/json": {"schema": schema}}}}
+
+
+def body_schemas() -> dict[str, Any]:
+    """The JSON Schema of every body, and of the tables in them, by name."""
+    wanted: list[tuple[type[BaseModel], Literal["validation"]]] = [
+        (model, "validation") for model in RequestBody.__subclasses__()
+    ]
+    _, made = models_json_schema(wanted, ref_template=_PLACE)
+    schemas: dict[str, Any] = made["$defs"]
+    return schemas

@@ -4,16 +4,14 @@ import shutil
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from nacreous.problem import InputError
 from nacreous.study.design import Frozen, freeze, open_frozen
-from nacreous.study.design.screen import Screen
 from nacreous.study.plan import drawn_groups, trials
 from nacreous.study.running import Running
-from nacreous.study.running.screening import flags_of, is_refused
+from nacreous.study.running.screen_check import ScreenCheck, Window
 from nacreous.study.store import (
     Conflict,
     NotAllowed,
@@ -57,17 +55,18 @@ values = ["yes", "no"]
 how = "recorded"
 question = { en = "Do you trade?", ja = "お仕事ですか。" }
 """
-GOOD = {
-    "window": {"width_px": 1600, "height_px": 900, "device_pixel_ratio": 2},
-    "full_screen": True,
-    "card": {"px_per_mm": 4.2},
-    "distance_mm": 620,
-    "distance_by": "blind-spot",
-    "gamma": 2.2,
-    "darkest_step": 5,
-    "gamut": "srgb",
-}
-SMALL = {**GOOD, "window": {"width_px": 700, "height_px": 900}}
+WINDOW = {"width_px": 1600, "height_px": 900, "device_pixel_ratio": 2}
+GOOD = ScreenCheck(
+    window=WINDOW,
+    full_screen=True,
+    card={"px_per_mm": 4.2},
+    distance_mm=620,
+    distance_by="blind-spot",
+    gamma=2.2,
+    darkest_step=5,
+    gamut="srgb",
+)
+SMALL = GOOD.model_copy(update={"window": Window(width_px=700, height_px=900)})
 HERE = {"trade": "yes"}
 
 
@@ -86,12 +85,12 @@ def running(place: str, frozen: Frozen) -> Iterator[Running]:
         yield made
 
 
-def ready(running: Running, content: dict[str, Any] = GOOD) -> tuple[Session, str]:
+def ready(running: Running, check: ScreenCheck = GOOD) -> tuple[Session, str]:
     """Somebody who entered, consented, and whose screen was checked."""
     token = draw()
     session = running.enter(token, "en", HERE)
     running.store.consent(session.id)
-    running.screen(running.session_of(token), content)
+    running.screen(running.session_of(token), check)
     return running.session_of(token), token
 
 
@@ -236,7 +235,7 @@ def test_a_screen_that_is_refused_may_be_mended_and_the_last_check_counts(runnin
         running.hand_in(session, 0, Response("left"))
     assert running.screen(session, GOOD) == ()
     session = running.session_of(token)
-    assert session.screen == {**GOOD, "flags": []}
+    assert session.screen == {**GOOD.model_dump(exclude_unset=True), "flags": []}
     running.hand_in(session, 0, Response("left")).result()
     running.screen(session, SMALL)
     with pytest.raises(NotAllowed):
@@ -299,82 +298,3 @@ def test_the_folder_may_move(running: Running, frozen: Frozen, tmp_path: Path) -
     shutil.copytree(frozen.folder, tmp_path / "moved")
     moved = Running(running.store, open_frozen(tmp_path / "moved"))
     assert moved.study == running.study == frozen.study_hash
-
-
-def test_a_good_screen_has_no_flag() -> None:
-    plates = {"contrast": {"right": 7, "of": 8}, "colour": {"right": 6, "of": 8}}
-    screen = Screen(vision=("contrast", "colour"))
-    assert flags_of(screen, {**GOOD, "vision": plates}) == ()
-
-
-@pytest.mark.parametrize(
-    ("change", "flags"),
-    [
-        ({"window": None}, ["small-window"]),
-        ({"window": {"width_px": 1600, "height_px": 639.5}}, ["small-window"]),
-        ({"full_screen": False}, ["not-full-screen"]),
-        ({"full_screen": "yes"}, ["not-full-screen"]),
-        ({"card": None}, ["no-card"]),
-        ({"distance_mm": None, "distance_by": "none"}, ["no-distance"]),
-        ({"gamma": None}, ["no-levels"]),
-        ({"gamma": 1.5, "darkest_step": 17}, ["gamma", "darkest-step"]),
-        ({"gamma": 2.81, "darkest_step": None}, ["no-levels", "gamma"]),
-        ({"gamut": "less"}, ["small-gamut"]),
-        ({"vision": None}, ["colour-vision"]),
-        ({"vision": {"colour": {"right": 5, "of": 8}}}, ["colour-vision"]),
-        ({"vision": {"colour": {"right": 0, "of": 0}}}, ["colour-vision"]),
-    ],
-)
-def test_what_falls_short_is_flagged(change: dict[str, Any], flags: list[str]) -> None:
-    plates = {"colour": {"right": 6, "of": 8}}
-    content = {**GOOD, "vision": plates, **change}
-    assert list(flags_of(Screen(vision=("colour",)), content)) == flags
-
-
-def test_what_is_not_asked_for_is_not_missed() -> None:
-    screen = Screen(full_screen=False, card=False, distance=False, levels=False)
-    assert flags_of(screen, {"window": GOOD["window"]}) == ()
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"window": 3},
-        {"window": {"width_px": "1600", "height_px": 900}},
-        {"card": {"px_per_mm": float("nan")}},
-        {"card": [4.2]},
-        {"distance_mm": -1},
-        {"gamma": True},
-        {"darkest_step": 10**400},
-        {"vision": {"contrast": 8}},
-    ],
-)
-def test_a_number_that_is_none_is_refused(change: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=r"^screen\.") as caught:
-        flags_of(Screen(vision=("contrast",)), {**GOOD, **change})
-    assert "\n" not in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("rule", "flags"),
-    [
-        ("if_smaller", ["small-window"]),
-        ("if_not_full_screen", ["not-full-screen"]),
-        ("if_no_card", ["no-card"]),
-        ("if_no_distance", ["no-distance"]),
-        ("if_small_gamut", ["small-gamut"]),
-        ("if_levels", ["no-levels", "gamma", "darkest-step"]),
-        ("if_vision", ["contrast-vision", "colour-vision"]),
-    ],
-)
-def test_a_rule_refuses_its_own_flags_and_no_others(rule: str, flags: list[str]) -> None:
-    every = ["small-window", "no-card", "no-levels", "gamma", "darkest-step", "contrast-vision"]
-    every += [
-        "colour-vision",
-        "not-full-screen",
-        "no-distance",
-        "small-gamut",
-        "of a newer version",
-    ]
-    screen = Screen(vision=("contrast", "colour"), **{rule: "refuse"})
-    assert [flag for flag in every if is_refused(screen, [flag])] == flags

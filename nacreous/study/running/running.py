@@ -11,7 +11,8 @@ from nacreous.study.design import Frozen
 from nacreous.study.design.multilingual import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
 from nacreous.study.running.plans import Plans, plain, shown, trials_of
-from nacreous.study.running.screening import flags_of, is_refused
+from nacreous.study.running.screen_check import ScreenCheck
+from nacreous.study.running.screening import ScreenFlag, flags_of, is_refused
 from nacreous.study.store import (
     Answer,
     NotAllowed,
@@ -110,13 +111,15 @@ class Running:
         ]
         return tuple(note for note in given if note is not None)
 
-    def screen(self, session: Session, content: Mapping[str, Any]) -> tuple[str, ...]:
-        """Keep a screen check, and tell its flags. May be repeated: the last one counts."""
+    def screen(self, session: Session, check: ScreenCheck) -> tuple[ScreenFlag, ...]:
+        """Keep a screen check, and tell its flags. May be repeated: the last one counts.
+
+        Kept is what was sent, keys that this version does not know included.
+        """
         if (refusal := _withheld(session)) is not None:
             raise refusal
-        if not isinstance(content, Mapping):
-            raise InputError(f"screen is {ascii(content)[:40]}; allowed: a table")
-        flags = flags_of(self.frozen.design.screen, content)
+        flags = flags_of(self.frozen.design.screen, check)
+        content = check.model_dump(exclude_unset=True)
         self.store.screen(session.id, {**content, "flags": list(flags)})
         return flags
 
