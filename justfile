@@ -135,6 +135,11 @@ pages: _node-tools
         echo "$sources" >node_modules/built-from
     fi
 
+# Make the pages' types of the wire, of pearl and of scene files again from their schemas
+[group("build")]
+types: _node-tools setup
+    python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
+
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
 [group("build")]
 wasm: _rust-tools _wasm-tools

@@ -15,7 +15,7 @@ import numpy as np
 from nacreous.server.rehearsal import scale_of
 from nacreous.study.design import Design
 from nacreous.study.plan import trials
-from nacreous.study.results.consistent import consistency_flags
+from nacreous.study.task.pair.consistent import consistency_flags
 
 STUDIES, PEOPLE = 40, 104
 KINDS = ("repeats", "side", "circles")
@@ -45,11 +45,12 @@ def rates(planted: str, spread: float) -> dict[str, Counter[str]]:
             rows += [
                 {
                     "number": number,
+                    "trial": trial.number,
                     "question": trial.question,
-                    "left": trial.left,
-                    "right": trial.right,
+                    "left": trial.stimuli[0],
+                    "right": trial.stimuli[1],
                     "kind": trial.kind,
-                    "chosen": chosen(how, own[trial.left] - own[trial.right], random),
+                    "chosen": chosen(how, own[trial.stimuli[0]] - own[trial.stimuli[1]], random),
                     "response_ms": None,
                     "simulated": True,
                     "excluded": None,
@@ -57,7 +58,7 @@ def rates(planted: str, spread: float) -> dict[str, Counter[str]]:
                 for trial in plan
                 if trial.kind in ("pair", "repeat")
             ]
-        for number, flags in consistency_flags(rows, design).items():
+        for number, flags in consistency_flags(rows, design.asked).items():
             kinds = {"side" if flag.kind in ("left", "right") else flag.kind for flag in flags}
             flagged[hows[number]].update(kinds | ({"any"} if kinds else set()))
     return {

@@ -30,7 +30,8 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         help="turn choices between two things into a scale, with a report",
         description="Turn answers to 'which of these two ...?' into a scale, and write a report "
         "that reads without statistics. Answers are a .csv or .parquet file, a row an answer, with "
-        "the columns left, right and chosen, and where known person, time, response_s and groups.",
+        "the columns left, right and chosen, and where known person, time, response_s and groups. "
+        "Of a file by 'nacreous study export' what counts is taken, as in the study's own report.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -42,7 +43,11 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         default=[],
         help="report.html, or .csv (the scale), .json (every number); may be repeated",
     )
-    parser.add_argument("--question", help="as it was put to people, for the report")
+    parser.add_argument(
+        "--question",
+        help="as it was put to people, for the report; of a "
+        "study's export with several, the id of one",
+    )
     parser.add_argument("--language", choices=("en", "ja"), default="en", help="of the report (en)")
     _add_data(parser)
     _add_model(parser)
@@ -136,6 +141,12 @@ def _data(args: argparse.Namespace) -> Any:
         return paper()
     if args.counts:
         return Comparisons.read_counts(args.answers)
+    if not unneeded:
+        from nacreous.study.results import exported_answers
+
+        exported = exported_answers(args.answers, args.question, simulated=args.simulated)
+        if exported is not None:
+            return exported
     return Answers.read(args.answers, repeats=args.repeats, sided=not args.no_sides, **names)
 
 

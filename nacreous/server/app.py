@@ -32,6 +32,16 @@ def create_app(
     not where `./just pages` builds them. worker: a process for what takes seconds. Raises
     `InputError` where they are not.
     """
+    app = without_study()
+    service = Service(running, url, worker)
+    app.state.service = service
+    app.state.pages = pages.Pages(built or pages.FOLDER)
+    app.add_middleware(GuardMiddleware, service=service)
+    return app
+
+
+def without_study() -> FastAPI:
+    """The routes alone, which can be described and serve nothing yet."""
     app = Described(
         title="Nacreous, a study",
         description="Participants answer with a token, experimenters with a cookie.",
@@ -41,12 +51,8 @@ def create_app(
         redirect_slashes=False,
         exception_handlers={HTTPException: _raised, RequestValidationError: _raised},
     )
-    service = Service(running, url, worker)
-    app.state.service = service
-    app.state.pages = pages.Pages(built or pages.FOLDER)
     for part in (participant, login, lab, analysis, pages):
         app.include_router(part.router)
-    app.add_middleware(GuardMiddleware, service=service)
     return app
 
 

@@ -6,6 +6,8 @@ from typing import Any
 
 from fastapi import FastAPI
 
+from nacreous.server.requests import body_schemas
+
 _SCHEMES = {
     "token": {
         "type": "http",
@@ -29,12 +31,15 @@ class Described(FastAPI):
         """The description, made when it is first asked for."""
         if self.openapi_schema is None:
             made = super().openapi()
-            made.setdefault("components", {})["securitySchemes"] = _SCHEMES
+            components = made.setdefault("components", {})
+            components["securitySchemes"] = _SCHEMES
+            schemas = components.setdefault("schemas", {})
+            schemas.update(body_schemas())
             for path in made["paths"].values():
                 for operation in path.values():
                     # FastAPI's own code for bad input; ours is 400.
                     operation["responses"].pop("422", None)
             for name in ("HTTPValidationError", "ValidationError"):
-                made["components"].get("schemas", {}).pop(name, None)
+                schemas.pop(name, None)
             self.openapi_schema = made
         return self.openapi_schema

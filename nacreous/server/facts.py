@@ -8,7 +8,6 @@ from nacreous.server.responses import (
     ChoiceTold,
     GroupTold,
     QuestionTold,
-    SittingRules,
     StudyTold,
     Words,
 )
@@ -30,8 +29,8 @@ class Facts:
                 for question in design.questions
             ],
             "groups": _groups(design),
-            "sitting": SittingRules(**design.sitting.model_dump()),
-            "screen": design.screen.model_dump(mode="json"),
+            "sitting": design.sitting,
+            "screen": design.screen,
         }
 
     def told(self, state: str, registration: str, token: str) -> StudyTold:

@@ -1,46 +1,44 @@
-"""A simulated observer: what somebody who is not there would choose."""
+"""A simulated observer: what somebody who is not there would answer."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
-__all__ = ["Choice", "choices"]
+from nacreous.study.task.response import Response
+from nacreous.study.task.task import Task
+
+__all__ = ["responses"]
 
 #: The median of the response times that are made up **(ours)**, and their spread as a logarithm.
 _MEDIAN_MS, _SPREAD = 1800.0, 0.45
 
 
-class Choice(NamedTuple):
-    """What was chosen at a trial, and after how long."""
-
-    trial: int
-    chosen: str
-    response_ms: int
-
-
-def choices(
-    trials: Iterable[tuple[int, str, str]],
+def responses(
+    task: Task[Any],
+    trials: Iterable[Sequence[str]],
     values: Mapping[str, float],
     number: int,
     *,
     seed: int,
     sigma: float,
-) -> Iterator[Choice]:
-    """Choices by Thurstone's case V, of participant `number`; same seed and number, same choices.
+) -> Iterator[Response]:
+    """The responses of participant `number`; same seed and number, same responses.
 
-    trials: number, left and right of each. values: of left and right, on the scale. sigma: the
-    noise of a comparison, in its unit: left is chosen with probability
-    Phi((v_left - v_right) / sigma). Raises `KeyError` for what has no value.
+    trials: what each shows, by place. values: of what is shown, on the scale. sigma: the noise of
+    an answer, in its unit, as `Task.simulate` has it. Raises `KeyError` for what has no value.
 
-    >>> [one] = choices([(0, "a", "b")], {"a": 9.0, "b": 0.0}, 0, seed=1, sigma=1.0)
-    >>> one.chosen
-    'left'
+    >>> from nacreous.study.task.tasks import TASKS
+    >>> [one] = responses(
+    ...     TASKS["pair"], [("a", "b")], {"a": 9.0, "b": 0.0}, 0, seed=1, sigma=1.0
+    ... )
+    >>> one.given, one.simulated
+    ('left', True)
     """
     random = np.random.default_rng([seed, 1, number])
-    for trial, left, right in trials:
-        lead = (values[left] - values[right]) / sigma + random.standard_normal()
+    for shown in trials:
+        given = task.simulate([values[stimulus] for stimulus in shown], sigma, random)
         response_ms = round(_MEDIAN_MS * float(np.exp(_SPREAD * random.standard_normal())))
-        yield Choice(trial, "left" if lead > 0 else "right", response_ms)
+        yield Response(given, response_ms, simulated=True)

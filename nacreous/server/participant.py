@@ -65,16 +65,7 @@ async def answer(request: Request, trial: Annotated[int, Path(ge=0, le=2**31 - 1
     session = await service.sessions.find(token)
     request.state.session = session.id
     # The plan is in memory since the session was read: nothing here waits but for the receipt.
-    waiting = service.running.hand_in(
-        session,
-        trial,
-        wanted.chosen,
-        response_ms=wanted.response_ms,
-        shown_at=wanted.shown_at,
-        answered_at=wanted.answered_at,
-        flags=wanted.flags,
-        simulated=wanted.simulated,
-    )
+    waiting = service.running.hand_in(session, trial, wanted.response)
     receipt = await asyncio.wrap_future(waiting)
     return ReceiptTold(trial=trial, received_at=receipt.received_at, again=receipt.again)
 

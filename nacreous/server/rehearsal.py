@@ -1,7 +1,8 @@
 """A rehearsal: simulated observers take part by HTTP, as browsers do, before people come.
 
-They choose by Thurstone's case V from a scale that is known, and every answer says that it is
-simulated. Numbers decide what each one answers: same seed and number, same choices.
+They answer from a scale that is known, as the task has it (pairs by Thurstone's case V), and every
+answer says that it is simulated. Numbers decide what each one answers: same seed and number, same
+answers.
 """
 
 from __future__ import annotations
@@ -20,8 +21,10 @@ import numpy as np
 from nacreous.number import number_of, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.server.client import Client
-from nacreous.server.observer import choices
+from nacreous.server.observer import responses
 from nacreous.study.design import Frozen
+from nacreous.study.task.task import Task
+from nacreous.study.task.tasks import TASKS
 
 __all__ = ["Rehearsed", "rehearse", "scale_of"]
 
@@ -53,9 +56,8 @@ def rehearse(
     """Let simulated observers take part in the study that is served at a URL.
 
     frozen: that study, which says which picture has which label. scale: label -> value. sigma: the
-    noise of a comparison in the unit of the scale; left is chosen with probability
-    Phi((v_left - v_right) / sigma). links: invitations, one an observer; without them the study
-    must be open. progress: called with the finished share.
+    noise of an answer in the unit of the scale, as `Task.simulate` has it. links: invitations, one
+    an observer; without them the study must be open. progress: called with the finished share.
 
     Raises `InputError` for values that cannot be used, where nobody answers at the URL, where
     another study is served there, and where the study lets nobody in.
@@ -68,7 +70,7 @@ def rehearse(
         raise InputError(f"links are {len(links)}; allowed: {count}, one for each observer")
     values = _by_picture(frozen, scale)
     begin = time.monotonic()
-    crew = _Crew(url, values, seed_of(seed), noise)
+    crew = _Crew(url, TASKS[frozen.design.task], values, seed_of(seed), noise)
     tokens: list[str | None] = [link.rpartition("#")[2] for link in links[:count]]
     answers = crew.run(tokens or [None] * count, progress)
     return Rehearsed(count, answers, time.monotonic() - begin)
@@ -114,8 +116,11 @@ def _by_picture(frozen: Frozen, scale: Mapping[str, float]) -> dict[str, float]:
 class _Crew:
     """Simulated observers of one rehearsal, and the lines that they share."""
 
-    def __init__(self, url: str, values: Mapping[str, float], seed: int, sigma: float) -> None:
+    def __init__(
+        self, url: str, task: Task[Any], values: Mapping[str, float], seed: int, sigma: float
+    ) -> None:
         self._url = url
+        self._task = task
         self._values = values
         self._seed = seed
         self._sigma = sigma
@@ -170,12 +175,16 @@ class _Crew:
         client.ask("POST", "/api/consent", token)
         client.ask("POST", "/api/screen", token, {"content": _good_screen(screen)})
         sitting = client.ask("GET", "/api/sitting", token)
-        trials = [(trial["trial"], trial["left"], trial["right"]) for trial in sitting["trials"]]
-        if not all(shown in self._values for _, *both in trials for shown in both):
+        told, places = sitting["trials"], self._task.places
+        trials = [tuple(trial[place] for place in places) for trial in told]
+        if not all(stimulus in self._values for shown in trials for stimulus in shown):
             raise InputError(f"{self._url}: serves another study; wanted: the one given")
-        for one in choices(trials, self._values, number, seed=self._seed, sigma=self._sigma):
-            content = {"chosen": one.chosen, "response_ms": one.response_ms, "simulated": True}
-            client.ask("PUT", f"/api/answers/{one.trial}", token, content)
+        answers = responses(
+            self._task, trials, self._values, number, seed=self._seed, sigma=self._sigma
+        )
+        for trial, one in zip(told, answers, strict=True):
+            content = {"chosen": one.given, "response_ms": one.response_ms, "simulated": True}
+            client.ask("PUT", f"/api/answers/{trial['trial']}", token, content)
         client.ask("POST", "/api/finish", token)
         return len(trials)
 

@@ -5,7 +5,12 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import AwareDatetime, BaseModel, ConfigDict, Field, JsonValue
+from pydantic.json_schema import models_json_schema
 from starlette.requests import Request
+
+from nacreous.study.running.screen_check import ScreenCheck
+from nacreous.study.task.response import Response
+from nacreous.study.task.tasks import Answerable
 
 
 class RequestBody(BaseModel):
@@ -27,20 +32,32 @@ class Entering(RequestBody):
 
 
 class Checking(RequestBody):
-    """What the browser found out about the screen, kept as it is."""
+    """What the browser found out about the screen."""
 
-    content: Noticed
+    content: ScreenCheck
 
 
 class Answering(RequestBody):
     """The answer to a trial; the trial itself is known."""
 
-    chosen: Literal["left", "right", "tie"]
+    chosen: Answerable
     response_ms: Annotated[float, Field(ge=0, le=86_400_000, allow_inf_nan=False)] | None = None
     shown_at: AwareDatetime | None = None
     answered_at: AwareDatetime | None = None
     flags: Noticed = Field(default_factory=dict)
     simulated: bool = False
+
+    @property
+    def response(self) -> Response:
+        """The same, as study and store take it."""
+        return Response(
+            self.chosen,
+            self.response_ms,
+            self.shown_at,
+            self.answered_at,
+            self.flags,
+            self.simulated,
+        )
 
 
 class LoggingIn(RequestBody):
@@ -75,6 +92,9 @@ class Excluding(RequestBody):
     reason: Annotated[str, Field(min_length=1, max_length=1000)]
 
 
+#: Where a description keeps schemas.
+_PLACE = "#/components/schemas/{model}"
+
 Body = TypeVar("Body", bound=RequestBody)
 
 
@@ -84,6 +104,16 @@ async def body_of(request: Request, model: type[Body]) -> Body:
 
 
 def body_schema(model: type[RequestBody]) -> dict[str, Any]:
-    """The same, for the description of a route."""
-    schema = model.model_json_schema()
+    """The body of a route, for its description; `body_schemas` has what it refers to."""
+    schema = {"$ref": _PLACE.format(model=model.__name__)}
     return {"requestBody": {"required": True, "content": {"application/json": {"schema": schema}}}}
+
+
+def body_schemas() -> dict[str, Any]:
+    """The JSON Schema of every body, and of the tables in them, by name."""
+    wanted: list[tuple[type[BaseModel], Literal["validation"]]] = [
+        (model, "validation") for model in RequestBody.__subclasses__()
+    ]
+    _, made = models_json_schema(wanted, ref_template=_PLACE)
+    schemas: dict[str, Any] = made["$defs"]
+    return schemas

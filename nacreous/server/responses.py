@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Any, Literal
+from typing import Literal
 
-from pydantic import BaseModel
+from pydantic import BaseModel, JsonValue
+from typing_extensions import TypedDict  # pydantic reads typing's own from Python 3.12 on
 
-#: Words in the languages of the study.
-Words = dict[str, str]
+from nacreous.scaling.fit.unit import Unit
+from nacreous.study.design.multilingual import Language
+from nacreous.study.design.screen import Screen
+from nacreous.study.design.sitting import Sitting
+from nacreous.study.running.screening import ScreenFlag
+
+
+class Words(TypedDict, total=False):
+    """Words in those languages of the study in which there are some."""
+
+    en: str
+    ja: str
 
 
 class QuestionTold(BaseModel):
@@ -33,15 +44,6 @@ class GroupTold(BaseModel):
     choices: list[ChoiceTold]
 
 
-class SittingRules(BaseModel):
-    """How a sitting goes."""
-
-    training: int
-    break_every: int
-    minimum_viewing_ms: int
-    ties: bool
-
-
 class StudyTold(BaseModel):
     """A study to somebody who has not entered. `token` is fresh: it becomes theirs by entering."""
 
@@ -49,13 +51,13 @@ class StudyTold(BaseModel):
     purpose: Literal["study", "demo"]
     state: Literal["open", "paused", "closed"]
     registration: Literal["open", "invited"]
-    languages: list[str]
+    languages: list[Language]
     consent: Words
     instructions: Words
     questions: list[QuestionTold]
     groups: list[GroupTold]
-    sitting: SittingRules
-    screen: dict[str, Any]
+    sitting: Sitting
+    screen: Screen
     token: str
 
 
@@ -86,7 +88,7 @@ class SittingTold(BaseModel):
 
     sitting: str
     number: int
-    language: str
+    language: Language
     consented: bool
     screened: bool
     screen_flags: list[str]
@@ -101,7 +103,7 @@ class SittingTold(BaseModel):
 class ScreenTold(BaseModel):
     """What a screen check was found to be."""
 
-    flags: list[str]
+    flags: list[ScreenFlag]
     refused: bool
 
 
@@ -131,7 +133,7 @@ class PersonTold(BaseModel):
     """How far one participant is. Of an erased one `trials` is 0."""
 
     number: int
-    language: str | None
+    language: Language | None
     groups: dict[str, str]
     answers: int
     trials: int
@@ -185,7 +187,7 @@ class ScaleTold(BaseModel):
     stimuli: list[StimulusTold]
     answers: int
     people: int
-    unit: str
+    unit: Unit
     level: float
     verdict: Literal["describes", "misfits", "untested"]
     misfit: tuple[str, str] | None
@@ -221,4 +223,4 @@ class EventTold(BaseModel):
     who: str
     what: str
     number: int | None
-    detail: dict[str, Any]
+    detail: dict[str, JsonValue]

@@ -8,6 +8,7 @@ from nacreous.server.facts import words
 from nacreous.server.responses import PictureTold, SittingTold, TrialTold
 from nacreous.server.service import Service
 from nacreous.study.plan import Trial
+from nacreous.study.running.plans import shown
 from nacreous.study.store import Session
 
 
@@ -33,15 +34,14 @@ def sitting_of(service: Service, session: Session) -> SittingTold:
 
 
 def _trials(service: Service, trials: Sequence[Trial]) -> list[TrialTold]:
-    sha256 = service.pictures.of_label
+    sha256, task = service.pictures.of_label, service.running.task
     return [
         TrialTold(
             trial=trial.number,
             question=trial.question,
-            left=sha256[trial.left],
-            right=sha256[trial.right],
             training=trial.kind == "training",
             break_before=trial.break_before,
+            **{place: sha256[label] for place, label in shown(trial, task).items()},
         )
         for trial in trials
     ]
@@ -49,6 +49,6 @@ def _trials(service: Service, trials: Sequence[Trial]) -> list[TrialTold]:
 
 def _pictures(service: Service, trials: Sequence[Trial]) -> dict[str, PictureTold]:
     sizes = service.pictures.sizes
-    labels = {label for trial in trials for label in (trial.left, trial.right)}
+    labels = {label for trial in trials for label in trial.stimuli}
     shown = sorted(service.pictures.of_label[label] for label in labels)
     return {sha256: sizes[sha256] for sha256 in shown}

@@ -26,6 +26,7 @@ class Section(BaseModel):
         strict=True,
         allow_inf_nan=False,
         validate_default=True,
+        json_schema_serialization_defaults_required=True,  # every key is written out
         defer_build=True,  # most commands read one kind of file, or none
     )
 

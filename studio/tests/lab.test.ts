@@ -149,11 +149,13 @@ describe("the chart", () => {
   const scale = {
     question: "q",
     text: { en: "Which?" },
+    simulated: false,
     answers: 10,
     people: 2,
-    unit: "z",
+    unit: "z" as const,
     level: 0.95,
-    verdict: "describes",
+    verdict: "describes" as const,
+    misfit: null,
     stimuli: [
       { label: "<b>", picture: "00", value: 0.5, low: 0.5, high: 0.5 },
       { label: "dull", picture: "11", value: -0.5, low: -0.5, high: -0.5 },

@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from nacreous.study.design import open_frozen
 from nacreous.study.running import Running
-from nacreous.study.store import Store
+from nacreous.study.store import Response, Store
 from tests.pages.browser import Guarded, chromium, guarded
 from tests.support.gathering import by_scale, frozen_study, take_part
 from tests.support.server_process import NAME, PASSWORD, Served, served
@@ -138,12 +138,12 @@ def test_progress_moves_while_somebody_answers(guard: Guarded, frozen: Path) -> 
         store.consent(session.id)
         session = running.session_of(token)
         for trial in running.plan(session)[:4]:
-            running.hand_in(session, trial.number, "left").result()
+            running.hand_in(session, trial.number, Response("left")).result()
         expect(rows).to_have_count(before + 1)
         row = page.locator("tbody tr", has=page.locator(f"th:text-is('{session.number}')"))
         expect(row.locator(".count")).to_contain_text("4 of ")
         for trial in running.plan(session)[4:6]:
-            running.hand_in(session, trial.number, "left").result()
+            running.hand_in(session, trial.number, Response("left")).result()
         expect(row.locator(".count")).to_contain_text("6 of ")
 
 

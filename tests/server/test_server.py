@@ -39,6 +39,20 @@ def test_a_whole_sitting(server: httpx.Client, service: Service) -> None:
     assert sorted(kinds) == ["catch", "pair", "pair", "pair", "training"]
 
 
+def test_a_screen_check_is_refused_by_quantity_and_kept_whole(
+    server: httpx.Client, service: Service
+) -> None:
+    person = Person.consented(server)
+    told = person.post("screen", {"content": {**WINDOW, "gamma": -1}})
+    assert told.status_code == 400
+    problem = "content.gamma is -1; wanted: Input should be greater than or equal to 0"
+    assert told.json() == {"problem": problem, "kind": "input"}
+    content = {**WINDOW, "gamma": 2.2, "lux": [80, None]}
+    assert person.post("screen", {"content": content}).status_code == 200
+    [session] = service.store.sessions(service.running.study)
+    assert session.screen == {**content, "flags": []}
+
+
 def test_a_browser_that_lost_its_page_goes_on_where_it_was(server: httpx.Client) -> None:
     person = Person.consented(server)
     first = person.sitting()

@@ -11,7 +11,7 @@ from nacreous.scaling import Comparisons
 from nacreous.study.design import Design, Frozen, freeze
 from nacreous.study.plan import Trial, repetitions, trials
 from nacreous.study.running import Running
-from nacreous.study.store import Session, Store
+from nacreous.study.store import Response, Session, Store
 from nacreous.study.store.tokens import draw
 
 WORDS = {"en": "Which looks more like a pearl?", "ja": "どちらがより真珠らしく見えますか。"}
@@ -44,7 +44,7 @@ def under(shown: list[Trial], question: str, *kinds: str) -> list[Trial]:
 
 
 def pair_of(trial: Trial) -> frozenset[str]:
-    return frozenset((trial.left, trial.right))
+    return frozenset(trial.stimuli)
 
 
 @pytest.fixture(params=["none so far", "one question answered", "both"])
@@ -62,10 +62,12 @@ def test_the_plan_keeps_every_promise_that_others_keep(so_far: dict[str, Compari
             pairs, repeats = (under(shown, question, kind) for kind in ("pair", "repeat"))
             assert len(pairs) == len({pair_of(trial) for trial in pairs}) == 20
             assert len(repeats) == 3
-            place = {(trial.right, trial.left): trial.number for trial in pairs}
-            assert all(place[trial.left, trial.right] < trial.number for trial in repeats)
-            lean = Counter(trial.left for trial in pairs + repeats)
-            lean.subtract(trial.right for trial in pairs + repeats)
+            place = {(trial.stimuli[1], trial.stimuli[0]): trial.number for trial in pairs}
+            assert all(
+                place[trial.stimuli[0], trial.stimuli[1]] < trial.number for trial in repeats
+            )
+            lean = Counter(trial.stimuli[0] for trial in pairs + repeats)
+            lean.subtract(trial.stimuli[1] for trial in pairs + repeats)
             assert max(map(abs, lean.values())) <= 1
         assert len(under(shown, "q0", "catch")) == 1
 
@@ -86,7 +88,7 @@ def test_neighbours_are_asked_about_once_the_order_shows() -> None:
         shown = trials(study(12), number, so_far)
         for question, found in apart.items():
             for trial in under(shown, question, "pair"):
-                found.append(abs(int(trial.left[1:]) - int(trial.right[1:])))
+                found.append(abs(int(trial.stimuli[0][1:]) - int(trial.stimuli[1][1:])))
     assert np.mean(apart["q0"]) < 2 < 3 < np.mean(apart["q1"])
 
 
@@ -146,9 +148,10 @@ def gone_through(running: Running, *, simulated: bool = False, chosen: str = "")
     """Somebody who prefers whatever has the larger number."""
     session = entered(running)
     for trial in running.plan(session):
-        right = trial.left < trial.right
+        right = trial.stimuli[0] < trial.stimuli[1]
         choice = chosen or ("right" if right else "left")
-        running.hand_in(session, trial.number, choice, simulated=simulated).result()
+        response = Response(choice, simulated=simulated)
+        running.hand_in(session, trial.number, response).result()
     return session
 
 
@@ -234,7 +237,7 @@ def simulated(
         if number % together == 0 and number:
             so_far = {"q": Comparisons.of_counts(wins, None, design.labels)}
         for trial in trials(design, number, so_far):
-            left, right = place[trial.left], place[trial.right]
+            left, right = place[trial.stimuli[0]], place[trial.stimuli[1]]
             won = value[left] - value[right] + chance.standard_normal() > 0
             wins[(left, right) if won else (right, left)] += 1
     fit = nc.scaling.thurstone(Comparisons.of_counts(wins, None, design.labels))

@@ -9,9 +9,10 @@ import pytest
 import sqlalchemy as sa
 
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, Copied, Store, UnknownToken, backup, restore
+from nacreous.study.store import Copied, Store, UnknownToken, backup, restore
 from nacreous.study.store.schema import metadata
 from tests.support.database import Server
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 
@@ -26,7 +27,9 @@ def fill(place: str, people: int = 3, trials: int = 5) -> str:
             store.consent(session.id)
             store.screen(session.id, {"mm": 0.25})
             for n in range(trials):
-                store.answer(session.id, Answer(n, "q", "a", "b", "left", 100.5, flags={"n": n}))
+                store.answer(
+                    session.id, pair_answer(n, "q", "a", "b", "left", 100.5, flags={"n": n})
+                )
             store.settle(session.id, {"sex": "f"}, [{"left": "a"}])
         [token, _] = store.invite(STUDY, 2, "seat", "lab")
         store.enter(STUDY, "ja", {"sex": "m"}, token)
@@ -57,7 +60,7 @@ def test_a_restored_store_is_the_same_store_and_goes_on(place: str, tmp_path: Pa
     with Store.open(restored) as store:
         assert store.enter(STUDY, "ja", {})[0].number == 4
         assert [one.number for one in store.invitations(STUDY)] == [3, None]
-        assert not store.answer(last, Answer(5, "q", "a", "b", "left")).again
+        assert not store.answer(last, pair_answer(5, "q", "a", "b", "left")).again
         assert [row["trial"] for row in store.answers(STUDY)][-1] == 5
 
 
@@ -81,7 +84,7 @@ def test_a_laptops_backup_goes_into_postgresql(postgresql: Server, tmp_path: Pat
     restore(tmp_path / "copy.sqlite", place)
     assert content(place) == content(laptop)
     with Store.open(place) as store:
-        store.answer(last, Answer(5, "q", "a", "b", "left"))
+        store.answer(last, pair_answer(5, "q", "a", "b", "left"))
         assert [row["trial"] for row in store.answers(STUDY)][-1] == 5
     with pytest.raises(InputError, match="holds studies already"):
         restore(tmp_path / "copy.sqlite", place)
@@ -97,7 +100,7 @@ def test_a_backup_while_answers_come_holds_an_unbroken_beginning(
         def answer() -> None:
             n = 0
             while not stop.is_set():
-                store.answer(session, Answer(n, "q", "a", "b", "left"))
+                store.answer(session, pair_answer(n, "q", "a", "b", "left"))
                 n += 1
 
         thread = threading.Thread(target=answer)

@@ -7,6 +7,7 @@ import pytest
 from nacreous.study.store import Answer, Conflict, NotAllowed, Session, Store
 from nacreous.study.store.answers import MOST_REFUSED
 from nacreous.study.store.people import MOST_SCREENS
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 
@@ -26,7 +27,7 @@ def entered(store: Store) -> Session:
 
 
 def answer(chosen: str, **more: float) -> Answer:
-    return Answer(0, "deeper", "a", "b", chosen, **more)
+    return pair_answer(0, "deeper", "a", "b", chosen, **more)
 
 
 def test_nobody_fills_the_disk_with_what_is_refused(store: Store) -> None:

@@ -11,8 +11,9 @@ import pytest
 import sqlalchemy as sa
 
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, NotAllowed, Store, answers, people
+from nacreous.study.store import NotAllowed, Store, answers, people
 from nacreous.study.store.engine import writing
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 AT = datetime(2026, 3, 1, 9, 30, 17, tzinfo=UTC)
@@ -31,10 +32,10 @@ def fill(store: Store) -> tuple[str, str, str]:
             chosen = "left" if n < 7 else "right"
             store.answer(
                 session.id,
-                Answer(n, "q", f"s{n}", "z", chosen, 777.5, AT, AT, flags={"seen": "squint"}),
+                pair_answer(n, "q", f"s{n}", "z", chosen, 777.5, AT, AT, flags={"seen": "squint"}),
             )
     with pytest.raises(InputError):
-        store.answer(one.id, Answer(0, "q", "s0", "z", "right"))
+        store.answer(one.id, pair_answer(0, "q", "s0", "z", "right"))
     return one.id, token, two.id
 
 
@@ -56,7 +57,7 @@ def test_choices_stay_and_nothing_else(place: str) -> None:
         with pytest.raises(InputError, match="token is unknown"):
             store.session_of(token)
         with pytest.raises(InputError, match="was erased"):
-            store.answer(one, Answer(11, "q", "a", "z", "left"))
+            store.answer(one, pair_answer(11, "q", "a", "z", "left"))
 
 
 def test_the_aggregate_says_how_many_were_erased(place: str) -> None:
@@ -81,7 +82,7 @@ def test_the_order_of_trials_is_gone(place: str) -> None:
             session, _ = store.enter(STUDY, "en", {})
             store.consent(session.id)
             for n in range(10):
-                store.answer(session.id, Answer(n, "q", f"s{n}", "z", "left"))
+                store.answer(session.id, pair_answer(n, "q", f"s{n}", "z", "left"))
             store.erase(session.id, "lab")
         rows = store.answers(STUDY)
         for start in (0, 10, 20):
@@ -127,7 +128,7 @@ def test_an_answer_on_its_way_by_another_server_is_unlinked_too(place: str) -> N
     with Store.open(place) as store, ThreadPoolExecutor(1) as elsewhere:
         one, _, _ = fill(store)
         with by_another_program(store) as connection:
-            answers.put(connection, at, one, Answer(10, "q", "s10", "z", "left"), in_turn=True)
+            answers.put(connection, at, one, pair_answer(10, "q", "s10", "z", "left"), in_turn=True)
             erased = elsewhere.submit(store.erase, one, "lab")
             waits(erased)
         erased.result()
@@ -140,7 +141,7 @@ def test_no_answer_comes_after_erasing_by_another_program(place: str) -> None:
         one, _, _ = fill(store)
         with by_another_program(store) as connection:
             people.erase(connection, "2026-03-01T09:30:00.000000Z", one, "lab")
-            late = store.hand_in(one, Answer(10, "q", "s10", "z", "left"), in_turn=True)
+            late = store.hand_in(one, pair_answer(10, "q", "s10", "z", "left"), in_turn=True)
             waits(late)
         assert isinstance(late.exception(), NotAllowed)
         assert store.answers(STUDY, one) == []

@@ -11,8 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from nacreous.study.store import Answer, Store, StoreError
+from nacreous.study.store import Store, StoreError
 from tests.support.database import Server
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 PEOPLE, TRIALS = 50, 100
@@ -110,7 +111,7 @@ def small_disk(folder: Path) -> Iterator[Path]:
 def fill(store: Store, session: str, start: int) -> int:
     """Answer until the machine refuses in one clear line; the first trial that was not stored."""
     for trial in range(start, start + 10_000):
-        large = Answer(trial, "q", "a", "b", "left", flags={"x": "x" * 20_000})
+        large = pair_answer(trial, "q", "a", "b", "left", flags={"x": "x" * 20_000})
         try:
             store.answer(session, large)
         except StoreError as problem:
@@ -179,9 +180,9 @@ def test_a_database_locked_by_another_is_a_clear_line(
         with contextlib.closing(sqlite3.connect(file, isolation_level=None)) as other:
             other.execute("BEGIN IMMEDIATE")
             with pytest.raises(StoreError, match="another program keeps the database locked"):
-                store.answer(session, Answer(0, "q", "a", "b", "left"))
+                store.answer(session, pair_answer(0, "q", "a", "b", "left"))
             other.execute("ROLLBACK")
-        assert not store.answer(session, Answer(0, "q", "a", "b", "left")).again
+        assert not store.answer(session, pair_answer(0, "q", "a", "b", "left")).again
 
 
 def test_many_who_wait_for_a_locked_database_wait_once(
@@ -194,7 +195,9 @@ def test_many_who_wait_for_a_locked_database_wait_once(
         with contextlib.closing(sqlite3.connect(file, isolation_level=None)) as other:
             other.execute("BEGIN IMMEDIATE")
             begin = time.monotonic()
-            given = [store.hand_in(session, Answer(n, "q", "a", "b", "left")) for n in range(100)]
+            given = [
+                store.hand_in(session, pair_answer(n, "q", "a", "b", "left")) for n in range(100)
+            ]
             assert all(isinstance(future.exception(), StoreError) for future in given)
             assert time.monotonic() - begin < 5
             other.execute("ROLLBACK")
@@ -204,12 +207,12 @@ def test_a_lost_connection_costs_no_answer(postgresql: Server) -> None:
     place = postgresql.create("lost")
     [session] = prepare(place, people=1)
     with Store.open(place) as store:
-        store.answer(session, Answer(0, "q", "a", "b", "left"))
+        store.answer(session, pair_answer(0, "q", "a", "b", "left"))
         postgresql.stop("immediate")
         try:
             with pytest.raises(StoreError, match="cannot be reached, or the connection was lost"):
-                store.answer(session, Answer(1, "q", "a", "b", "left"))
+                store.answer(session, pair_answer(1, "q", "a", "b", "left"))
         finally:
             postgresql.start()
-        store.answer(session, Answer(1, "q", "a", "b", "left"))
+        store.answer(session, pair_answer(1, "q", "a", "b", "left"))
         assert [row["trial"] for row in store.answers(STUDY)] == [0, 1]

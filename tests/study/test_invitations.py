@@ -10,6 +10,7 @@ import pytest
 from nacreous.problem import InputError
 from nacreous.study.store import Answer, Conflict, NotAllowed, OutOfTurn, Store, UnknownToken
 from nacreous.study.store.tokens import draw
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 AT = datetime(2026, 3, 1, 9, 30, 17, tzinfo=UTC)
@@ -23,7 +24,7 @@ def store(place: str) -> Iterator[Store]:
 
 
 def answer(trial: int, chosen: str = "left") -> Answer:
-    return Answer(trial, "q", "a", "b", chosen)
+    return pair_answer(trial, "q", "a", "b", chosen)
 
 
 def test_at_first_only_who_is_invited_may_enter(store: Store) -> None:

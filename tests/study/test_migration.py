@@ -10,10 +10,11 @@ from alembic.runtime.environment import EnvironmentContext
 from alembic.runtime.migration import MigrationContext
 
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, Copied, NotAllowed, Store, restore
+from nacreous.study.store import Copied, NotAllowed, Store, restore
 from nacreous.study.store.engine import engine_of, writing
 from nacreous.study.store.migrate import _script
 from nacreous.study.store.schema import metadata
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 AT = "2026-03-01T09:30:00.000000Z"
@@ -65,7 +66,7 @@ def test_an_old_store_is_brought_up_to_date_and_keeps_all_it_had(place: str) -> 
         assert store.studies() == {STUDY: "open"}
         assert store.registration(STUDY) == "invited"
         assert [row["chosen"] for row in store.answers(STUDY)] == ["left"]
-        store.answer("one", Answer(1, "q", "a", "b", "right"))
+        store.answer("one", pair_answer(1, "q", "a", "b", "right"))
         assert store.plan("one") is None
         with pytest.raises(NotAllowed):
             store.enter(STUDY, "en", {})

@@ -11,13 +11,14 @@ import pytest
 
 import nacreous as nc
 from nacreous.problem import InputError
-from nacreous.server.observer import choices
+from nacreous.server.observer import responses
 from nacreous.server.rehearsal import rehearse, scale_of
 from nacreous.study.design import Design, freeze, open_frozen
 from nacreous.study.plan import trials
 from nacreous.study.results import people_flags, report, scale_so_far
 from nacreous.study.running import Running
 from nacreous.study.store import Store, export
+from nacreous.study.task.tasks import TASKS
 from tests.support.server_process import served
 
 OBSERVERS = 104
@@ -99,13 +100,13 @@ def rehearsed(design: Design, seed: int) -> nc.scaling.Scale:
     table: dict[str, list[str]] = {"left": [], "right": [], "chosen": [], "person": []}
     for number in range(OBSERVERS):
         plan = trials(design, number)
-        asked = [(trial.number, trial.left, trial.right) for trial in plan]
+        asked = [trial.stimuli for trial in plan]
         values = scale_of("paper")
         for trial, one in zip(
-            plan, choices(asked, values, number, seed=seed, sigma=1.0), strict=True
+            plan, responses(TASKS["pair"], asked, values, number, seed=seed, sigma=1.0), strict=True
         ):
             if trial.kind in ("pair", "repeat"):
-                row = (trial.left, trial.right, one.chosen, str(number))
+                row = (*trial.stimuli, one.given, str(number))
                 for column, value in zip(table.values(), row, strict=True):
                     column.append(value)
     return nc.scaling.thurstone(nc.scaling.Answers.of_table(table, repeats=True))

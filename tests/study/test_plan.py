@@ -28,7 +28,7 @@ def study(count: int, questions: int = 1, **keys: Any) -> Design:
 
 
 def pair_of(trial: Trial) -> frozenset[str]:
-    return frozenset((trial.left, trial.right))
+    return frozenset((trial.stimuli[0], trial.stimuli[1]))
 
 
 def of_kind(shown: list[Trial], *kinds: str) -> list[Trial]:
@@ -37,8 +37,8 @@ def of_kind(shown: list[Trial], *kinds: str) -> list[Trial]:
 
 def lean(shown: list[Trial]) -> Counter[str]:
     """How much more often each stimulus is on the left than on the right."""
-    found = Counter(trial.left for trial in shown)
-    found.subtract(trial.right for trial in shown)
+    found = Counter(trial.stimuli[0] for trial in shown)
+    found.subtract(trial.stimuli[1] for trial in shown)
     return found
 
 
@@ -105,7 +105,9 @@ def test_small_studies_have_the_fewest_repetitions_there_can_be(seed: int) -> No
 def test_each_stimulus_is_on_the_left_as_often_as_on_the_right(design: Design) -> None:
     for number in PEOPLE:
         counted = of_kind(trials(design, number), "pair", "repeat")
-        places = Counter(label for trial in counted for label in (trial.left, trial.right))
+        places = Counter(
+            label for trial in counted for label in (trial.stimuli[0], trial.stimuli[1])
+        )
         for label, more in lean(counted).items():
             assert abs(more) == places[label] % 2
 
@@ -118,8 +120,8 @@ def test_a_repeat_is_a_pair_shown_before_with_the_sides_exchanged(design: Design
             asked = [trial for trial in shown if trial.question == question.id]
             pairs, repeats = of_kind(asked, "pair"), of_kind(asked, "repeat")
             assert len(repeats) == design.pairs.repeated(len(pairs))
-            place = {(trial.right, trial.left): trial.number for trial in pairs}
-            assert all(place[t.left, t.right] + 1 < t.number for t in repeats)
+            place = {(trial.stimuli[1], trial.stimuli[0]): trial.number for trial in pairs}
+            assert all(place[t.stimuli[0], t.stimuli[1]] + 1 < t.number for t in repeats)
 
 
 @pytest.mark.parametrize("name", ["repeats", "catches", "many"])
@@ -134,14 +136,14 @@ def test_a_pair_and_its_repeat_are_apart(name: str) -> None:
 def test_two_people_in_a_row_have_the_same_pairs_mirrored(design: Design) -> None:
     for number in range(0, 12, 2):
         one, other = trials(design, number), trials(design, number + 1)
-        sides = {(t.question, t.left, t.right) for t in of_kind(one, "pair")}
-        assert sides == {(t.question, t.right, t.left) for t in of_kind(other, "pair")}
+        sides = {(t.question, t.stimuli[0], t.stimuli[1]) for t in of_kind(one, "pair")}
+        assert sides == {(t.question, t.stimuli[1], t.stimuli[0]) for t in of_kind(other, "pair")}
         assert [t.question for t in one] == [t.question for t in other]
 
 
 def test_over_all_people_every_pair_stands_either_way_equally_often() -> None:
     counted = [t for number in range(20) for t in of_kind(trials(study(7), number), "pair")]
-    ways = Counter((trial.left, trial.right) for trial in counted)
+    ways = Counter((trial.stimuli[0], trial.stimuli[1]) for trial in counted)
     assert len(ways) == 42
     assert set(ways.values()) == {10}
 
@@ -179,7 +181,7 @@ def test_catches_are_spread_evenly_and_by_turns_on_either_side() -> None:
         third = len(shown) / 3
         for place, (at, trial) in enumerate(caught):
             assert abs(at - (place + 0.5) * third) < third
-            sides["left" if trial.left == "s0" else "right"] += 1
+            sides["left" if trial.stimuli[0] == "s0" else "right"] += 1
     assert sides["left"] == sides["right"]
 
 
@@ -265,10 +267,10 @@ def simulated(people: int, seed: int) -> tuple[Any, Any]:
     rows: dict[str, list[str]] = {"person": [], "left": [], "right": [], "chosen": []}
     for number in range(people):
         for trial in of_kind(trials(design, number), "pair"):
-            felt = value[trial.left] - value[trial.right] + random.standard_normal()
+            felt = value[trial.stimuli[0]] - value[trial.stimuli[1]] + random.standard_normal()
             rows["person"].append(f"simulated {number}")
-            rows["left"].append(trial.left)
-            rows["right"].append(trial.right)
+            rows["left"].append(trial.stimuli[0])
+            rows["right"].append(trial.stimuli[1])
             rows["chosen"].append("left" if felt > 0 else "right")
     counts = nc.scaling.comparisons_of(nc.scaling.Answers.of_table(rows))
     assert counts.total == people * 21

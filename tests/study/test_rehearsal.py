@@ -14,10 +14,11 @@ import pytest
 import nacreous as nc
 from nacreous.problem import InputError
 from nacreous.server.client import Client, RefusedError
-from nacreous.server.observer import choices
+from nacreous.server.observer import responses
 from nacreous.server.rehearsal import rehearse, scale_of
 from nacreous.study.design import Frozen, open_frozen
 from nacreous.study.store import Store
+from nacreous.study.task.tasks import TASKS
 from tests.support.documentation import COMMAND
 from tests.support.server_process import Served, served, small_study
 
@@ -147,15 +148,16 @@ def test_a_client_waits_where_the_server_is_busy_and_says_where_it_is_none() -> 
 
 
 def test_choices_follow_case_v_and_hang_on_seed_and_number_alone() -> None:
-    trials = [(number, "a", "b") for number in range(20_000)]
-    found = list(choices(trials, {"a": 0.5, "b": 0.0}, 3, seed=1, sigma=1.0))
-    share = np.mean([one.chosen == "left" for one in found])
+    pair = TASKS["pair"]
+    trials = [("a", "b")] * 20_000
+    found = list(responses(pair, trials, {"a": 0.5, "b": 0.0}, 3, seed=1, sigma=1.0))
+    share = np.mean([one.given == "left" for one in found])
     assert share == pytest.approx(0.6915, abs=0.012)  # Phi(0.5), within 3.6 standard errors
-    wide = choices(trials, {"a": 0.5, "b": 0.0}, 3, seed=1, sigma=2.0)
-    assert np.mean([one.chosen == "left" for one in wide]) == pytest.approx(0.5987, abs=0.012)
-    again = list(choices(trials, {"a": 0.5, "b": 0.0}, 3, seed=1, sigma=1.0))
+    wide = responses(pair, trials, {"a": 0.5, "b": 0.0}, 3, seed=1, sigma=2.0)
+    assert np.mean([one.given == "left" for one in wide]) == pytest.approx(0.5987, abs=0.012)
+    again = list(responses(pair, trials, {"a": 0.5, "b": 0.0}, 3, seed=1, sigma=1.0))
     assert again == found
-    other = list(choices(trials, {"a": 0.5, "b": 0.0}, 4, seed=1, sigma=1.0))
+    other = list(responses(pair, trials, {"a": 0.5, "b": 0.0}, 4, seed=1, sigma=1.0))
     assert other != found
 
 

@@ -17,11 +17,11 @@ from nacreous.problem import InputError
 from nacreous.study.design import Design
 from nacreous.study.plan import drawn_groups, trials
 from nacreous.study.results import people_flags, report, scale_so_far
-from nacreous.study.results.chance import at_least, circles_by_chance, one_sided
-from nacreous.study.results.consistent import consistency_flags
-from nacreous.study.results.flag import RATE
 from nacreous.study.running import Running
 from nacreous.study.store import Store, answers_of
+from nacreous.study.task.flag import RATE
+from nacreous.study.task.pair.chance import at_least, circles_by_chance, one_sided
+from nacreous.study.task.pair.consistent import consistency_flags
 from tests.support.gathering import by_scale, frozen_study, opened, take_part
 
 SCALE = {"a": 1.2, "b": 0.6, "c": 0.0, "d": -0.6, "e": -1.2}
@@ -86,11 +86,13 @@ def test_catches_that_were_missed_are_counted(running):
     blind = take_part(
         running,
         lambda trial: (
-            ("right" if trial.left in "ab" else "left") if trial.kind == "catch" else "left"
+            ("right" if trial.stimuli[0] in "ab" else "left") if trial.kind == "catch" else "left"
         ),
     )
     assert kinds(running, blind)["catches"] == "2/2"
-    looking = take_part(running, lambda trial: "left" if trial.left < trial.right else "right")
+    looking = take_part(
+        running, lambda trial: "left" if trial.stimuli[0] < trial.stimuli[1] else "right"
+    )
     assert "catches" not in kinds(running, looking)
 
 
@@ -149,9 +151,10 @@ def rows_of(design: Design, truth, number: int, random: np.random.Generator, spr
     return [
         {
             "number": number,
+            "trial": trial.number,
             "question": trial.question,
-            "left": trial.left,
-            "right": trial.right,
+            "left": trial.stimuli[0],
+            "right": trial.stimuli[1],
             "kind": trial.kind,
             "chosen": choose(trial),
             "response_ms": 900.0,
@@ -177,7 +180,7 @@ def test_honest_people_are_flagged_no_more_often_than_the_rate_says(spread):
             for number in range(people)
             for row in rows_of(design, truth, number, random, spread)
         ]
-        for flags in consistency_flags(rows, design).values():
+        for flags in consistency_flags(rows, design.asked).values():
             counts.update(flag.kind for flag in flags)
     total = studies * people
     # Beyond so many, the rate would be broken by more than chance (one of 1000 times).
@@ -229,7 +232,7 @@ def test_simulated_answers_and_those_of_excluded_people_stay_apart(running):
 def test_too_few_and_unanimous_answers_are_told_plainly(running):
     with pytest.raises(InputError, match="no answers to 'deeper' count yet"):
         scale_so_far(running, "deeper")
-    take_part(running, lambda trial: "left" if trial.left < trial.right else "right")
+    take_part(running, lambda trial: "left" if trial.stimuli[0] < trial.stimuli[1] else "right")
     with pytest.raises(InputError, match="no scale holds"):
         scale_so_far(running, "deeper")
     with pytest.raises(InputError, match="question is 'duller'; allowed: deeper"):
@@ -279,7 +282,7 @@ def test_a_report_compares_the_groups_where_each_has_a_scale(running):
 
 def test_a_report_without_a_scale_in_each_group_leaves_them_out(running):
     random = np.random.default_rng(5)
-    consistent = lambda trial: "left" if trial.left < trial.right else "right"  # noqa: E731
+    consistent = lambda trial: "left" if trial.stimuli[0] < trial.stimuli[1] else "right"  # noqa: E731
     for number in range(12):
         shown = drawn_groups(running.frozen.design, number)["real-pearl"] == "shown"
         take_part(running, by_scale(SCALE, random) if shown else consistent)

@@ -4,20 +4,19 @@ import shutil
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from nacreous.problem import InputError
 from nacreous.study.design import Frozen, freeze, open_frozen
-from nacreous.study.design.screen import Screen
 from nacreous.study.plan import drawn_groups, trials
 from nacreous.study.running import Running
-from nacreous.study.running.screening import flags_of, is_refused
+from nacreous.study.running.screen_check import ScreenCheck, Window
 from nacreous.study.store import (
     Conflict,
     NotAllowed,
     OutOfTurn,
+    Response,
     Session,
     Store,
     UnknownToken,
@@ -56,17 +55,18 @@ values = ["yes", "no"]
 how = "recorded"
 question = { en = "Do you trade?", ja = "お仕事ですか。" }
 """
-GOOD = {
-    "window": {"width_px": 1600, "height_px": 900, "device_pixel_ratio": 2},
-    "full_screen": True,
-    "card": {"px_per_mm": 4.2},
-    "distance_mm": 620,
-    "distance_by": "blind-spot",
-    "gamma": 2.2,
-    "darkest_step": 5,
-    "gamut": "srgb",
-}
-SMALL = {**GOOD, "window": {"width_px": 700, "height_px": 900}}
+WINDOW = {"width_px": 1600, "height_px": 900, "device_pixel_ratio": 2}
+GOOD = ScreenCheck(
+    window=WINDOW,
+    full_screen=True,
+    card={"px_per_mm": 4.2},
+    distance_mm=620,
+    distance_by="blind-spot",
+    gamma=2.2,
+    darkest_step=5,
+    gamut="srgb",
+)
+SMALL = GOOD.model_copy(update={"window": Window(width_px=700, height_px=900)})
 HERE = {"trade": "yes"}
 
 
@@ -85,12 +85,12 @@ def running(place: str, frozen: Frozen) -> Iterator[Running]:
         yield made
 
 
-def ready(running: Running, content: dict[str, Any] = GOOD) -> tuple[Session, str]:
+def ready(running: Running, check: ScreenCheck = GOOD) -> tuple[Session, str]:
     """Somebody who entered, consented, and whose screen was checked."""
     token = draw()
     session = running.enter(token, "en", HERE)
     running.store.consent(session.id)
-    running.screen(running.session_of(token), content)
+    running.screen(running.session_of(token), check)
     return running.session_of(token), token
 
 
@@ -136,11 +136,12 @@ def test_what_is_asked_stands_in_the_plan_and_not_in_the_request(running: Runnin
     at = datetime(2026, 3, 1, tzinfo=UTC)
     for trial in plan:
         chosen = ("left", "right", "tie")[trial.number % 3]
-        running.hand_in(session, trial.number, chosen, 812.5, at, at, {"tab": "hidden"}).result()
+        response = Response(chosen, 812.5, at, at, {"tab": "hidden"})
+        running.hand_in(session, trial.number, response).result()
     rows = running.store.answers(running.study)
     names = ("trial", "question", "left", "right", "kind")
     assert [tuple(row[name] for name in names) for row in rows] == [
-        (one.number, one.question, one.left, one.right, one.kind) for one in plan
+        (one.number, one.question, *one.stimuli, one.kind) for one in plan
     ]
     assert rows[0]["response_ms"] == 812.5
     assert not rows[0]["simulated"]
@@ -150,18 +151,18 @@ def test_what_is_asked_stands_in_the_plan_and_not_in_the_request(running: Runnin
 def test_answers_come_in_turn_and_once(running: Running) -> None:
     session, _ = ready(running)
     with pytest.raises(OutOfTurn):
-        running.hand_in(session, 1, "left").result()
-    assert not running.hand_in(session, 0, "left").result().again
-    assert running.hand_in(session, 0, "left").result().again
+        running.hand_in(session, 1, Response("left")).result()
+    assert not running.hand_in(session, 0, Response("left")).result().again
+    assert running.hand_in(session, 0, Response("left")).result().again
     with pytest.raises(Conflict):
-        running.hand_in(session, 0, "right").result()
+        running.hand_in(session, 0, Response("right")).result()
     count = len(running.plan(session))
     for trial in (-1, count, True, "0", None, 1.0):
         with pytest.raises(InputError, match=f"trial is .*; allowed: 0 to {count - 1}"):
-            running.hand_in(session, trial, "left")
+            running.hand_in(session, trial, Response("left"))
     for chosen in ("middle", None, ["left"]):
         with pytest.raises(InputError, match="chosen is"):
-            running.hand_in(session, 1, chosen)
+            running.hand_in(session, 1, Response(chosen))
 
 
 def test_a_tie_only_where_the_study_has_it(
@@ -172,18 +173,18 @@ def test_a_tie_only_where_the_study_has_it(
     strict = frozen.design.model_copy(update={"sitting": sitting})
     without = Frozen(frozen.folder, strict, "", frozen.study_hash, frozen.stimuli)
     with pytest.raises(InputError, match="chosen is 'tie'; allowed in this study: left, right"):
-        Running(running.store, without).hand_in(session, 0, "tie")
-    running.hand_in(session, 0, "tie").result()
+        Running(running.store, without).hand_in(session, 0, Response("tie"))
+    running.hand_in(session, 0, Response("tie")).result()
 
 
 def test_the_end_comes_after_the_last_answer(running: Running) -> None:
     session, token = ready(running)
     plan = running.plan(session)
     for trial in plan[:-1]:
-        running.hand_in(session, trial.number, "left").result()
+        running.hand_in(session, trial.number, Response("left")).result()
     with pytest.raises(OutOfTurn, match=f"{len(plan) - 1} trials are answered; wanted: all"):
         running.finish(session)
-    running.hand_in(session, len(plan) - 1, "left").result()
+    running.hand_in(session, len(plan) - 1, Response("left")).result()
     running.finish(session)
     running.finish(session)
     assert running.session_of(token).finished_at is not None
@@ -200,7 +201,7 @@ def test_pictures_are_due_once_consented_and_never_to_others(
     assert running.due(session) == frozenset(), "the study refuses screens, and none is checked"
     running.screen(session, GOOD)
     session = running.session_of(token)
-    shown = {label for trial in running.plan(session) for label in (trial.left, trial.right)}
+    shown = {label for trial in running.plan(session) for label in trial.stimuli}
     assert running.due(session) == {one.sha256 for one in frozen.stimuli if one.label in shown}
     running.store.withdraw(session.id)
     assert running.due(running.session_of(token)) == frozenset()
@@ -209,13 +210,19 @@ def test_pictures_are_due_once_consented_and_never_to_others(
 def test_nothing_is_taken_without_consent_or_after_withdrawing(running: Running) -> None:
     token = draw()
     session = running.enter(token, "en", HERE)
-    for act in (lambda: running.screen(session, GOOD), lambda: running.hand_in(session, 0, "left")):
+    for act in (
+        lambda: running.screen(session, GOOD),
+        lambda: running.hand_in(session, 0, Response("left")),
+    ):
         with pytest.raises(NotAllowed, match="consent is missing"):
             act()
     session, token = ready(running)
     running.store.withdraw(session.id)
     session = running.session_of(token)
-    for act in (lambda: running.screen(session, GOOD), lambda: running.hand_in(session, 0, "left")):
+    for act in (
+        lambda: running.screen(session, GOOD),
+        lambda: running.hand_in(session, 0, Response("left")),
+    ):
         with pytest.raises(NotAllowed, match="withdrew"):
             act()
 
@@ -225,14 +232,14 @@ def test_a_screen_that_is_refused_may_be_mended_and_the_last_check_counts(runnin
     assert running.refused(session)
     assert running.screen_flags(session) == ("small-window",)
     with pytest.raises(NotAllowed, match=r"the screen is refused \(small-window\)"):
-        running.hand_in(session, 0, "left")
+        running.hand_in(session, 0, Response("left"))
     assert running.screen(session, GOOD) == ()
     session = running.session_of(token)
-    assert session.screen == {**GOOD, "flags": []}
-    running.hand_in(session, 0, "left").result()
+    assert session.screen == {**GOOD.model_dump(exclude_unset=True), "flags": []}
+    running.hand_in(session, 0, Response("left")).result()
     running.screen(session, SMALL)
     with pytest.raises(NotAllowed):
-        running.hand_in(running.session_of(token), 1, "left")
+        running.hand_in(running.session_of(token), 1, Response("left"))
 
 
 def test_a_study_that_refuses_screens_wants_a_check(running: Running) -> None:
@@ -240,7 +247,7 @@ def test_a_study_that_refuses_screens_wants_a_check(running: Running) -> None:
     session = running.enter(token, "en", HERE)
     running.store.consent(session.id)
     with pytest.raises(NotAllowed, match="the screen check is missing"):
-        running.hand_in(running.session_of(token), 0, "left")
+        running.hand_in(running.session_of(token), 0, Response("left"))
 
 
 @pytest.mark.parametrize(
@@ -291,82 +298,3 @@ def test_the_folder_may_move(running: Running, frozen: Frozen, tmp_path: Path) -
     shutil.copytree(frozen.folder, tmp_path / "moved")
     moved = Running(running.store, open_frozen(tmp_path / "moved"))
     assert moved.study == running.study == frozen.study_hash
-
-
-def test_a_good_screen_has_no_flag() -> None:
-    plates = {"contrast": {"right": 7, "of": 8}, "colour": {"right": 6, "of": 8}}
-    screen = Screen(vision=("contrast", "colour"))
-    assert flags_of(screen, {**GOOD, "vision": plates}) == ()
-
-
-@pytest.mark.parametrize(
-    ("change", "flags"),
-    [
-        ({"window": None}, ["small-window"]),
-        ({"window": {"width_px": 1600, "height_px": 639.5}}, ["small-window"]),
-        ({"full_screen": False}, ["not-full-screen"]),
-        ({"full_screen": "yes"}, ["not-full-screen"]),
-        ({"card": None}, ["no-card"]),
-        ({"distance_mm": None, "distance_by": "none"}, ["no-distance"]),
-        ({"gamma": None}, ["no-levels"]),
-        ({"gamma": 1.5, "darkest_step": 17}, ["gamma", "darkest-step"]),
-        ({"gamma": 2.81, "darkest_step": None}, ["no-levels", "gamma"]),
-        ({"gamut": "less"}, ["small-gamut"]),
-        ({"vision": None}, ["colour-vision"]),
-        ({"vision": {"colour": {"right": 5, "of": 8}}}, ["colour-vision"]),
-        ({"vision": {"colour": {"right": 0, "of": 0}}}, ["colour-vision"]),
-    ],
-)
-def test_what_falls_short_is_flagged(change: dict[str, Any], flags: list[str]) -> None:
-    plates = {"colour": {"right": 6, "of": 8}}
-    content = {**GOOD, "vision": plates, **change}
-    assert list(flags_of(Screen(vision=("colour",)), content)) == flags
-
-
-def test_what_is_not_asked_for_is_not_missed() -> None:
-    screen = Screen(full_screen=False, card=False, distance=False, levels=False)
-    assert flags_of(screen, {"window": GOOD["window"]}) == ()
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"window": 3},
-        {"window": {"width_px": "1600", "height_px": 900}},
-        {"card": {"px_per_mm": float("nan")}},
-        {"card": [4.2]},
-        {"distance_mm": -1},
-        {"gamma": True},
-        {"darkest_step": 10**400},
-        {"vision": {"contrast": 8}},
-    ],
-)
-def test_a_number_that_is_none_is_refused(change: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=r"^screen\.") as caught:
-        flags_of(Screen(vision=("contrast",)), {**GOOD, **change})
-    assert "\n" not in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("rule", "flags"),
-    [
-        ("if_smaller", ["small-window"]),
-        ("if_not_full_screen", ["not-full-screen"]),
-        ("if_no_card", ["no-card"]),
-        ("if_no_distance", ["no-distance"]),
-        ("if_small_gamut", ["small-gamut"]),
-        ("if_levels", ["no-levels", "gamma", "darkest-step"]),
-        ("if_vision", ["contrast-vision", "colour-vision"]),
-    ],
-)
-def test_a_rule_refuses_its_own_flags_and_no_others(rule: str, flags: list[str]) -> None:
-    every = ["small-window", "no-card", "no-levels", "gamma", "darkest-step", "contrast-vision"]
-    every += [
-        "colour-vision",
-        "not-full-screen",
-        "no-distance",
-        "small-gamut",
-        "of a newer version",
-    ]
-    screen = Screen(vision=("contrast", "colour"), **{rule: "refuse"})
-    assert [flag for flag in every if is_refused(screen, [flag])] == flags

@@ -10,6 +10,7 @@ import sqlalchemy as sa
 
 from nacreous.problem import InputError
 from nacreous.study.store import Answer, Receipt, Session, Store
+from tests.support.pairs import pair_answer
 
 MANIFEST = {"nacreous_study": 1, "design_hash": "5e" * 32, "design": {"name": "Perlen 真珠"}}
 STUDY = MANIFEST["design_hash"]
@@ -30,7 +31,7 @@ def entered(store: Store, **groups: str) -> Session:
 
 
 def answer(trial: int = 0, chosen: str = "left", **more) -> Answer:
-    return Answer(trial, "deeper", "a", "b", chosen, **more)
+    return pair_answer(trial, "deeper", "a", "b", chosen, **more)
 
 
 def test_what_is_stored_is_what_was_given(store: Store) -> None:
@@ -206,7 +207,8 @@ def test_screen_checks_are_all_kept_and_the_last_one_counts(store: Store) -> Non
 @pytest.mark.parametrize(
     ("fields", "told"),
     [
-        ({"chosen": "both"}, "chosen is 'both'; allowed: left, right, tie"),
+        ({"chosen": "neither"}, "chosen is 7 characters long; allowed: 1 to 5"),
+        ({"chosen": ["left"]}, "allowed: text"),
         ({"trial": -1}, "trial is -1; allowed: a whole number"),
         ({"trial": True}, "trial is True"),
         ({"left": ""}, "left is 0 characters long"),
@@ -227,10 +229,10 @@ def test_screen_checks_are_all_kept_and_the_last_one_counts(store: Store) -> Non
 def test_a_bad_answer_is_one_line(fields: dict, told: str | None) -> None:
     good = {"trial": 0, "question": "q", "left": "a", "right": "b", "chosen": "left"}
     if told is None:
-        Answer(**{**good, **fields})
+        pair_answer(**{**good, **fields})
         return
     with pytest.raises(InputError, match=told) as caught:
-        Answer(**{**good, **fields})
+        pair_answer(**{**good, **fields})
     assert "\n" not in str(caught.value)
 
 
@@ -238,7 +240,7 @@ def test_hostile_text_is_text(store: Store) -> None:
     evil = "'; DROP TABLE answers; -- <script>alert(1)</script> %s :name 😀"
     session, _ = store.enter(STUDY, "en", {evil: evil})
     store.consent(session.id)
-    store.answer(session.id, Answer(0, evil, evil, evil, "left", flags={evil: evil + "\0"}))
+    store.answer(session.id, pair_answer(0, evil, evil, evil, "left", flags={evil: evil + "\0"}))
     [row] = store.answers(STUDY)
     assert row["left"] == evil
     assert store.session(session.id).groups == {evil: evil}

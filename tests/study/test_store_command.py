@@ -8,7 +8,8 @@ import pytest
 
 from nacreous.commands import study_store
 from nacreous.problem import InputError
-from nacreous.study.store import Answer, Store
+from nacreous.study.store import Store
+from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 
@@ -25,7 +26,7 @@ def folder(tmp_path: Path) -> Path:
             session, _ = store.enter(STUDY, "en", {})
             store.consent(session.id)
             for n in range(2):
-                store.answer(session.id, Answer(n, "q", "a", "b", "left"))
+                store.answer(session.id, pair_answer(n, "q", "a", "b", "left"))
     return made
 
 

@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 
-from nacreous.study.store import Answer, Store, StoreError
+from nacreous.study.store import Answer, Response, Store, StoreError
 
 TRIALS = 100
 
@@ -19,7 +19,8 @@ TRIALS = 100
 def answer_all(store: Store, session: str, acknowledged: int) -> None:
     for trial in range(TRIALS):
         time.sleep(0.01)  # or all would be over before the kill
-        answer = Answer(trial, "deeper", f"a{trial}", "b", ("left", "right")[trial % 2])
+        shown = {"left": f"a{trial}", "right": "b"}
+        answer = Answer(trial, "deeper", shown, Response(("left", "right")[trial % 2]))
         for _ in range(600):
             try:
                 store.answer(session, answer)

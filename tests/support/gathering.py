@@ -14,7 +14,7 @@ from PIL import Image
 from nacreous.study.design import Frozen, freeze
 from nacreous.study.plan import Trial
 from nacreous.study.running import Running
-from nacreous.study.store import Store
+from nacreous.study.store import Response, Store
 
 #: Chooses at a trial: "left", "right" or "tie".
 Choosing = Callable[[Trial], str]
@@ -54,13 +54,15 @@ def opened(store: Store, frozen: Frozen) -> Running:
 def take_part(
     running: Running, choose: Choosing, recorded: dict[str, str] | None = None, **more: Any
 ) -> int:
-    """One made-up person answers everything; returns the number. more: of `hand_in`."""
+    """One made-up person answers everything; returns the number. more: of `Response`."""
     token = secrets.token_urlsafe(32)
     session = running.enter(token, "en", recorded or {})
     running.store.consent(session.id)
     session = running.session_of(token)
     waiting = [
-        running.hand_in(session, trial.number, choose(trial), **{"response_ms": 900.0, **more})
+        running.hand_in(
+            session, trial.number, Response(choose(trial), **{"response_ms": 900.0, **more})
+        )
         for trial in running.plan(session)
     ]
     for one in waiting:
@@ -72,7 +74,7 @@ def by_scale(scale: dict[str, float], random: np.random.Generator) -> Choosing:
     """Somebody who chooses by Thurstone's case V."""
 
     def choose(trial: Trial) -> str:
-        lead = scale[trial.left] - scale[trial.right] + random.standard_normal()
+        lead = scale[trial.stimuli[0]] - scale[trial.stimuli[1]] + random.standard_normal()
         return "left" if lead > 0 else "right"
 
     return choose

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from nacreous.spec.complaint import Contradiction, nearest, shown
+from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.texts import NAME, Name
@@ -16,11 +16,14 @@ from nacreous.study.design import demo
 from nacreous.study.design.display import Display
 from nacreous.study.design.group import Group
 from nacreous.study.design.multilingual import WORDS, Language, Words
-from nacreous.study.design.pairs import Pairs
-from nacreous.study.design.question import Catch, Question
+from nacreous.study.design.question import Question
 from nacreous.study.design.screen import Screen
 from nacreous.study.design.sitting import Sitting
 from nacreous.study.design.stimulus import Stimulus
+from nacreous.study.task.asked import Asked
+from nacreous.study.task.pair.catch import Catch
+from nacreous.study.task.pair.keys import PairKeys
+from nacreous.study.task.pair.pairs import Pairs
 
 #: The most stimuli of a study: 2016 pairs, more than anyone answers at a sitting.
 MOST_STIMULI = 64
@@ -37,6 +40,8 @@ class Design(SpecFile):
     """
 
     preset_kind: ClassVar[str] = "study"
+    #: The task of every question, by its name.
+    task: ClassVar[str] = "pair"
 
     name: Name = key("study", "What the study is called.", allowed=NAME, source="free")
     purpose: Literal["study", "demo"] = key(
@@ -103,6 +108,13 @@ class Design(SpecFile):
         """The labels of all stimuli, in the order of the file."""
         return tuple(label for stimulus in self.stimuli for label in stimulus.labels)
 
+    @property
+    def asked(self) -> Asked[PairKeys]:
+        """The study as its task sees it."""
+        questions = tuple(question.id for question in self.questions)
+        keys = PairKeys(self.pairs, self.catches, self.sitting.ties)
+        return Asked(self.seed, self.labels, questions, keys)
+
     @model_validator(mode="before")
     @classmethod
     def _words_of_a_demo(cls, values: Any) -> Any:
@@ -117,7 +129,9 @@ class Design(SpecFile):
             yield Contradiction("languages", f"are {shown(self.languages)}; allowed: each once")
         yield from self._twice()
         yield from self._counts()
-        yield from self._unknown()
+        ids = [question.id for question in self.questions]
+        for place, catch in enumerate(self.catches):
+            yield from catch.unknown(f"catches.{place}", list(self.labels), ids)
         yield from self.consent.missing("consent", self.languages)
         yield from self.instructions.missing("instructions", self.languages)
         for place, question in enumerate(self.questions):
@@ -144,34 +158,8 @@ class Design(SpecFile):
         if not 2 <= count <= MOST_STIMULI:
             verdict = f"are {count} together; allowed: 2 to {MOST_STIMULI}"
             yield Contradiction("stimuli", verdict)
-        pairs = count * (count - 1) // 2
-        if self.pairs.number is not None and not count - 1 <= self.pairs.number <= pairs:
-            verdict = (
-                f"is {self.pairs.number}; allowed: {count - 1} to {pairs}, so that {{other}} are "
-                "joined and no pair comes twice"
-            )
-            yield Contradiction("pairs.number", verdict, "stimuli")
-        shown_pairs = self.pairs.number or pairs
-        if self.pairs.repeats is not None and self.pairs.repeats > shown_pairs:
-            verdict = f"is {self.pairs.repeats}; allowed: 0 to {shown_pairs}, the pairs there are"
-            yield Contradiction("pairs.repeats", verdict)
+        yield from self.pairs.impossible(count)
         cells = prod(len(group.values) for group in self.groups if group.how == "randomised")
         if cells > MOST_CELLS:
             verdict = f"make {cells} combinations by lot; allowed: at most {MOST_CELLS}"
             yield Contradiction("groups", verdict)
-
-    def _unknown(self) -> Iterator[Contradiction]:
-        """Catches of stimuli and questions that there are not."""
-        ids = [question.id for question in self.questions]
-        for place, catch in enumerate(self.catches):
-            named = [("expected", catch.expected, list(self.labels))]
-            named.append(("against", catch.against, list(self.labels)))
-            if catch.question is not None:
-                named.append(("question", catch.question, ids))
-            for name, given, known in named:
-                if given not in known:
-                    near = nearest(given, known)
-                    hint = f'did you mean "{near}"?' if near else f"allowed: {shown(known)}"
-                    of = "questions" if known is ids else "stimuli"
-                    verdict = f"is {shown(given)}, which is none of {{other}}; {hint}"
-                    yield Contradiction(f"catches.{place}.{name}", verdict, of)

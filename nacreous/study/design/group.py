@@ -10,8 +10,8 @@ from pydantic import Field
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import key
 from nacreous.spec.section import Section
+from nacreous.spec.texts import WORD, Word
 from nacreous.study.design.multilingual import WORDS, Words
-from nacreous.study.design.question import WORD, Word
 
 
 class Group(Section):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 
 from nacreous.study.design.design import Design
-from nacreous.study.plan.random_streams import ALLOCATION, numbered, stream
+from nacreous.study.random_streams import ALLOCATION, numbered, stream
 
 __all__ = ["drawn_groups"]
 
@@ -25,7 +25,7 @@ def drawn_groups(design: Design, number: int) -> dict[str, str]:
     factors = [group for group in design.groups if group.how == "randomised"]
     cells = list(product(*(factor.values for factor in factors)))
     block, place = divmod(number, 2 * len(cells))
-    random = stream(design, ALLOCATION, block)
+    random = stream(design.seed, ALLOCATION, block)
     lots = [random.permutation(len(cells)), random.permutation(len(cells))]
     cell = cells[int(lots[place % 2][place // 2])]
     return {factor.name: value for factor, value in zip(factors, cell, strict=True)}

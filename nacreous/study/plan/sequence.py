@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
-from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.planning.sequence import in_sequence
 from nacreous.study.design.design import Design
-from nacreous.study.plan.choice import Choice, choices
-from nacreous.study.plan.order import Shown, in_order
-from nacreous.study.plan.random_streams import ORDER, numbered, stream
+from nacreous.study.plan.order import Again, Shown, in_order
 from nacreous.study.plan.trial import Trial
+from nacreous.study.random_streams import ORDER, numbered, stream
+from nacreous.study.task.task import Items, SoFar
+from nacreous.study.task.tasks import TASKS
 
 __all__ = ["trials"]
 
 
-def trials(
-    design: Design, number: int, so_far: Mapping[str, Comparisons] | None = None
-) -> list[Trial]:
+def trials(design: Design, number: int, so_far: SoFar | None = None) -> list[Trial]:
     """The trials of participant `number`: training, then one question after the other.
 
     - Under each question every pair of the participant comes once, and the pairs chosen for that
@@ -41,49 +39,42 @@ def trials(
     True
     """
     number = numbered(number)
-    random = stream(design, ORDER, number)
+    task, asked = TASKS[design.task], design.asked
+    random = stream(design.seed, ORDER, number)
     turn = number // 2 % len(design.questions)
-    ids = [question.id for question in design.questions]
-    ids = ids[turn:] + ids[:turn]
-    chosen = choices(design, number, ids, so_far or {})
-    training = _training(design, chosen[0], random)
+    ids = asked.questions[turn:] + asked.questions[:turn]
+    found = task.items(asked, number, ids, so_far or {})
+    training = _training(found[0], task.again, design.sitting.training, random)
     shown = [[(ids[0], one) for one in training]]
     before = training[-1] if training else None
-    for question, choice in zip(ids, chosen, strict=True):
-        order = in_order(choice, _catches(design, question, number, random), before, random)
+    for question, items in zip(ids, found, strict=True):
+        catches = _catches(task.catches(asked, question), task.again, number, random)
+        order = in_order(items, task.again, catches, before, random)
         shown.append([(question, one) for one in order])
         before = order[-1]
     return list(_in_blocks(design, shown))
 
 
-def _training(design: Design, choice: Choice, random: np.random.Generator) -> list[Shown]:
-    """Some of the participant's pairs, either way round."""
+def _training(items: Items, again: Again, count: int, random: np.random.Generator) -> list[Shown]:
+    """Some of the participant's items, as they are shown first or the second time."""
     shown: list[Shown] = []
     last = None
-    while len(shown) < design.sitting.training:
-        rows = choice.pairs[in_sequence(choice.pairs, random, last)]
+    while len(shown) < count:
+        rows = items.stimuli[in_sequence(items.stimuli, random, last)]
         last = rows[-1]
         for row, turned in zip(rows.tolist(), random.random(len(rows)) < 0.5, strict=True):
-            left, right = reversed(row) if turned else row
-            shown.append(Shown(left, right, "training"))
-    return shown[: design.sitting.training]
+            stimuli = again(tuple(row)) if turned else tuple(row)
+            shown.append(Shown(stimuli, "training"))
+    return shown[:count]
 
 
 def _catches(
-    design: Design, question: str, number: int, random: np.random.Generator
-) -> list[tuple[int, int]]:
-    """The catches of a question in random order, the expected one by turns on the left."""
-    index = {label: place for place, label in enumerate(design.labels)}
-    first = design.questions[0].id
-    found = [
-        (index[catch.expected], index[catch.against])
-        for catch in design.catches
-        if (catch.question or first) == question
-    ]
+    found: list[tuple[int, ...]], again: Again, number: int, random: np.random.Generator
+) -> list[tuple[int, ...]]:
+    """The catches of a question in random order, by turns as given and as shown a second time."""
     order = random.permutation(len(found)).tolist()
     return [
-        found[row] if (place + number) % 2 else (found[row][1], found[row][0])
-        for place, row in enumerate(order)
+        found[row] if (place + number) % 2 else again(found[row]) for place, row in enumerate(order)
     ]
 
 
@@ -94,6 +85,6 @@ def _in_blocks(design: Design, shown: list[list[tuple[str, Shown]]]) -> Iterator
         for place, (question, one) in enumerate(rows):
             pause = bool(every) and part > 0 and place % every == 0 and part + place > 1
             block += pause or (part > 0 and place == 0)
-            left, right = design.labels[one.left], design.labels[one.right]
-            yield Trial(number, question, left, right, one.kind, block, pause)
+            labels = tuple(design.labels[stimulus] for stimulus in one.stimuli)
+            yield Trial(number, question, labels, one.kind, block, pause)
             number += 1

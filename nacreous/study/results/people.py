@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nacreous.scaling.check.response import MOST_FAST
-from nacreous.study.results.consistent import consistency_flags
-from nacreous.study.results.flag import LONGEST_PAUSE_S, Flag
-from nacreous.study.results.rows import Row, chosen_of
-from nacreous.study.store.record import COUNTED
+from nacreous.study.task.counting import is_data
+from nacreous.study.task.flag import LONGEST_PAUSE_S, Flag
+from nacreous.study.task.row import Row
 
 if TYPE_CHECKING:
-    from nacreous.study.design import Design
     from nacreous.study.running import Running
 
 __all__ = ["people_flags"]
@@ -36,7 +34,8 @@ def people_flags(running: Running) -> dict[int, list[Flag]]:
     rows = [row for row in running.store.answers(running.study) if row["number"] is not None]
     by_person: dict[int, list[Row]] = {}
     for row in rows:
-        by_person.setdefault(row["number"], []).append(row)
+        if row["number"] is not None:
+            by_person.setdefault(row["number"], []).append(row)
     found: dict[int, list[Flag]] = {
         session.number: list(_screen(session.screen))
         for session in running.store.sessions(running.study)
@@ -44,34 +43,27 @@ def people_flags(running: Running) -> dict[int, list[Flag]]:
     }
     design = running.frozen.design
     for number, own in by_person.items():
-        found[number] += [*_catches(own, design), *_pauses(own), *_noticed(own)]
+        found[number] += [*_catches(own, running), *_pauses(own), *_noticed(own)]
         found[number] += _unwaited(own, design.sitting.minimum_viewing_ms)
-    data = [row for row in rows if row["kind"] in COUNTED]
-    for number, flags in consistency_flags(data, design).items():
+    data = [row for row in rows if is_data(row)]
+    for number, flags in running.task.flags(design.asked, data).items():
         found[number] += flags
     return found
 
 
-def _screen(screen: Row | None) -> Iterator[Flag]:
+def _screen(screen: Mapping[str, Any] | None) -> Iterator[Flag]:
     """What the last check of the screen found."""
     for name in (screen or {}).get("flags", ()):
         yield Flag(f"screen-{name}", "")
 
 
-def _catches(rows: Sequence[Row], design: Design) -> Iterator[Flag]:
-    """Catch trials in which the expected one was not chosen."""
-    first = design.questions[0].id
-    expected = {
-        (catch.question or first, frozenset((catch.expected, catch.against))): catch.expected
-        for catch in design.catches
-    }
-    asked = [row for row in rows if row["kind"] == "catch"]
-    missed = sum(
-        chosen_of(row) != expected.get((row["question"], frozenset((row["left"], row["right"]))))
-        for row in asked
-    )
+def _catches(rows: Sequence[Row], running: Running) -> Iterator[Flag]:
+    """Trials whose answer is known and was not given."""
+    catches = [row for row in rows if row["kind"] == "catch"]
+    asked = running.frozen.design.asked
+    missed = sum(running.task.missed(asked, row) for row in catches)
     if missed:
-        yield Flag("catches", f"{missed}/{len(asked)}")
+        yield Flag("catches", f"{missed}/{len(catches)}")
 
 
 def _pauses(rows: Sequence[Row]) -> Iterator[Flag]:
@@ -98,7 +90,7 @@ def _noticed(rows: Sequence[Row]) -> Iterator[Flag]:
 
 
 def _unwaited(rows: Sequence[Row], minimum_ms: float) -> Iterator[Flag]:
-    """Answers by which a pair was there for a shorter time than our page lets anyone answer."""
+    """Answers by which a trial was there for a shorter time than our page lets anyone answer."""
     sooner = sum((row["response_ms"] or minimum_ms) < minimum_ms for row in rows)
     if sooner > MOST_FAST * len(rows):
         yield Flag("unwaited", f"{sooner}/{len(rows)}")

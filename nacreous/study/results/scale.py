@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from nacreous.study.design.question import Question
     from nacreous.study.running import Running
 
-__all__ = ["Placed", "ScaleSoFar", "counted", "question_of", "scale_so_far"]
+__all__ = ["Placed", "ScaleSoFar", "called_simulated", "counted", "question_of", "scale_so_far"]
 
 
 @dataclass(frozen=True)
@@ -91,8 +91,11 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
 def counted(running: Running, question: str, simulated: bool) -> Answers:
     """The answers that count; simulated people are called so."""
     answers = answers_of(running.store, running.study, question, simulated=simulated)
-    if not simulated:
-        return answers
+    return called_simulated(answers) if simulated else answers
+
+
+def called_simulated(answers: Answers) -> Answers:
+    """The same answers, of people who are called simulated."""
     return replace(answers, people=tuple(f"simulated {person}" for person in answers.people))
 
 

@@ -5,30 +5,56 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from typing import Any
 
 from nacreous.study.plan import Trial
+from nacreous.study.task.task import Task
 
-__all__ = ["Plans", "plain", "trials_of"]
+__all__ = ["Plans", "plain", "shown", "trials_of"]
 
 #: Trials of all plans together, some 60 MB: of 2000 people who answer a hundred each.
 _MOST = 200_000
 
 
-def plain(trials: Sequence[Trial]) -> list[dict[str, Any]]:
+def shown(trial: Trial, task: Task[Any]) -> dict[str, str]:
+    """The labels of a trial by their places."""
+    return dict(zip(task.places, trial.stimuli, strict=True))
+
+
+def plain(trials: Sequence[Trial], task: Task[Any]) -> list[dict[str, Any]]:
     """Trials as a store keeps them."""
-    return [asdict(trial) for trial in trials]
+    return [
+        {
+            "number": trial.number,
+            "question": trial.question,
+            **shown(trial, task),
+            "kind": trial.kind,
+            "block": trial.block,
+            "break_before": trial.break_before,
+        }
+        for trial in trials
+    ]
 
 
-def trials_of(plan: Sequence[Mapping[str, Any]]) -> tuple[Trial, ...]:
+def trials_of(plan: Sequence[Mapping[str, Any]], task: Task[Any]) -> tuple[Trial, ...]:
     """The trials again.
 
-    >>> trials = (Trial(0, "deeper", "a", "b", "pair", 1, False),)
-    >>> trials_of(plain(trials)) == trials
+    >>> from nacreous.study.task.tasks import TASKS
+    >>> trials = (Trial(0, "deeper", ("a", "b"), "pair", 1, False),)
+    >>> trials_of(plain(trials, TASKS["pair"]), TASKS["pair"]) == trials
     True
     """
-    return tuple(Trial(**row) for row in plan)
+    return tuple(
+        Trial(
+            number=row["number"],
+            question=row["question"],
+            stimuli=tuple(row[place] for place in task.places),
+            kind=row["kind"],
+            block=row["block"],
+            break_before=row["break_before"],
+        )
+        for row in plan
+    )
 
 
 class Plans:

@@ -4,27 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from concurrent.futures import Future
-from datetime import datetime
 from typing import Any
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.design import Frozen
 from nacreous.study.design.multilingual import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
-from nacreous.study.running.counts import counts_of
-from nacreous.study.running.plans import Plans, plain, trials_of
-from nacreous.study.running.screening import flags_of, is_refused
+from nacreous.study.running.plans import Plans, plain, shown, trials_of
+from nacreous.study.running.screen_check import ScreenCheck
+from nacreous.study.running.screening import ScreenFlag, flags_of, is_refused
 from nacreous.study.store import (
     Answer,
     NotAllowed,
     OutOfTurn,
     Receipt,
+    Response,
     Session,
     Store,
     UnknownToken,
 )
 from nacreous.study.store.people import WITHDREW
+from nacreous.study.task.counting import counts
+from nacreous.study.task.task import SoFar
+from nacreous.study.task.tasks import TASKS
 
 __all__ = ["Running"]
 
@@ -32,9 +34,10 @@ __all__ = ["Running"]
 class Running:
     """A frozen study and its store. Safe to share among threads.
 
-    What a participant says is checked against the study: a client chooses one of two, and nothing
-    else is taken from it. Methods raise `InputError` and its kinds, and `StoreError`, as those of
-    `Store`. A session is given as `session_of` tells it now, for what may be done hangs on it.
+    What a participant says is checked against the study: a client answers what is asked, and
+    nothing else is taken from it. Methods raise `InputError` and its kinds, and `StoreError`, as
+    those of `Store`. A session is given as `session_of` tells it now, for what may be done hangs on
+    it.
 
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
@@ -54,7 +57,7 @@ class Running:
     ...     session = running.enter(token, "en", {})
     ...     store.consent(session.id)
     ...     session = running.session_of(token)
-    ...     receipt = running.hand_in(session, 0, "left").result()
+    ...     receipt = running.hand_in(session, 0, Response("left")).result()
     ...     running.finish(session)
     >>> receipt.trial
     0
@@ -65,6 +68,8 @@ class Running:
         self.store = store
         self.frozen = frozen
         self.study = store.add_study(frozen.manifest())
+        self.task = TASKS[frozen.design.task]
+        self._asked = frozen.design.asked
         self._plans = Plans()
 
     def enter(self, token: str, language: str, recorded: Mapping[str, str]) -> Session:
@@ -106,13 +111,15 @@ class Running:
         ]
         return tuple(note for note in given if note is not None)
 
-    def screen(self, session: Session, content: Mapping[str, Any]) -> tuple[str, ...]:
-        """Keep a screen check, and tell its flags. May be repeated: the last one counts."""
+    def screen(self, session: Session, check: ScreenCheck) -> tuple[ScreenFlag, ...]:
+        """Keep a screen check, and tell its flags. May be repeated: the last one counts.
+
+        Kept is what was sent, keys that this version does not know included.
+        """
         if (refusal := _withheld(session)) is not None:
             raise refusal
-        if not isinstance(content, Mapping):
-            raise InputError(f"screen is {ascii(content)[:40]}; allowed: a table")
-        flags = flags_of(self.frozen.design.screen, content)
+        flags = flags_of(self.frozen.design.screen, check)
+        content = check.model_dump(exclude_unset=True)
         self.store.screen(session.id, {**content, "flags": list(flags)})
         return flags
 
@@ -128,45 +135,22 @@ class Running:
         """The pictures, by SHA-256, that a participant may see now: those of the plan, or none."""
         if self._barred(session) is not None:
             return frozenset()
-        labels = {label for trial in self.plan(session) for label in (trial.left, trial.right)}
+        labels = {label for trial in self.plan(session) for label in trial.stimuli}
         return frozenset(one.sha256 for one in self.frozen.stimuli if one.label in labels)
 
-    def hand_in(
-        self,
-        session: Session,
-        trial: int,
-        chosen: str,
-        response_ms: float | None = None,
-        shown_at: datetime | None = None,
-        answered_at: datetime | None = None,
-        flags: Mapping[str, Any] | None = None,
-        simulated: bool = False,
-    ) -> Future[Receipt]:
-        """Store an answer to a trial; question, stimuli and sides are those of the plan.
+    def hand_in(self, session: Session, trial: int, response: Response) -> Future[Receipt]:
+        """Store an answer to a trial; question, stimuli and places are those of the plan.
 
-        The next trial, or again one that is answered. "tie" only where the study allows it.
+        The next trial, or again one that is answered. What may be answered says the task.
         """
         if (refusal := self._barred(session)) is not None:
             raise refusal
         plan = self.plan(session)
         if isinstance(trial, bool) or not isinstance(trial, int) or not 0 <= trial < len(plan):
             raise InputError(f"trial is {ascii(trial)[:40]}; allowed: 0 to {len(plan) - 1}")
-        if chosen == "tie" and not self.frozen.design.sitting.ties:
-            raise InputError("chosen is 'tie'; allowed in this study: left, right")
+        self.task.check(self._asked, response.given)
         asked = plan[trial]
-        answer = Answer(
-            trial,
-            asked.question,
-            asked.left,
-            asked.right,
-            chosen,
-            response_ms,
-            shown_at,
-            answered_at,
-            flags or {},
-            simulated,
-            asked.kind,
-        )
+        answer = Answer(trial, asked.question, shown(asked, self.task), response, asked.kind)
         return self.store.hand_in(session.id, answer, in_turn=True)
 
     def finish(self, session: Session) -> None:
@@ -196,24 +180,26 @@ class Running:
             return session
         design = self.frozen.design
         groups = {**session.groups, **drawn_groups(design, session.number)}
-        shown = trials(design, session.number, self._so_far())
-        self.store.settle(session.id, groups, plain(shown))
+        plan = trials(design, session.number, self._so_far())
+        self.store.settle(session.id, groups, plain(plan, self.task))
         self._kept(session)
         return self.store.session(session.id)
 
-    def _so_far(self) -> dict[str, Comparisons] | None:
-        """What adaptive pairs are chosen by; nothing where they are not."""
-        design = self.frozen.design
-        if design.pairs.kind != "adaptive":
+    def _so_far(self) -> SoFar | None:
+        """What the next participant's plan hangs on; nothing where it hangs on no answers."""
+        if not self.task.adapts(self._asked):
             return None
-        return counts_of(design.labels, self.store.tally(self.study))
+        tally = [
+            one for one in self.store.tally(self.study) if counts(one, simulated=one["simulated"])
+        ]
+        return self.task.so_far(self._asked, tally)
 
     def _kept(self, session: Session) -> tuple[Trial, ...] | None:
         """The plan in the store, from now on in memory too."""
         plan = self.store.plan(session.id)
         if plan is None:
             return None
-        made = trials_of(plan)
+        made = trials_of(plan, self.task)
         self._plans.put(session.id, made)
         return made
 

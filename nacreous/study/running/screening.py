@@ -3,15 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from typing import Any
+from typing import Literal
 
-from nacreous.problem import InputError
 from nacreous.study.design.screen import Screen
+from nacreous.study.running.screen_check import Plates, ScreenCheck, Vision, Window
 
-__all__ = ["flags_of", "is_refused"]
+__all__ = ["ScreenFlag", "flags_of", "is_refused"]
 
-#: The rule that decides what a flag means.
-_RULES = {
+ScreenFlag = Literal[
+    "small-window",
+    "not-full-screen",
+    "no-card",
+    "no-distance",
+    "no-levels",
+    "gamma",
+    "darkest-step",
+    "small-gamut",
+    "contrast-vision",
+    "colour-vision",
+]
+
+#: The rule that decides what a flag means; a store may hold flags of other versions.
+_RULES: Mapping[str, str] = {
     "small-window": "if_smaller",
     "not-full-screen": "if_not_full_screen",
     "no-card": "if_no_card",
@@ -25,17 +38,16 @@ _RULES = {
 }
 
 
-def flags_of(screen: Screen, content: Mapping[str, Any]) -> tuple[str, ...]:
+def flags_of(screen: Screen, check: ScreenCheck) -> tuple[ScreenFlag, ...]:
     """What falls short in a screen check, in words that answers are exported with.
 
-    What was asked for and is not there falls short too. Raises `InputError` for a number that is
-    none.
+    What was asked for and is not there falls short too.
 
-    >>> window = {"width_px": 800, "height_px": 900}
-    >>> flags_of(Screen(levels=False, distance=False), {"window": window, "full_screen": True})
+    >>> check = ScreenCheck(window={"width_px": 800, "height_px": 900}, full_screen=True)
+    >>> flags_of(Screen(levels=False, distance=False), check)
     ('small-window', 'no-card')
     """
-    return tuple(_flags(screen, content))
+    return tuple(_flags(screen, check))
 
 
 def is_refused(screen: Screen, flags: Collection[str]) -> bool:
@@ -47,28 +59,34 @@ def is_refused(screen: Screen, flags: Collection[str]) -> bool:
     return any(getattr(screen, _RULES[flag]) == "refuse" for flag in flags if flag in _RULES)
 
 
-def _flags(screen: Screen, content: Mapping[str, Any]) -> Iterator[str]:
-    width, height = (_number(content, "window", name) for name in ("width_px", "height_px"))
-    if (width or 0) < screen.least_width_px or (height or 0) < screen.least_height_px:
+def _flags(screen: Screen, check: ScreenCheck) -> Iterator[ScreenFlag]:
+    window = check.window
+    if window is None or not _large_enough(window, screen):
         yield "small-window"
-    if screen.full_screen and content.get("full_screen") is not True:
+    if screen.full_screen and not check.full_screen:
         yield "not-full-screen"
-    if screen.card and _number(content, "card", "px_per_mm") is None:
+    if screen.card and check.card is None:
         yield "no-card"
-    if screen.distance and _number(content, "distance_mm") is None:
+    if screen.distance and check.distance_mm is None:
         yield "no-distance"
     if screen.levels:
-        yield from _levels(screen, content)
-    if content.get("gamut") == "less":
+        yield from _levels(screen, check)
+    if check.gamut == "less":
         yield "small-gamut"
-    for test in screen.vision:
-        right, of = (_number(content, "vision", test, name) for name in ("right", "of"))
-        if not of or (right or 0) < screen.least_right * of:
-            yield f"{test}-vision"
+    vision = check.vision or Vision()
+    if "contrast" in screen.vision and not _passes(vision.contrast, screen):
+        yield "contrast-vision"
+    if "colour" in screen.vision and not _passes(vision.colour, screen):
+        yield "colour-vision"
 
 
-def _levels(screen: Screen, content: Mapping[str, Any]) -> Iterator[str]:
-    gamma, step = _number(content, "gamma"), _number(content, "darkest_step")
+def _large_enough(window: Window, screen: Screen) -> bool:
+    wide = window.width_px >= screen.least_width_px
+    return wide and window.height_px >= screen.least_height_px
+
+
+def _levels(screen: Screen, check: ScreenCheck) -> Iterator[ScreenFlag]:
+    gamma, step = check.gamma, check.darkest_step
     if gamma is None or step is None:
         yield "no-levels"
     if gamma is not None and not screen.least_gamma <= gamma <= screen.most_gamma:
@@ -77,19 +95,7 @@ def _levels(screen: Screen, content: Mapping[str, Any]) -> Iterator[str]:
         yield "darkest-step"
 
 
-def _number(content: Any, *path: str) -> float | None:
-    """A number of the check by its keys; None where it or a table above it is not given."""
-    value = content
-    for name in path:
-        if value is None:
-            return None
-        if not isinstance(value, Mapping):
-            raise InputError(f"screen.{'.'.join(path)}: {ascii(value)[:40]} stands in its place")
-        value = value.get(name)
-    if value is None:
-        return None
-    good = isinstance(value, int | float) and not isinstance(value, bool)
-    if not good or not 0 <= value <= 1e6:
-        said = ascii(value)[:40]
-        raise InputError(f"screen.{'.'.join(path)} is {said}; allowed: a number, 0 to 1000000")
-    return float(value)
+def _passes(plates: Plates | None, screen: Screen) -> bool:
+    if plates is None or plates.of == 0:
+        return False
+    return plates.right >= screen.least_right * plates.of

@@ -7,6 +7,7 @@ from nacreous.study.store.progress import PersonProgress, Progress
 from nacreous.study.store.record import Answer, Event, Invitation, Receipt, Session
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn, UnknownToken
 from nacreous.study.store.store import Store
+from nacreous.study.task.response import Response
 
 __all__ = [
     "Answer",
@@ -19,6 +20,7 @@ __all__ = [
     "PersonProgress",
     "Progress",
     "Receipt",
+    "Response",
     "Session",
     "Store",
     "StoreError",

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
 from nacreous.study.store import check, journal, people, tokens
-from nacreous.study.store.record import COUNTED, Answer, Receipt
+from nacreous.study.store.record import PLACES, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
+from nacreous.study.task.row import Row, Tallied
 
 REFUSED = "answer refused"
 #: Answers of one session that are kept after they were refused. A second tab or device gives a few;
@@ -102,7 +102,7 @@ def _receipt(session: str, answer: Answer, at: str, *, again: bool) -> Receipt:
     return Receipt(session, answer.trial, received, again)
 
 
-def rows(connection: sa.Connection, study: str, session: str | None = None) -> list[dict[str, Any]]:
+def rows(connection: sa.Connection, study: str, session: str | None = None) -> list[Row]:
     """Every answer of a study, in the order of arrival, with what is known of who gave it."""
     excluded = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason)
     query = (
@@ -119,26 +119,17 @@ def rows(connection: sa.Connection, study: str, session: str | None = None) -> l
     )
     if session is not None:
         query = query.where(answers.c.session == session)
-    return [dict(row) for row in connection.execute(query).mappings()]
+    return [cast("Row", dict(row)) for row in connection.execute(query).mappings()]
 
 
-def tally(connection: sa.Connection, study: str) -> list[dict[str, Any]]:
-    """How often each was chosen of each pair, of the answers that count, simulated ones apart."""
+def tally(connection: sa.Connection, study: str) -> list[Tallied]:
+    """How many answers are the same but for who gave them and when."""
     excluded = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason)
-    named = [answers.c[name] for name in ("question", "simulated", "left", "right", "chosen")]
+    named = [answers.c[name] for name in ("question", "kind", "simulated", *PLACES, "chosen")]
     query = (
-        sa.select(*named, sa.func.count().label("count"))
+        sa.select(*named, excluded.label("excluded"), sa.func.count().label("count"))
         .outerjoin(sessions, sessions.c.id == answers.c.session)
-        .where(answers.c.study == study, answers.c.kind.in_(COUNTED), excluded.is_(None))
-        .group_by(*named)
+        .where(answers.c.study == study)
+        .group_by(*named, excluded)
     )
-    return [dict(row) for row in connection.execute(query).mappings()]
-
-
-def person_of(row: Mapping[str, Any]) -> str:
-    """A label for who gave an answer: the number in the study, or an erased person's random name.
-
-    >>> person_of({"number": 4, "erased_as": None})
-    '4'
-    """
-    return str(row["erased_as"] if row["number"] is None else row["number"])
+    return [cast("Tallied", dict(row)) for row in connection.execute(query).mappings()]

@@ -3,35 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from nacreous.study.store.progress import Progress
-from nacreous.study.store.record import CHOICES, KINDS
-
-
-@dataclass(frozen=True)
-class Column:
-    """A column: its name, what it holds, its unit and its values where they are few."""
-
-    name: str
-    description: str
-    unit: str | None = None
-    values: tuple[str, ...] = ()
-
-    def property_value(self) -> dict[str, Any]:
-        """As schema.org's PropertyValue."""
-        made: dict[str, Any] = {
-            "@type": "PropertyValue",
-            "name": self.name,
-            "description": self.description,
-        }
-        if self.unit is not None:
-            made["unitText"] = self.unit
-        if self.values:
-            made["valueReference"] = list(self.values)
-        return made
-
+from nacreous.study.task.column import Column
+from nacreous.study.task.counting import KINDS
+from nacreous.study.task.tasks import TASKS, columns_of_tasks
 
 _TIME = "UTC, ISO 8601; of an erased person the day only"
 
@@ -45,9 +22,7 @@ COLUMNS = (
     Column("trial", "Number of the trial in the person's plan, from 0; empty for erased people."),
     Column("kind", "Training and catch trials are no data for a scale.", None, KINDS),
     Column("question", "Id of the question asked."),
-    Column("left", "Label of the stimulus shown on the left."),
-    Column("right", "Label of the stimulus shown on the right."),
-    Column("chosen", "Which was chosen.", None, CHOICES),
+    *columns_of_tasks(),
     Column("response_ms", "From showing to choosing; empty where unknown or erased.", "ms"),
     Column("shown_at", f"When the pair was shown, by the participant's clock; {_TIME}."),
     Column("answered_at", f"When one was chosen, by the participant's clock; {_TIME}."),
@@ -75,12 +50,13 @@ def description(
     name: str, study: str, columns: Sequence[Column], progress: Progress
 ) -> Mapping[str, Any]:
     """`dataset_description.json` of Psych-DS, JSON-LD in schema.org's words."""
+    called = " and ".join(task.called for task in TASKS.values())
     return {
         "@context": "https://schema.org",
         "@type": "Dataset",
         "name": name,
         "description": (
-            f"Answers to paired comparisons, a row an answer: {progress.answers} answers of "
+            f"Answers to {called}, a row an answer: {progress.answers} answers of "
             f"{progress.entered} people. {progress.excluded} people were excluded; their rows are "
             f"here and say why. {progress.erased} people were erased; {progress.erased_answers} "
             f"answers of theirs are here without anything that leads to them. "

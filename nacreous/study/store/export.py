@@ -7,17 +7,19 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nacreous import file, folder
 from nacreous.problem import InputError
-from nacreous.study.store.answers import person_of
-from nacreous.study.store.codebook import COLUMNS, Column, description, group_column
-from nacreous.study.store.record import COUNTED
+from nacreous.study.store.codebook import COLUMNS, description, group_column
 from nacreous.study.store.store import Store
+from nacreous.study.task import counting
+from nacreous.study.task.column import Column
+from nacreous.study.task.row import Row, person_of
+from nacreous.study.task.tasks import columns_of_tasks, task_of
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers, Comparisons
@@ -45,15 +47,8 @@ def export(store: Store, study: str, output: str | PathLike[str]) -> int:
     return int(table.num_rows)
 
 
-def answers_of(
-    store: Store,
-    study: str,
-    question: str,
-    *,
-    simulated: bool = False,
-    kinds: Collection[str] = COUNTED,
-) -> Answers:
-    """The answers to one question that count, ready for a scale: of pairs, and nobody excluded.
+def answers_of(store: Store, study: str, question: str, *, simulated: bool = False) -> Answers:
+    """The answers to one question that count (`nacreous.study.task.counting`), ready for a scale.
 
     People are named by number, erased ones by their random names; trials give the order, and each
     group is a group. `simulated` takes those that a program gave, instead of people's. Raises
@@ -61,34 +56,26 @@ def answers_of(
 
     >>> from tempfile import TemporaryDirectory
     >>> from nacreous.study.store import Answer
+    >>> from nacreous.study.task.response import Response
+    >>> pair = {"left": "a", "right": "b"}
     >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
     ...     study = store.add_study({"design_hash": "ab" * 32})
     ...     store.set_registration(study, "open", "lab")
     ...     session, _ = store.enter(study, "en", {"sex": "f"})
     ...     store.consent(session.id)
-    ...     _ = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
+    ...     _ = store.answer(session.id, Answer(0, "deeper", pair, Response("left")))
     ...     answers_of(store, study, "deeper")
     Answers(1 answers, 2 stimuli, 1 person)
     """
-    from nacreous.scaling import Answers
-
     rows = [
         row
         for row in store.answers(study)
-        if row["question"] == question
-        and row["kind"] in kinds
-        and row["excluded"] is None
-        and row["simulated"] == simulated
+        if row["question"] == question and counting.counts(row, simulated=simulated)
     ]
     if not rows:
         raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
-    table = {name: [row[name] for row in rows] for name in ("left", "right", "chosen")}
-    table["person"] = [person_of(row) for row in rows]
-    # An erased person's trials have no numbers any more; their order means nothing.
-    table["trial"] = [row["seq"] if row["trial"] is None else row["trial"] for row in rows]
-    table["response_ms"] = [row["response_ms"] for row in rows]
     groups = {column.name: levels for column, levels in _groups(rows).items()}
-    return Answers.of_table({**table, **groups}, repeats=True)
+    return task_of(rows[0]).answers(rows, groups)
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:
@@ -96,7 +83,7 @@ def counts(store: Store, study: str, question: str, *, simulated: bool = False) 
     return answers_of(store, study, question, simulated=simulated).comparisons()
 
 
-def _groups(rows: Sequence[Mapping[str, Any]]) -> dict[Column, list[str | None]]:
+def _groups(rows: Sequence[Row]) -> dict[Column, list[str | None]]:
     """Each group's level by row."""
     groups = [json.loads(row["groups"] or "{}") for row in rows]
     names = sorted({name for given in groups for name in given})
@@ -107,10 +94,11 @@ def _table(store: Store, study: str) -> tuple[list[Column], Any]:
     """The columns described, and a pyarrow table of them."""
     import pyarrow as pa
 
-    rows = store.answers(study)
+    store_rows = store.answers(study)
+    rows: Sequence[Mapping[str, Any]] = store_rows
     texts = (
-        *("kind", "question", "left", "right", "chosen", "shown_at", "answered_at"),
-        *("received_at", "language", "excluded", "flags"),
+        *("kind", "question", "shown_at", "answered_at", "received_at"),
+        *("language", "excluded", "flags", *(column.name for column in columns_of_tasks())),
     )
     values: dict[str, Any] = {
         name: pa.array([row[name] for row in rows], pa.string()) for name in texts
@@ -121,7 +109,7 @@ def _table(store: Store, study: str) -> tuple[list[Column], Any]:
     values["response_ms"] = pa.array([row["response_ms"] for row in rows], pa.float64())
     values["simulated"] = pa.array([row["simulated"] for row in rows], pa.bool_())
     values["erased"] = pa.array([row["erased_as"] is not None for row in rows], pa.bool_())
-    groups = _groups(rows)
+    groups = _groups(store_rows)
     for column, levels in groups.items():
         values[column.name] = pa.array(levels, pa.string())
     columns = [*COLUMNS, *groups]

@@ -5,51 +5,42 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import datetime
 from functools import cached_property
-from types import MappingProxyType
 from typing import Any
 
+from nacreous.problem import InputError
 from nacreous.study.store import check
+from nacreous.study.store.schema import LONGEST_GIVEN
+from nacreous.study.task.counting import KINDS
+from nacreous.study.task.response import Response
 
-CHOICES = ("left", "right", "tie")
-KINDS = ("training", "pair", "repeat", "catch")
-#: The kinds of trials that are data for a scale.
-COUNTED = ("pair", "repeat")
-NOTHING: Mapping[str, Any] = MappingProxyType({})
+#: The places of a trial for which there are columns.
+PLACES = ("left", "right")
 
 
 @dataclass(frozen=True)
 class Answer:
-    """One answer to one trial, checked.
+    """One answer to one trial, checked as far as it is stored; what was answered is not looked at.
 
     - `trial`: number in the session's plan, from 0; session and trial are the key of an answer
-    - `question`: its id; `left`, `right`: labels of stimuli
-    - `chosen`: "left", "right" or "tie"
-    - `response_ms`: from showing to choosing, 0 to a day; None where unknown
-    - `shown_at`, `answered_at`: by the participant's clock, with zone; believed for nothing
-    - `flags`: anything noticed, as JSON
-    - `simulated`: nobody gave it
+    - `question`: its id
+    - `shown`: the label of the stimulus at each place of the trial; of a pair left and right
+    - `response`: text that fits its column, which the task of the trial has checked
     - `kind`: "training", "pair", "repeat" or "catch"
 
     Raises `InputError` for anything else.
 
-    >>> Answer(0, "deeper", "a", "b", "middle")
+    >>> Answer(0, "deeper", {"left": "a", "middle": "b"}, Response("left"))
     Traceback (most recent call last):
-    nacreous.problem.InputError: chosen is 'middle'; allowed: left, right, tie
+    nacreous.problem.InputError: shown has left, middle; allowed: left, right
     """
 
     trial: int
     question: str
-    left: str
-    right: str
-    chosen: str
-    response_ms: float | None = None
-    shown_at: datetime | None = None
-    answered_at: datetime | None = None
-    flags: Mapping[str, Any] = field(default_factory=lambda: NOTHING)
-    simulated: bool = False
+    shown: Mapping[str, str]
+    response: Response
     kind: str = "pair"
 
     def __post_init__(self) -> None:
@@ -59,18 +50,20 @@ class Answer:
     @cached_property
     def row(self) -> dict[str, Any]:
         """As the columns of a table."""
-        shown, answered = self.shown_at, self.answered_at
+        if set(self.shown) != set(PLACES):
+            raise InputError(f"shown has {', '.join(self.shown)}; allowed: {', '.join(PLACES)}")
+        response = self.response
+        shown, answered = response.shown_at, response.answered_at
         return {
             "trial": check.whole("trial", self.trial),
             "question": check.text("question", self.question),
-            "left": check.text("left", self.left),
-            "right": check.text("right", self.right),
-            "chosen": check.one_of("chosen", self.chosen, CHOICES),
-            "response_ms": check.duration_ms("response_ms", self.response_ms),
+            **{place: check.text(place, label) for place, label in self.shown.items()},
+            "chosen": check.text("chosen", response.given, LONGEST_GIVEN),
+            "response_ms": check.duration_ms("response_ms", response.response_ms),
             "shown_at": None if shown is None else check.written("shown_at", shown),
             "answered_at": None if answered is None else check.written("answered_at", answered),
-            "flags": check.canonical("flags", self.flags),
-            "simulated": bool(self.simulated),
+            "flags": check.canonical("flags", response.flags),
+            "simulated": bool(response.simulated),
             "kind": check.one_of("kind", self.kind, KINDS),
         }
 

@@ -17,6 +17,8 @@ metadata = sa.MetaData(
     }
 )
 
+#: The longest text that is kept of what was answered, in characters.
+LONGEST_GIVEN = 5
 #: Counts up and never gives a number twice, on SQLite too (`sqlite_autoincrement`).
 _SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
@@ -77,7 +79,7 @@ answers = sa.Table(
     sa.Column("question", sa.Text, nullable=False),
     sa.Column("left", sa.Text, nullable=False),
     sa.Column("right", sa.Text, nullable=False),
-    sa.Column("chosen", sa.String(5), nullable=False),
+    sa.Column("chosen", sa.String(LONGEST_GIVEN), nullable=False),
     sa.Column("response_ms", sa.Double),
     sa.Column("shown_at", sa.String(27)),
     sa.Column("answered_at", sa.String(27)),

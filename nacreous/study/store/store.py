@@ -18,6 +18,7 @@ from nacreous.study.store.lab import Lab
 from nacreous.study.store.progress import Progress
 from nacreous.study.store.record import Answer, Receipt, Session
 from nacreous.study.store.schema import sessions
+from nacreous.study.task.row import Row, Tallied
 
 
 class Store(Lab):
@@ -28,13 +29,15 @@ class Store(Lab):
     nothing, or all of it, is stored, and giving the same answer again is safe.
 
     >>> from tempfile import TemporaryDirectory
+    >>> from nacreous.study.task.response import Response
+    >>> pair = {"left": "a", "right": "b"}
     >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
     ...     study = store.add_study({"nacreous_study": 1, "design_hash": "ab" * 32})
     ...     store.set_registration(study, "open", "lab")
     ...     session, token = store.enter(study, "en", {"seen": "real"})
     ...     store.consent(session.id)
-    ...     receipt = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
-    ...     again = store.answer(session.id, Answer(0, "deeper", "a", "b", "left"))
+    ...     receipt = store.answer(session.id, Answer(0, "deeper", pair, Response("left")))
+    ...     again = store.answer(session.id, Answer(0, "deeper", pair, Response("left")))
     ...     receipt.again, again.again, store.progress(study).answers
     (False, True, 1)
     """
@@ -164,7 +167,7 @@ class Store(Lab):
         work = partial(answering.put, at=at, session=session, answer=answer, in_turn=in_turn)
         return self._writer.submit(work)
 
-    def answers(self, study: str, session: str | None = None) -> list[dict[str, Any]]:
+    def answers(self, study: str, session: str | None = None) -> list[Row]:
         """Every answer of a study (or of one session) as a row, in the order of arrival.
 
         Excluded, simulated and erased ones are among them and say so: `excluded` (the reason or
@@ -175,10 +178,10 @@ class Store(Lab):
                 raise studies.unknown(study)
             return answering.rows(connection, study, session)
 
-    def tally(self, study: str) -> list[dict[str, Any]]:
-        """How often each was chosen of each pair, of pairs and repeats of people who count.
+    def tally(self, study: str) -> list[Tallied]:
+        """Equal answers counted, whether they count or not; far less than all answers.
 
-        A row has question, simulated, left, right, chosen and count; far less than all answers.
+        Which of them count says `nacreous.study.task.counting`.
         """
         with self.reading() as connection:
             return answering.tally(connection, study)

@@ -1,119 +1,36 @@
 /** What the laboratory asks of the server. */
 
-import { ask, Problem } from "../shared/http";
-import type { Said } from "../shared/language";
+import { addressOf, ask, Problem } from "../shared/http";
+import type { FileRoute, Options, Route } from "../shared/http";
+import type { Language } from "../shared/language";
+import type { ProgressTold, Routes, WhoTold } from "../shared/wire";
 
-export type State = "open" | "paused" | "closed";
-export type Registration = "open" | "invited";
+export type {
+  EventTold as Event,
+  FlagTold as Flag,
+  InvitationTold as Invitation,
+  PersonTold as Person,
+  ProgressTold as Progress,
+  ScaleTold as Scale,
+  StimulusTold as Placed,
+  StudyTold as Study,
+} from "../shared/wire";
 
-export interface Flag {
-  kind: string;
-  detail: string;
-}
-
-export interface Person {
-  number: number;
-  language: string | null;
-  groups: Record<string, string>;
-  answers: number;
-  trials: number;
-  started_at: string;
-  last_at: string | null;
-  finished: boolean;
-  seconds: number | null;
-  excluded: string | null;
-  erased: boolean;
-  simulated: boolean;
-  screen_flags: string[];
-  flags: Flag[];
-}
-
-export interface Progress {
-  name: string;
-  study: string;
-  purpose: "study" | "demo";
-  state: State;
-  registration: Registration;
-  entered: number;
-  consented: number;
-  finished: number;
-  excluded: number;
-  erased: number;
-  answers: number;
-  simulated: number;
-  median_s: number | null;
-  trials: number;
-  people: Person[];
-}
-
-export interface Placed {
-  label: string;
-  picture: string;
-  value: number;
-  low: number;
-  high: number;
-}
-
-export interface Scale {
-  question: string;
-  text: Said;
-  stimuli: Placed[];
-  answers: number;
-  people: number;
-  unit: string;
-  level: number;
-  verdict: string;
-  misfit?: [string, string] | null;
-}
-
-export interface Invitation {
-  id: string;
-  label: string;
-  made_at: string;
-  made_by: string;
-  number: number | null;
-  revoked_at: string | null;
-}
-
-export interface Event {
-  at: string;
-  who: string;
-  what: string;
-  number: number | null;
-  detail: Record<string, unknown>;
-}
-
-export interface Question {
-  id: string;
-  text: Said;
-}
-
-/** What everybody may know of the study. */
-export interface Study {
-  name: string;
-  state: State;
-  questions: Question[];
-}
-
-export interface Me {
-  name: string;
-  csrf: string;
-}
-
-const API = "/lab/api";
+export type State = ProgressTold["state"];
+export type Registration = ProgressTold["registration"];
 
 /** The laboratory's side of the conversation; the browser keeps the cookie, this keeps the CSRF token. */
 export class Lab {
-  me: Me | null = null;
+  me: WhoTold | null = null;
 
   /** `onEnd` is called whenever the server no longer knows who we are. */
   constructor(private readonly onEnd: () => void) {}
 
   /** Who is logged in; null if nobody is. Not asked where nobody has logged in before. */
-  async whoAmI(): Promise<Me | null> {
+  async whoAmI(): Promise<WhoTold | null> {
     if (!hasBeenHere()) return null;
     try {
-      this.me = await ask<Me>(`${API}/me`);
+      this.me = await ask("GET /lab/api/me", undefined);
     } catch (problem) {
       if (!(problem instanceof Problem && problem.status === 401)) throw problem;
       this.me = null;
@@ -121,51 +38,51 @@ export class Lab {
     return this.me;
   }
 
-  async login(name: string, password: string): Promise<Me> {
-    this.me = await ask<Me>(`${API}/login`, { method: "POST", body: { name, password } });
+  async login(name: string, password: string): Promise<WhoTold> {
+    this.me = await ask("POST /lab/api/login", { name, password });
     noteHere(true);
     return this.me;
   }
 
   async logout(): Promise<void> {
-    await this.change("/logout", {});
+    await this.ask("POST /lab/api/logout", undefined);
     noteHere(false);
     this.me = null;
   }
 
-  progress = () => this.get<Progress>("/progress");
-  invitations = () => this.get<Invitation[]>("/invitations");
-  events = () => this.get<Event[]>("/events?last=200");
-  study = () => ask<Study>("/api/study");
+  progress = () => this.ask("GET /lab/api/progress", undefined);
+  invitations = () => this.ask("GET /lab/api/invitations", undefined);
+  events = () => this.ask("GET /lab/api/events", undefined, { query: { last: 200 } });
+  study = () => ask("GET /api/study", undefined);
+  scale = (question: string, simulated: boolean) =>
+    this.ask("GET /lab/api/scale", undefined, { query: { question, simulated } });
 
-  scale(question: string, simulated: boolean) {
-    const query = new URLSearchParams({ question, simulated: String(simulated) });
-    return this.get<Scale | { problem: string }>(`/scale?${query}`);
-  }
-
-  setState = (state: State) => this.change("/state", { state });
-  setRegistration = (registration: Registration) => this.change("/registration", { registration });
+  setState = (state: State) => this.ask("POST /lab/api/state", { state });
+  setRegistration = (registration: Registration) =>
+    this.ask("POST /lab/api/registration", { registration });
   invite = (count: number, label: string) =>
-    this.change<{ links: string[] }>("/invitations", { count, label });
-  revokeInvitation = (id: string) =>
-    this.change(`/invitations/${encodeURIComponent(id)}/revoke`, {});
+    this.ask("POST /lab/api/invitations", { count, label });
+  revokeInvitation = (invitation: number) =>
+    this.ask("POST /lab/api/invitations/{invitation}/revoke", undefined, {
+      places: { invitation },
+    });
   exclude = (number: number, reason: string) =>
-    this.change(`/people/${number}/exclude`, { reason });
-  readmit = (number: number) => this.change(`/people/${number}/readmit`, {});
-  revoke = (number: number) => this.change(`/people/${number}/revoke`, {});
+    this.ask("POST /lab/api/people/{number}/exclude", { reason }, { places: { number } });
+  readmit = (number: number) =>
+    this.ask("POST /lab/api/people/{number}/readmit", undefined, { places: { number } });
+  revoke = (number: number) =>
+    this.ask("POST /lab/api/people/{number}/revoke", undefined, { places: { number } });
 
-  private get<T>(path: string): Promise<T> {
-    return this.known(ask<T>(API + path));
-  }
-
-  private change<T = unknown>(path: string, body: unknown): Promise<T> {
-    const headers = { "X-CSRF-Token": this.me?.csrf ?? "" };
-    return this.known(ask<T>(API + path, { method: "POST", body, headers }));
-  }
-
-  private async known<T>(answer: Promise<T>): Promise<T> {
+  private async ask<R extends Exclude<Route, FileRoute>>(
+    route: R,
+    body: Routes[R]["body"],
+    options: Pick<Options, "places" | "query"> = {},
+  ): Promise<Routes[R]["told"]> {
+    const headers: Record<string, string> = route.startsWith("GET")
+      ? {}
+      : { "X-CSRF-Token": this.me?.csrf ?? "" };
     try {
-      return await answer;
+      return await ask(route, body, { ...options, headers });
     } catch (problem) {
       if (problem instanceof Problem && problem.status === 401) this.onEnd();
       throw problem;
@@ -193,15 +110,21 @@ function noteHere(here: boolean): void {
   }
 }
 
-/** Where the report of a question is. */
-export function reportAt(question: string, language: string, simulated: boolean): string {
-  return `${API}/report?${new URLSearchParams({ question, language, simulated: String(simulated) })}`;
+/** A file that the server makes, and what to ask for it. */
+export interface File {
+  route: FileRoute;
+  query: Record<string, string | boolean>;
 }
 
-/** Where all answers are. */
-export const ANSWERS_AT = `${API}/answers.csv`;
+/** The report of a question. */
+export function report(question: string, language: Language, simulated: boolean): File {
+  return { route: "GET /lab/api/report", query: { question, language, simulated } };
+}
+
+/** All answers. */
+export const ANSWERS: File = { route: "GET /lab/api/answers.csv", query: {} };
 
 /** Where a picture is. */
 export function pictureAt(sha256: string): string {
-  return `${API}/pictures/${sha256}`;
+  return addressOf("GET /lab/api/pictures/{sha256}", { places: { sha256 } });
 }

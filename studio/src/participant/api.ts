@@ -1,127 +1,70 @@
 /** What a participant's pages ask of the server. */
 
-import { ask, send } from "../shared/http";
-import type { Language, Said } from "../shared/language";
+import { ask, bring } from "../shared/http";
+import type { FileRoute, Route } from "../shared/http";
+import type { Language } from "../shared/language";
+import type { Answering, Routes, ScreenTold, SittingTold, StudyTold } from "../shared/wire";
+import type { ScreenContent } from "./screen/content";
 
-export interface ScreenRules {
-  least_width_px: number;
-  least_height_px: number;
-  if_smaller: "flag" | "refuse";
-  full_screen: boolean;
-  card: boolean;
-  distance: boolean;
-  levels: boolean;
-  vision: ("contrast" | "colour")[];
-}
+export type {
+  GroupTold as Factor,
+  PictureTold as Picture,
+  Screen as ScreenRules,
+  SittingTold,
+  StudyTold as Study,
+  TrialTold as Trial,
+} from "../shared/wire";
 
-export interface Factor {
-  name: string;
-  question: Said;
-  choices: { value: string; text: Said }[];
-}
+export type Chosen = Answering["chosen"];
 
-export interface Study {
-  name: string;
-  purpose: "study" | "demo";
-  state: "open" | "paused" | "closed";
-  registration: "open" | "invited";
-  languages: Language[];
-  consent: Said;
-  instructions: Said;
-  questions: { id: string; text: Said }[];
-  groups: Factor[];
-  sitting: { training: number; break_every: number; minimum_viewing_ms: number; ties: boolean };
-  screen: ScreenRules;
-  /** For whoever enters without an invitation. */
-  token: string;
-}
-
-export interface Trial {
-  trial: number;
-  question: string;
-  left: string;
-  right: string;
-  training: boolean;
-  break_before: boolean;
-}
-
-export interface Picture {
-  width_px: number;
-  height_px: number;
-  width_mm: number;
-}
-
-export interface SittingTold {
-  /** Its name, which no other sitting gets, whatever becomes of token or number. */
-  sitting: string;
-  number: number;
-  language: Language;
-  consented: boolean;
-  screened: boolean;
-  screen_flags: string[];
-  refused: boolean;
-  finished: boolean;
-  answered: number;
-  groups_notes: Said[];
-  trials: Trial[];
-  pictures: Record<string, Picture>;
-}
-
-export type Chosen = "left" | "right" | "tie";
-
-export interface Answer {
-  trial: number;
-  chosen: Chosen;
-  /** Null where it is not known. */
-  response_ms: number | null;
-  shown_at: string;
-  answered_at: string;
-  flags: Record<string, string | number | boolean>;
-  simulated: boolean;
-}
+/** An answer with its trial, complete: null is said where something is not known. */
+export type Answer = { trial: number } & Required<Answering>;
 
 /** What the server says to anybody. */
-export const study = (): Promise<Study> => ask<Study>("/api/study");
+export const study = (): Promise<StudyTold> => ask("GET /api/study", undefined);
 
 /** What it says to the holder of a token. */
 export class Api {
   constructor(readonly token: string) {}
 
   enter(language: Language, groups: Record<string, string>): Promise<SittingTold> {
-    return this.post("/api/enter", { language, groups });
+    return this.ask("POST /api/enter", { language, groups });
   }
 
   sitting(): Promise<SittingTold> {
-    return ask<SittingTold>("/api/sitting", { headers: this.headers });
+    return this.ask("GET /api/sitting", undefined);
   }
 
   consent(): Promise<void> {
-    return this.post("/api/consent", {});
+    return this.ask("POST /api/consent", undefined);
   }
 
-  screen(content: object): Promise<{ flags: string[]; refused: boolean }> {
-    return this.post("/api/screen", { content });
+  screen(content: ScreenContent): Promise<ScreenTold> {
+    return this.ask("POST /api/screen", { content });
   }
 
   async answer({ trial, ...answer }: Answer): Promise<void> {
-    await ask(`/api/answers/${trial}`, { method: "PUT", body: answer, headers: this.headers });
+    await this.ask("PUT /api/answers/{trial}", answer, { trial });
   }
 
   finish(): Promise<void> {
-    return this.post("/api/finish", {});
+    return this.ask("POST /api/finish", undefined);
   }
 
   withdraw(): Promise<void> {
-    return this.post("/api/withdraw", {});
+    return this.ask("POST /api/withdraw", undefined);
   }
 
-  async picture(sha256: string): Promise<Blob> {
-    const response = await send(`/api/pictures/${sha256}`, { headers: this.headers });
-    return response.blob();
+  picture(sha256: string): Promise<Blob> {
+    return bring("GET /api/pictures/{sha256}", { places: { sha256 }, headers: this.headers });
   }
 
-  private post<T>(path: string, body: object): Promise<T> {
-    return ask<T>(path, { method: "POST", body, headers: this.headers });
+  private ask<R extends Exclude<Route, FileRoute>>(
+    route: R,
+    body: Routes[R]["body"],
+    places: Record<string, string | number> = {},
+  ): Promise<Routes[R]["told"]> {
+    return ask(route, body, { places, headers: this.headers });
   }
 
   private get headers(): Record<string, string> {

@@ -27,6 +27,7 @@ import type { ScreenContent } from "./screen/content";
 import { fillScreen } from "./screen/full";
 import { reading } from "./sheet";
 import type { Stage } from "./stage";
+import { taskOf } from "./task/tasks";
 import { WORDS } from "./words/words";
 import type { Words } from "./words/words";
 
@@ -140,8 +141,10 @@ export class Sitting {
       ratio: content.window.device_pixel_ratio,
     };
     const { words, language, study } = this;
+    const { pictures } = sitting;
     const keep = answers.keep.bind(answers);
-    const presenter = new Presenter(study, sitting, words, language, scale, fetched, keep);
+    const setting = { study, words, language, scale, pictures, fetched, keep };
+    const presenter = new Presenter(sitting.trials, setting);
     for (const block of blocksOf(sitting.trials, next)) {
       await this.before(api, sitting, block, next);
       await Promise.race([this.stage.run(presenter.timeline(block)), answers.refused]);
@@ -178,12 +181,21 @@ export class Sitting {
     const page = resumed
       ? resumedPage(words, fill(words.resumed, { n: first.trial + 1, all: sitting.trials.length }))
       : first.trial === 0
-        ? instructionsPage(words, said(study.instructions, this.language), study.sitting)
+        ? instructionsPage(words, this.instructions(first), study.sitting.training)
         : previous?.training
           ? trainingOverPage(words, all)
           : breakPage(words, n - 1, all, asked);
     while ((await stage.show(page)) === "stop") await this.stop(api);
     if (resumed && study.screen.full_screen && stage.simulation === null) await fillScreen();
+  }
+
+  /** What the study says, then how its first trial is answered. */
+  private instructions(first: Trial): string[] {
+    const { words, language, study } = this;
+    return [
+      said(study.instructions, language),
+      ...taskOf(first).instructions(words, study.sitting),
+    ];
   }
 
   private async stop(api: Api): Promise<void> {

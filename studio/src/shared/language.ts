@@ -1,9 +1,8 @@
 /** The two languages, and words with places to fill. */
 
-export type Language = "en" | "ja";
+import type { StudyTold, Words } from "./wire";
 
-/** Words that a study gives: at least those of its languages. */
-export type Said = Partial<Record<Language, string>>;
+export type Language = StudyTold["languages"][number];
 
 /** What each language calls itself. */
 export const NAMES: Record<Language, string> = { en: "English", ja: "日本語" };
@@ -18,7 +17,7 @@ export function preferred(offered: readonly Language[], asked: readonly string[]
 }
 
 /** A study's words in a language; where they are missing, in any. */
-export function said(words: Said, language: Language): string {
+export function said(words: Words, language: Language): string {
   return words[language] ?? words.en ?? words.ja ?? "";
 }
 

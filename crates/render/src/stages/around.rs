@@ -49,7 +49,7 @@ impl Unlit<'_> {
         let mut lit = surroundings.settled(softly);
         let mut models = self.models(&lit, progress)?;
         for _ in 0..BOUNCES {
-            let glows = self.glows(&models, &lit, progress);
+            let glows = glows(&models, &lit, progress);
             let softly = softly || models.iter().any(Model::gives_light);
             lit = lit.with_glows(glows, softly);
             models = self.models(&lit, progress)?;
@@ -93,16 +93,16 @@ impl Unlit<'_> {
             }
         }
     }
+}
 
-    /// What each pearl sends out; a lone pearl of 1996 lights nothing.
-    fn glows(&self, models: &[Model], lit: &Lit, progress: &Progress) -> Vec<Glow> {
-        let alone = models.len() == 1;
-        let glow = |ball: usize| {
-            let gives = (models[ball].gives_light() || !alone) && !progress.is_stopped();
-            if gives { models[ball].glow(lit, ball) } else { Glow::BLACK }
-        };
-        parallel::map(models.len(), glow)
-    }
+/// What each pearl sends out; a lone pearl of 1996 lights nothing.
+fn glows(models: &[Model], lit: &Lit, progress: &Progress) -> Vec<Glow> {
+    let alone = models.len() == 1;
+    let glow = |ball: usize| {
+        let gives = (models[ball].gives_light() || !alone) && !progress.is_stopped();
+        if gives { models[ball].glow(lit, ball) } else { Glow::BLACK }
+    };
+    parallel::map(models.len(), glow)
 }
 
 fn table(spec: &TableSpec) -> Option<Table> {

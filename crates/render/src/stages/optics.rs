@@ -147,7 +147,7 @@ impl OpticsStage {
             .collect();
         let keys: Vec<SurfaceKey> =
             specs.iter().map(|(pearl, spec)| surface_key(pearl, spec)).collect();
-        let Some(surfaces) = self.surfaces(keys.clone(), progress)? else { return Ok(None) };
+        let Some(surfaces) = self.surfaces(&keys, progress)? else { return Ok(None) };
         let response_keys = specs.iter().zip(&keys).map(|((_, spec), surface)| ResponseKey {
             surface: surface.clone(),
             body: spec.body.clone(),
@@ -191,7 +191,7 @@ impl OpticsStage {
 
     fn surfaces(
         &mut self,
-        keys: Vec<SurfaceKey>,
+        keys: &[SurfaceKey],
         progress: &Progress,
     ) -> Result<Option<Vec<Arc<Surface>>>, RenderError> {
         let film = |key: &FilmKey| {
@@ -207,7 +207,7 @@ impl OpticsStage {
         let surface = |key: &SurfaceKey| {
             Ok(film_of(key).map(|film| Surface::new(film, microfacets(key.facets, key.spread_rad))))
         };
-        self.surfaces.all(keys.clone(), surface)
+        self.surfaces.all(keys.to_vec(), surface)
     }
 }
 

@@ -1,13 +1,14 @@
 /** A button that brings a file, and says so while it is made. */
 
 import { button, element } from "../../shared/dom";
-import { send } from "../../shared/http";
+import { bring } from "../../shared/http";
+import type { File } from "../api";
 import type { Desk } from "../desk";
 
 /** A report draws a thousand samples and takes its time. */
 const PATIENCE_MS = 180_000;
 
-export function downloadButton(desk: Desk, label: string, from: string, name: string) {
+export function downloadButton(desk: Desk, label: string, from: File, name: string) {
   const made = button(label, () => {
     made.setAttribute("aria-busy", "true");
     made.disabled = true;
@@ -24,8 +25,8 @@ export function downloadButton(desk: Desk, label: string, from: string, name: st
   return made;
 }
 
-async function fetched(from: string): Promise<Blob> {
-  return (await send(from, { patience_ms: PATIENCE_MS })).blob();
+function fetched({ route, query }: File): Promise<Blob> {
+  return bring(route, { query, patience_ms: PATIENCE_MS });
 }
 
 function save(content: Blob, name: string): void {

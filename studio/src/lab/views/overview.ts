@@ -2,7 +2,7 @@
 
 import { button, element } from "../../shared/dom";
 import { fill, said } from "../../shared/language";
-import { ANSWERS_AT, reportAt, type Person, type Progress, type State } from "../api";
+import { ANSWERS, report, type Person, type Progress, type State } from "../api";
 import { askBefore } from "../dialog";
 import type { Desk, View } from "../desk";
 import { codeButton } from "./code";
@@ -199,7 +199,7 @@ function results(desk: Desk): HTMLElement {
         element("span", {}, said(question.text, desk.speech.language)),
         ...(["en", "ja"] as const).map((language) => {
           const name = `report-${question.id}${simulated ? "-simulated" : ""}-${language}.html`;
-          const from = reportAt(question.id, language, simulated);
+          const from = report(question.id, language, simulated);
           return downloadButton(desk, words[`report_${language}`], from, name);
         }),
       ),
@@ -214,7 +214,7 @@ function results(desk: Desk): HTMLElement {
       "div",
       { class: "take" },
       element("span", { class: "soft" }, words.answers_note),
-      downloadButton(desk, words.answers, ANSWERS_AT, "answers.csv"),
+      downloadButton(desk, words.answers, ANSWERS, "answers.csv"),
     ),
     element("h4", {}, words.simulated_title),
     element("p", { class: "soft" }, words.simulated_lead),

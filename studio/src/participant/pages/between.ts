@@ -2,7 +2,6 @@
 
 import { element } from "../../shared/dom";
 import { fill } from "../../shared/language";
-import type { Study } from "../api";
 import { progress } from "../progress";
 import { reading } from "../sheet";
 import type { Page } from "../stage";
@@ -10,11 +9,15 @@ import type { Words } from "../words/words";
 
 type Next = "go" | "stop";
 
-export function instructionsPage(words: Words, text: string, rules: Study["sitting"]): Page<Next> {
-  const training = fill(words.instructions_training, { n: rules.training });
-  const practises = rules.training > 0;
-  const ties = rules.ties ? [words.instructions_ties] : [];
-  const said = [text, words.instructions_keys, ...ties, ...(practises ? [training] : [])];
+/** `text`: of the study, then of the task; `training`: how many trials of practice there are. */
+export function instructionsPage(
+  words: Words,
+  text: readonly string[],
+  training: number,
+): Page<Next> {
+  const practises = training > 0;
+  const practice = fill(words.instructions_training, { n: training });
+  const said = [...text, ...(practises ? [practice] : [])];
   const go = practises ? words.instructions_begin : words.begin;
   return reading("instructions", words.instructions_title, said, [["go", go]]);
 }

@@ -22,7 +22,10 @@ const USUAL_GAMMA = 2.2;
 type Step = "full" | "card" | "distance" | "gamma" | "dark" | "contrast" | "colour";
 
 /** The steps that a study asks for and this browser can take. */
-export function stepsOf(rules: ScreenRules, fills: boolean): Step[] {
+export function stepsOf(
+  rules: Pick<ScreenRules, "full_screen" | "card" | "distance" | "levels" | "vision">,
+  fills: boolean,
+): Step[] {
   const steps: Step[] = [];
   if (rules.full_screen && fills) steps.push("full");
   if (rules.card) steps.push("card");

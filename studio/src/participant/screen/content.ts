@@ -1,28 +1,17 @@
 /** What is found out about a screen; kept with the answers as it is. */
 
-export interface Share {
-  right: number;
-  of: number;
-}
+import type { Monitor, Plates, ScreenCheck, Vision, Window } from "../../shared/wire";
 
-export interface ScreenContent {
-  window: { width_px: number; height_px: number; device_pixel_ratio: number };
-  full_screen: boolean;
-  screen: { width_px: number; height_px: number; colour_depth: number };
-  card: { px_per_mm: number } | null;
-  picture_width_mm: number | null;
-  distance_mm: number | null;
-  distance_by: "blind-spot" | "typed" | "none";
-  distance_tries_mm: number[];
-  gamma: number | null;
-  darkest_step: number | null;
-  gamut: "less" | "srgb" | "p3" | "rec2020";
-  hdr: boolean;
-  vision: { contrast?: Share; colour?: Share };
-  agent: string;
-  /** Whether a simulated participant checked it. */
-  simulated: boolean;
-}
+export type Share = Plates;
+
+type Known<T> = { [K in keyof T]-?: NonNullable<T[K]> };
+
+/** A screen check in which nothing is forgotten: null is said of what was not measured. */
+export type ScreenContent = Required<ScreenCheck> & {
+  window: Known<Window>;
+  screen: Known<Monitor>;
+  vision: Vision;
+};
 
 /** What the browser itself tells: window, screen, colours. */
 export function told(): ScreenContent {

@@ -1,9 +1,9 @@
 /** What a pair looks like, and how it is answered: by touch, click or key. */
 
-import { button, element } from "../shared/dom";
-import type { Chosen } from "./api";
-import { progress } from "./progress";
-import type { Room } from "./sizes";
+import { button, element } from "../../../shared/dom";
+import type { Chosen } from "../../api";
+import { progress } from "../../progress";
+import type { Room } from "../../sizes";
 
 export interface PairWords {
   question: string;
@@ -24,7 +24,7 @@ export interface Sizes {
   shrunk: number;
 }
 
-interface Response {
+interface Answered {
   chosen: Chosen;
   took_ms: number;
   /** How often an answer came before the least time of viewing. */
@@ -100,7 +100,7 @@ export class PairView {
   }
 
   /** Wait for an answer that comes no earlier than `minimum_ms` after `shown_ms`. */
-  answer(shown_ms: number, minimum_ms: number): Promise<Response> {
+  answer(shown_ms: number, minimum_ms: number): Promise<Answered> {
     const over = new AbortController();
     let early = 0;
     return new Promise((resolve) => {

@@ -2,12 +2,12 @@
 
 import { ParameterType } from "jspsych";
 import type { JsPsych, JsPsychPlugin, TrialType } from "jspsych";
-import type { Answer, Chosen } from "./api";
-import { PairView } from "./pair-view";
-import type { PairWords, Sizes } from "./pair-view";
-import type { Room } from "./sizes";
-import type { Simulation } from "./stage";
-import { Watch } from "./watch";
+import type { Answer, Chosen } from "../../api";
+import type { Room } from "../../sizes";
+import type { Simulation } from "../../stage";
+import { Watch } from "../../watch";
+import { PairView } from "./view";
+import type { PairWords, Sizes } from "./view";
 
 const CROSS_MS = 500;
 /** A day: the longest time that is kept. A page left open for longer has measured none. */

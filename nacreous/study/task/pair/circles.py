@@ -6,16 +6,20 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from nacreous.study.design import Design
-from nacreous.study.results.chance import circles_by_chance
-from nacreous.study.results.expected import Shares
-from nacreous.study.results.flag import RATE, Flag
-from nacreous.study.results.rows import Row, answers_from
+from nacreous.study.task.asked import Asked
+from nacreous.study.task.flag import RATE, Flag
+from nacreous.study.task.pair.chance import circles_by_chance
+from nacreous.study.task.pair.expected import Shares
+from nacreous.study.task.pair.keys import PairKeys
+from nacreous.study.task.pair.reading import answers
+from nacreous.study.task.row import Row
 
 __all__ = ["circle_flags"]
 
 
-def circle_flags(rows: Sequence[Row], design: Design, shares: Shares) -> dict[int, list[Flag]]:
+def circle_flags(
+    rows: Sequence[Row], asked: Asked[PairKeys], shares: Shares
+) -> dict[int, list[Flag]]:
     """Too many circular triads, by person's number; all questions of a person count together.
 
     Only of people who have compared every pair under a question, for others have too few triads.
@@ -24,7 +28,7 @@ def circle_flags(rows: Sequence[Row], design: Design, shares: Shares) -> dict[in
     most: dict[int, int] = {}
     by_chance: dict[int, np.typing.NDArray[np.int64]] = {}
     for place, (key, expected) in enumerate(shares.items()):
-        complete = list(_complete(rows, design, key))
+        complete = list(_complete(rows, asked, key))
         drawn = circles_by_chance(expected, place) if complete else np.zeros(0, np.int64)
         for number, found, possible in complete:
             circular[number] = circular.get(number, 0.0) + found
@@ -39,7 +43,7 @@ def circle_flags(rows: Sequence[Row], design: Design, shares: Shares) -> dict[in
 
 
 def _complete(
-    rows: Sequence[Row], design: Design, key: tuple[str, bool]
+    rows: Sequence[Row], asked: Asked[PairKeys], key: tuple[str, bool]
 ) -> Iterator[tuple[int, float, int]]:
     """Who has compared all pairs under a question, their circular triads, the most there can be."""
     from nacreous.scaling import triads_by_person
@@ -50,10 +54,10 @@ def _complete(
         for row in rows
         if row["kind"] == "pair" and row["question"] == question and row["simulated"] == simulated
     ]
-    count = len(design.labels)
+    count = len(asked.labels)
     if count < 3 or not own:
         return
-    for person in triads_by_person(answers_from(own)):
+    for person in triads_by_person(answers(own, {})):
         triads = person.triads
         if triads.zeta is not None and len(triads.wins) == count:
             yield int(person.person), triads.circular, triads.most

@@ -65,3 +65,17 @@ class Pairs(Section):
             yield Contradiction("number", verdict, "kind")
         if self.repeats is not None and self.repeat_share is not None:
             yield Contradiction("repeat_share", "cannot stand beside {other}: give one", "repeats")
+
+    def impossible(self, count: int) -> Iterator[Contradiction]:
+        """Numbers that cannot be with so many stimuli; paths are those of the whole file."""
+        every = count * (count - 1) // 2
+        if self.number is not None and not count - 1 <= self.number <= every:
+            verdict = (
+                f"is {self.number}; allowed: {count - 1} to {every}, so that {{other}} are "
+                "joined and no pair comes twice"
+            )
+            yield Contradiction("pairs.number", verdict, "stimuli")
+        shown_pairs = self.number or every
+        if self.repeats is not None and self.repeats > shown_pairs:
+            verdict = f"is {self.repeats}; allowed: 0 to {shown_pairs}, the pairs there are"
+            yield Contradiction("pairs.repeats", verdict)

@@ -8,8 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.study.design import Design
-from nacreous.study.results.rows import Row, answers_from
+from nacreous.study.task.asked import Asked
+from nacreous.study.task.counting import counts
+from nacreous.study.task.pair.keys import PairKeys
+from nacreous.study.task.pair.reading import answers
+from nacreous.study.task.row import Row
 
 __all__ = ["Shares", "expected_shares"]
 
@@ -22,26 +25,25 @@ Shares = Mapping[tuple[str, bool], NDArray[np.float64]]
 _LEAST_PEOPLE = 10
 
 
-def expected_shares(rows: Sequence[Row], design: Design) -> Shares:
+def expected_shares(rows: Sequence[Row], asked: Asked[PairKeys]) -> Shares:
     """How often each is chosen over each, by question and by whether people are simulated."""
     from nacreous.scaling import thurstone
 
-    index = {label: at for at, label in enumerate(design.labels)}
+    index = {label: at for at, label in enumerate(asked.labels)}
     found = {}
-    for question in (question.id for question in design.questions):
+    for question in asked.questions:
         for simulated in (False, True):
             shares = np.full((len(index), len(index)), 0.5)
             found[question, simulated] = shares
             own = [
                 row
                 for row in rows
-                if (row["question"], row["simulated"]) == (question, simulated)
-                and row["excluded"] is None
+                if row["question"] == question and counts(row, simulated=simulated)
             ]
             if len({row["number"] for row in own}) < _LEAST_PEOPLE:
                 continue
             try:
-                fit = thurstone(answers_from(own))
+                fit = thurstone(answers(own, {}))
             except InputError:  # no scale yet
                 continue
             at = [index[label] for label in fit.stimuli]

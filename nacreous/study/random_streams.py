@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from nacreous.number import whole_of
-from nacreous.study.design.design import Design
 
 __all__ = ["ALLOCATION", "ORDER", "PAIRS", "TELLING", "numbered", "stream"]
 
@@ -15,9 +14,9 @@ PAIRS, ORDER, ALLOCATION, TELLING = range(4)
 _MOST_PEOPLE = 10_000_000
 
 
-def stream(design: Design, purpose: int, number: int) -> np.random.Generator:
-    """The random numbers for one purpose and one participant, or one group of participants."""
-    return np.random.default_rng([design.seed, purpose, number])
+def stream(seed: int, purpose: int, number: int) -> np.random.Generator:
+    """The random numbers of a study's seed for one purpose and one participant, or one group."""
+    return np.random.default_rng([seed, purpose, number])
 
 
 def numbered(number: int) -> int:

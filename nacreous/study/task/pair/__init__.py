@@ -1,0 +1,1 @@
+"""Two stimuli side by side, of which one is chosen: paired comparison."""

@@ -1,0 +1,48 @@
+"""The pages' TypeScript of the wire and of pearl and scene files, against the schemas it is of."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+STUDIO = Path(__file__).parent.parent.parent / "studio"
+SHARED = STUDIO / "src" / "shared"
+STALE = "is of other schemas; ./just types makes it again"
+
+
+def printed(hash_seed: str = "0") -> str:
+    """What the schemas are now."""
+    script = [sys.executable, STUDIO / "types" / "schemas.py"]
+    env = {**os.environ, "PYTHONHASHSEED": hash_seed}
+    return subprocess.run(script, env=env, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.fixture(scope="module")
+def schemas() -> str:
+    return printed()
+
+
+def test_the_types_bear_the_fingerprint_of_the_schemas(schemas: str) -> None:
+    made = json.loads(schemas)
+    assert sorted(made) == ["spec", "wire"]
+    for name, of in made.items():
+        head = (SHARED / f"{name}.ts").read_text(encoding="utf-8").splitlines()[:3]
+        assert f" * {of['sha256']}" in head, f"{name}.ts {STALE}"
+
+
+def test_the_schemas_are_the_same_in_every_process(schemas: str) -> None:
+    assert printed("1") == printed("2") == schemas
+
+
+def test_the_types_are_what_the_generator_makes(schemas: str, tmp_path: Path) -> None:
+    if shutil.which("node") is None or not (STUDIO / "node_modules").is_dir():
+        pytest.skip("Node.js or the pages' packages are missing; ./just pages fetches them")
+    script = ["node", STUDIO / "types" / "typescript.mjs", tmp_path]
+    subprocess.run(script, input=schemas, text=True, check=True)
+    for name in ("wire", "spec"):
+        made = (tmp_path / f"{name}.ts").read_bytes()
+        assert made == (SHARED / f"{name}.ts").read_bytes(), f"{name}.ts {STALE}"

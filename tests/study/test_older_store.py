@@ -1,0 +1,91 @@
+"""A store written before tasks had a room of their own opens, and tells the same to the byte."""
+
+import json
+import sqlite3
+from collections.abc import Iterator
+from contextlib import closing
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nacreous.study.design import open_frozen
+from nacreous.study.plan import drawn_groups, trials
+from nacreous.study.results import people_flags, scale_so_far
+from nacreous.study.running import Running
+from nacreous.study.running.plans import plain
+from nacreous.study.store import Store, backup, export, restore
+
+OLD = Path(__file__).parents[1] / "golden" / "store"
+
+
+@pytest.fixture
+def told() -> dict[str, Any]:
+    """What was told of it then."""
+    read: dict[str, Any] = json.loads((OLD / "results.json").read_text(encoding="utf-8"))
+    return read
+
+
+@pytest.fixture
+def running(tmp_path: Path) -> Iterator[Running]:
+    with closing(sqlite3.connect(tmp_path / "answers.sqlite")) as database:
+        database.executescript((OLD / "answers.sql").read_text(encoding="utf-8"))
+    with Store.open(tmp_path / "answers.sqlite") as store:
+        yield Running(store, open_frozen(OLD / "study"))
+
+
+def test_its_export_is_the_same_to_the_byte(running: Running, tmp_path: Path) -> None:
+    export(running.store, running.study, tmp_path / "answers.csv")
+    assert (tmp_path / "answers.csv").read_bytes() == (OLD / "answers.csv").read_bytes()
+    export(running.store, running.study, tmp_path / "psych-ds")
+    [data] = (tmp_path / "psych-ds" / "data").iterdir()
+    assert data.read_bytes() == (OLD / "answers.csv").read_bytes()
+    record = "dataset_description.json"
+    assert (tmp_path / "psych-ds" / record).read_bytes() == (OLD / record).read_bytes()
+
+
+def test_its_flags_are_the_same(running: Running, told: dict[str, Any]) -> None:
+    flags = {
+        str(number): [[flag.kind, flag.detail] for flag in found]
+        for number, found in people_flags(running).items()
+    }
+    assert flags == told["flags"]
+
+
+def test_its_scales_are_the_same(running: Running, told: dict[str, Any]) -> None:
+    for then, simulated in zip(told["scale"], (False, True), strict=True):
+        found = asdict(scale_so_far(running, "deeper", simulated))
+        for one, before in zip(found.pop("stimuli"), then.pop("stimuli"), strict=True):
+            # Another processor may round the last bits otherwise.
+            numbers = [(one.pop(name), before.pop(name)) for name in ("value", "low", "high")]
+            assert all(now == pytest.approx(old, abs=1e-9) for now, old in numbers)
+            assert one == before
+        assert found == then
+
+
+def test_whoever_entered_goes_on_with_the_same_plan(running: Running, told: dict[str, Any]) -> None:
+    for session in running.store.sessions(running.study):
+        stored = told["plans"][str(session.number)] if session.erased_at is None else None
+        assert running.store.plan(session.id) == stored
+        assert plain(running.plan(session), running.task) == (stored or [])
+
+
+def test_whoever_enters_now_gets_the_plan_that_they_would_have_got(
+    running: Running, told: dict[str, Any]
+) -> None:
+    design = running.frozen.design
+    for session in running.store.sessions(running.study):
+        if session.erased_at is None:
+            assert (
+                plain(trials(design, session.number), running.task)
+                == told["plans"][str(session.number)]
+            )
+            assert session.groups == drawn_groups(design, session.number)
+
+
+def test_a_backup_of_it_restores_to_the_same_rows(running: Running, tmp_path: Path) -> None:
+    backup(tmp_path / "answers.sqlite", tmp_path / "backup.sqlite")
+    restore(tmp_path / "backup.sqlite", tmp_path / "again.sqlite")
+    with Store.open(tmp_path / "again.sqlite") as again:
+        assert again.answers(running.study) == running.store.answers(running.study)
