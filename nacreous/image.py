@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from nacreous.texture import Grain
+
 __all__ = ["SUFFIXES", "Image", "recipe_json", "render"]
 
 #: The kinds of picture file that can be written.
@@ -242,7 +244,7 @@ def _panoramas(scene: Scene) -> list[tuple[str, NDArray[np.float32]]]:
     return [] if path is None else [(path, file.read_panorama(path))]
 
 
-def _measured_grains(pearls: list[Pearl]) -> list[tuple[int, _core.Grain]]:
+def _measured_grains(pearls: list[Pearl]) -> list[tuple[int, Grain]]:
     """The grain of each pearl that has a photograph."""
     numbers = [i for i, pearl in enumerate(pearls) if pearl.texture.source != "procedural"]
     if not numbers:

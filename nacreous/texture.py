@@ -12,7 +12,7 @@ spatial frequency; `synthesise` draws from it a texture that covers a pearl with
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,12 +26,13 @@ from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
-    from nacreous._core import Grain
     from nacreous.spec import Pearl
 
 __all__ = ["Analysis", "GrainSpectrum", "Texture", "analyse", "synthesise", "texture_of"]
 
 Array = NDArray[np.float64]
+#: Frequencies, density and correlation of a spectrum.
+Grain: TypeAlias = tuple[Array, Array, Array]
 
 _GREY_CHROMA = 0.2
 """Below this mean chroma a patch counts as grey **(ours)**: relative deviations would be noise."""

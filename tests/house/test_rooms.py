@@ -17,6 +17,12 @@ MAY_KNOW = {
     "nacreous-optics": {"nacreous-nacre"},
     "nacreous-colour": set(),
     "nacreous-image": {"nacreous-nacre", "nacreous-optics", "nacreous-colour"},
+    "nacreous-render": {
+        "nacreous-nacre",
+        "nacreous-optics",
+        "nacreous-colour",
+        "nacreous-image",
+    },
     "nacreous-file": {"nacreous-colour"},
     "nacreous-scaling": set(),
     "nacreous-python": {
@@ -24,6 +30,7 @@ MAY_KNOW = {
         "nacreous-optics",
         "nacreous-colour",
         "nacreous-image",
+        "nacreous-render",
         "nacreous-file",
         "nacreous-scaling",
     },

@@ -66,7 +66,7 @@ def failing(measurements: list[Measurement]) -> set[int]:
 
 
 def changed(picture: Image, **parts: np.ndarray) -> Image:
-    return dataclasses.replace(picture, layers={**picture.layers, **parts})
+    return Image(picture.linear, {**picture.layers, **parts}, picture.recipe)
 
 
 # --- what a criterion is

@@ -1,6 +1,7 @@
 //! Everything a pearl stands in and mirrors, and the light that falls there.
 
 pub(crate) mod environment;
+pub(crate) mod ground;
 pub(crate) mod incident;
 pub(crate) mod irradiance;
 pub(crate) mod lamp;

@@ -26,7 +26,7 @@ fn changes() -> Vec<(&'static str, Value)> {
         ("/pearls/0/shininess", json!(0.4)),
         ("/pearls/0/grain", json!(0.9)),
         ("/pearls/0/body/pigment", json!("gold")),
-        ("/pearls/0/nacre/harvest", json!("11-20")),
+        ("/pearls/0/nacre/harvest", json!("2024-11-20")),
         ("/pearls/0/diameter_mm", json!(7.0)),
         ("/scene/camera/azimuth_deg", json!(30.0)),
         ("/scene/camera/exposure", json!(0.5)),

@@ -6,19 +6,10 @@
 use glam::DVec3;
 
 use crate::{
-    rgb::{self, Rgb},
-    surroundings::{lit::Lit, table::Table, viewpoint::Viewpoint},
+    rgb::Rgb,
+    surroundings::{ground::Seen, lit::Lit, viewpoint::Viewpoint},
     view::ray::Ray,
 };
-
-/// What a ray meets.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seen {
-    /// Linear RGB.
-    pub radiance: Rgb,
-    /// How far off it is; infinite for the sky, and for windows, whose light does not fade.
-    pub distance_mm: f64,
-}
 
 impl Lit {
     /// What `ray` meets, the pearl `from` left out that it comes from. `spread_rad` is the angle that
@@ -52,64 +43,11 @@ impl Lit {
     pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
         Viewpoint::new(self, &self.windows, ray.from, None).scenery(ray.along, spread_rad)
     }
-
-    /// What `ray` meets of table, walls and sky.
-    pub(crate) fn ground(&self, ray: &Ray, spread_rad: f64) -> Seen {
-        let table = self
-            .table
-            .as_ref()
-            .and_then(|table| Some((table, distance_down(ray, self.table_y_mm)?)));
-        let wall = self.walls.and_then(|walls| {
-            let (distance_mm, inward) = walls.ahead(ray, self.table_y_mm)?;
-            Some((walls.colour, distance_mm, inward))
-        });
-        match (table, wall) {
-            (Some((table, distance_mm)), wall)
-                if wall.is_none_or(|(_, wall_mm, _)| distance_mm < wall_mm) =>
-            {
-                let radiance = self.table_radiance(table, ray, distance_mm, spread_rad);
-                Seen { radiance, distance_mm }
-            }
-            (_, Some((colour, distance_mm, inward))) => {
-                let point = ray.from + ray.along * distance_mm;
-                Seen {
-                    radiance: rgb::times(colour, self.light_of_wall(point, inward)),
-                    distance_mm,
-                }
-            }
-            _ => Seen {
-                radiance: self.sky.radiance(ray.along, spread_rad),
-                distance_mm: f64::INFINITY,
-            },
-        }
-    }
-
-    /// Radiance far away in a direction, which distant things fade into.
-    pub fn backdrop(&self, along: DVec3, spread_rad: f64) -> Rgb {
-        self.sky.radiance(DVec3::new(along.x, along.y.max(0.0), along.z), spread_rad)
-    }
-
-    fn table_radiance(&self, table: &Table, ray: &Ray, distance_mm: f64, spread_rad: f64) -> Rgb {
-        let point = ray.from + ray.along * distance_mm;
-        let footprint_mm = distance_mm.min(FOOTPRINT_LIMIT_MM) * spread_rad;
-        let albedo = table.albedo(point.x, point.z, footprint_mm, -ray.along.y);
-        rgb::times(albedo, self.light_on_table(point))
-    }
 }
 
 /// Between points of a window, and how finely each is looked at; by eye **(ours)**.
 const WINDOW_RAD: f64 = 0.05;
 const FINE_RAD: f64 = 1e-6;
-
-/// Beyond this a flat table is one colour; it keeps a ray along the horizon finite.
-const FOOTPRINT_LIMIT_MM: f64 = 1e6;
-
-/// Distance along `ray` to the plane y = `height_mm`, if it goes down to it.
-fn distance_down(ray: &Ray, height_mm: f64) -> Option<f64> {
-    let distance_mm = (height_mm - ray.from.y) / ray.along.y;
-    (ray.along.y < 0.0 && distance_mm > 0.0 && distance_mm < FOOTPRINT_LIMIT_MM)
-        .then_some(distance_mm)
-}
 
 #[cfg(test)]
 mod tests {
@@ -117,7 +55,7 @@ mod tests {
     use crate::{
         light::glow::Glow,
         shape::ball::Ball,
-        surroundings::{environment::Surroundings, sky::Sky},
+        surroundings::{environment::Surroundings, sky::Sky, table::Table},
     };
 
     const WHITE: Option<Table> = Some(Table::Plain([1.0; 3]));

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::{lit::Lit, pane::Pane, seen::Seen, window::Window},
+    surroundings::{ground::Seen, lit::Lit, pane::Pane, window::Window},
     view::ray::Ray,
 };
 

@@ -51,17 +51,19 @@ impl Calendar {
     }
 }
 
-/// Length of `MM-DD`.
+/// Lengths of `MM-DD` and `YYYY-MM-DD`.
 const MONTH_DAY: usize = 5;
+const YEAR_MONTH_DAY: usize = 10;
 
 /// `YYYY-MM-DD`, or `MM-DD` of a year.
 fn date(key: &str, text: &str, year: i32) -> Result<Date, RenderError> {
     let parsed = || {
         let (year, day) = match text.len() {
             MONTH_DAY => (year, text),
-            _ => (text.get(..4)?.parse().ok()?, text.get(4..)?.strip_prefix('-')?),
+            YEAR_MONTH_DAY => (text.get(..4)?.parse().ok()?, text.get(4..)?.strip_prefix('-')?),
+            _ => return None,
         };
-        let (month, day) = day.split_once('-')?;
+        let (month, day) = (day.get(..2)?, day.get(2..)?.strip_prefix('-')?);
         let month = Month::try_from(month.parse::<u8>().ok()?).ok()?;
         Date::from_calendar_date(year, month, day.parse().ok()?).ok()
     };
