@@ -27,5 +27,5 @@ def test_a_former_name_leads_to_the_present_one_and_warns_its_user(module, forme
 
 @pytest.mark.parametrize("module", sorted({module for module, _, _ in FORMER}))
 def test_an_unknown_name_is_none(module):
-    with pytest.raises(AttributeError, match="attribute '?unknown'?"):
+    with pytest.raises(AttributeError, match=r"attribute '?unknown'?"):
         _ = import_module(module).unknown

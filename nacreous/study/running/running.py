@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from concurrent.futures import Future
-from typing import Any
 
 from nacreous.problem import InputError
 from nacreous.study.design import Frozen
