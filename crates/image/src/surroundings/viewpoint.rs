@@ -45,6 +45,9 @@ impl<'a> Viewpoint<'a> {
 
     /// What a ray along a direction meets; `spread_rad` is the angle that it stands for.
     pub(crate) fn seen(&self, along: DVec3, spread_rad: f64) -> Seen {
+        if self.surroundings.balls.len() == usize::from(self.on.is_some()) {
+            return self.scenery(along, spread_rad);
+        }
         let ray = Ray { from: self.point, along };
         let (neighbours, balls) = (&self.surroundings.neighbours, &self.surroundings.balls);
         // Nothing is seen behind a ball that fills the cone.
