@@ -195,7 +195,7 @@ def recipe_json(
 def field_mm(
     pearl: Given | Sequence[Given] = "paper", scene: str | Path | Scene = "paper"
 ) -> float:
-    """Width of the view at the scene's origin in mm: the camera's own, or one that shows all pearls.
+    """Width of the view at the scene's origin in mm: camera.field_mm, or one that shows all pearls.
 
     Arguments, and `InputError`, as for `render`.
 

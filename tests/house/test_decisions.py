@@ -78,7 +78,7 @@ def left_open() -> set[str]:
 
 
 def test_python_resolves_no_key_that_was_left_open() -> None:
-    """Outside nacreous/spec nobody reads such a key, so nobody there can put a value in its place."""
+    """Outside nacreous/spec nobody reads such a key, and nobody can put a value in its place."""
     keys = left_open()
     assert {"pitch_mm", "outer_um", "mixing", "facet_spread_rad", "distance_mm"} <= keys
     reading = {

@@ -23,7 +23,7 @@ NEVER = {
 
 
 def at_load(body: list[ast.stmt]) -> Iterator[int]:
-    """The lines of imports that run when a module is loaded: none in functions or for types alone."""
+    """The lines of imports that run at load: none in functions, none for types alone."""
     for statement in body:
         match statement:
             case ast.Import() | ast.ImportFrom():
