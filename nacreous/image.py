@@ -200,7 +200,7 @@ def field_mm(
     Arguments, and `InputError`, as for `render`.
 
     >>> field_mm("paper", "paper")
-    12.0
+    11.5
     """
     return _core.field_mm(recipe_json(pearl, scene, 1, 1))
 

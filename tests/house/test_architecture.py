@@ -1,4 +1,4 @@
-"""ARCHITECTURE.md is true: its paths are there, its names are defined there, and no room is missing."""
+"""ARCHITECTURE.md is true: its paths exist, its names are defined there, no room is missing."""
 
 from __future__ import annotations
 
