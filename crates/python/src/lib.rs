@@ -1,4 +1,4 @@
-//! The door to Python: converts types and errors, decides nothing.
+//! The bindings for Python: they convert types and errors, and decide nothing.
 #![allow(clippy::needless_pass_by_value)] // arrays from Python are handed over
 #![allow(clippy::elidable_lifetime_names)] // 'py, named as in all of PyO3's documentation
 
