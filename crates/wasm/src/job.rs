@@ -20,7 +20,7 @@ impl Job {
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "RecipeJson")] recipe: &str,
-        #[wasm_bindgen(unchecked_param_type = "Resources | undefined")] resources: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Resources")] resources: JsValue,
     ) -> Result<Self, JsError> {
         let recipe = Recipe::from_json(recipe).map_err(refused)?;
         let resources = resources_of(&resources)?;
@@ -33,7 +33,7 @@ impl Job {
     pub fn change(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "RecipeJson")] recipe: &str,
-        #[wasm_bindgen(unchecked_param_type = "Resources | undefined")] resources: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Resources")] resources: JsValue,
     ) -> Result<(), JsError> {
         let recipe = Recipe::from_json(recipe).map_err(refused)?;
         let resources = match resources.is_undefined() {
