@@ -138,6 +138,7 @@ pages: _node-tools
 # Make the pages' types of the wire, of pearl and of scene files again from their schemas
 [group("build")]
 types: _node-tools setup
+    python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
     python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
