@@ -211,9 +211,9 @@ mod tests {
         let mut job = Job::new(recipe(&[]), Resources::default()).unwrap();
         let mut look = |job: &mut Job| {
             job.view(&progress).unwrap();
-            let (_, scene) = job.lit_scene(&progress).unwrap().unwrap();
+            let (scene_key, scene) = job.lit_scene(&progress).unwrap().unwrap();
             let make = |_: &ReflectionsKey| Err("made anew");
-            let arrangement = job.arrangement.clone();
+            let (arrangement, size_px) = (job.arrangement.clone(), job.recipe.size);
             let key = ReflectionsKey { scene: scene_key, arrangement, size_px };
             (scene, job.reflections.one(key, make).unwrap().unwrap())
         };
