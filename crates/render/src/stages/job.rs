@@ -209,7 +209,7 @@ mod tests {
     fn kept(changes: &[(&str, Value)]) -> (bool, bool) {
         let progress = Progress::default();
         let mut job = Job::new(recipe(&[]), Resources::default()).unwrap();
-        let mut look = |job: &mut Job| {
+        let look = |job: &mut Job| {
             job.view(&progress).unwrap();
             let (scene_key, scene) = job.lit_scene(&progress).unwrap().unwrap();
             let make = |_: &ReflectionsKey| Err("made anew");
@@ -232,7 +232,7 @@ mod tests {
             ("/pearls/0/texture/seed", json!(5)),
             ("/scene/name", json!("other")),
         ] {
-            assert!(kept(&[change.clone()]).0, "{change:?}");
+            assert!(kept(std::slice::from_ref(&change)).0, "{change:?}");
         }
         assert_eq!(kept(&[("/scene/camera/azimuth_deg", json!(9.0))]), (true, false));
         assert_eq!(kept(&[("/size", json!(32))]), (true, false));
@@ -246,7 +246,7 @@ mod tests {
             ("/scene/windows/0/luminance", json!(3.0)),
             ("/scene/table/colour", json!("#ff0000")),
         ] {
-            assert_eq!(kept(&[change.clone()]), (false, false), "{change:?}");
+            assert_eq!(kept(std::slice::from_ref(&change)), (false, false), "{change:?}");
         }
     }
 }
