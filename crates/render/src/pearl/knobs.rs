@@ -8,8 +8,9 @@ use crate::spec::pearl::{PearlSpec, TransportSpec};
 ///
 /// ```
 /// use nacreous_render::{resolved_of, spec::Recipe};
-/// # let json = include_str!("../../../../tests/golden/recipes/akoya-rg-north-window-white.json");
-/// let recipe = Recipe::from_json(json)?;
+/// # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/recipes");
+/// # let text = std::fs::read_to_string(format!("{folder}/akoya-rg-north-window-white.json")).unwrap();
+/// let recipe = Recipe::from_json(&text)?;
 /// assert!(resolved_of(&recipe.pearls[0]).iter().any(|(key, value)| *key == "film.outer_um" && *value > 36.0));
 /// # Ok::<(), nacreous_render::RenderError>(())
 /// ```
