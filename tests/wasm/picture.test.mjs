@@ -135,8 +135,8 @@ test("layers as they grew are those of the stack, the other way round", () => {
   assert.deepEqual([...thicknessNm].reverse(), [...Stack.ofNacre(nacre).thicknessNm]);
 });
 
-test("a film of one column, through all layers, is the exact stack", () => {
-  const film = { columns: 1, column_spread_nm: 0, outer_um: 500 };
+test("a film of columns all alike, through all layers, is the exact stack", () => {
+  const film = { columns: 2, column_spread_nm: 0, outer_um: 500 };
   const thickness_nm = Array.from({ length: 60 }, (_, i) => 380 + ((i * 37) % 51));
   const nacre = { protein_nm: 20, aragonite: 1.53, protein: 1.43, thickness_nm };
   const [pearl] = recipe(AKOYA, { "pearls.0.film": film, "pearls.0.nacre": nacre }).pearls;
@@ -200,6 +200,9 @@ test("what cannot be is refused in one line, and the job goes on", () => {
   const refusals = [
     [() => job.change("{"), "recipe: EOF while parsing"],
     [() => job.change(text("paper-paper", { sise: 1 })), "recipe: unknown field `sise`"],
+    [changed({ "pearls.0.diameter_mm": -1 }), "pearls.0.diameter_mm is -1; allowed: 1 to 30 mm"],
+    [() => resolvedKeys(JSON.stringify({ ...recipe().pearls[0], depth: 2 })), "pearl.depth is 2; allowed: 0 to 1"],
+    [() => Stack.ofNacre(JSON.stringify({ ...listed, protein_nm: -1 })), "nacre.protein_nm is -1; allowed: 0 to 200 nm"],
     [changed({ size: 0 }), "size is 0; allowed: a whole number from 1 to 8192"],
     [changed({ samples: 15 }), "samples is 15; allowed: a square number from 1 to 1024"],
     [made({ spectra: { "a.csv": new Float64Array(3) } }), "spectrum has 3 samples; allowed: 401"],

@@ -2,10 +2,7 @@
 
 use js_sys::Float64Array;
 use nacreous_nacre::{Index, LayerStack, Medium};
-use nacreous_render::{
-    spec::{from_json, nacre::NacreSpec},
-    stack_of,
-};
+use nacreous_render::{spec::nacre::NacreSpec, stack_of};
 use wasm_bindgen::prelude::*;
 
 use crate::refused;
@@ -50,7 +47,7 @@ impl Stack {
     pub fn of_nacre(
         #[wasm_bindgen(unchecked_param_type = "NacreJson")] nacre: &str,
     ) -> Result<Self, JsError> {
-        let nacre: NacreSpec = from_json(nacre).map_err(refused)?;
+        let nacre = NacreSpec::from_json(nacre).map_err(refused)?;
         stack_of(&nacre).map(Self).map_err(refused)
     }
 

@@ -4,7 +4,6 @@ use js_sys::{Array, Float64Array, Object, Uint32Array};
 use nacreous_render::{
     diary_of, film_spectra, resolved_of,
     spec::{
-        from_json,
         nacre::NacreSpec,
         pearl::{PearlSpec, TransportSpec},
     },
@@ -39,7 +38,7 @@ export interface Growth {
 pub fn grow(
     #[wasm_bindgen(unchecked_param_type = "NacreJson")] nacre: &str,
 ) -> Result<Object, JsValue> {
-    let NacreSpec::Growth(growth) = from_json(nacre).map_err(refused)? else {
+    let NacreSpec::Growth(growth) = NacreSpec::from_json(nacre).map_err(refused)? else {
         return Err(refused("nacre.thickness_nm lists the layers; allowed here: growth").into());
     };
     let diary = diary_of(&growth, growth.seed).map_err(refused)?;
@@ -72,13 +71,13 @@ pub fn film_spectra_of(
 pub fn resolved_keys(
     #[wasm_bindgen(unchecked_param_type = "PearlJson")] pearl: &str,
 ) -> Result<Object, JsValue> {
-    let pearl: PearlSpec = from_json(pearl).map_err(refused)?;
+    let pearl = PearlSpec::from_json(pearl).map_err(refused)?;
     let keys = resolved_of(&pearl);
     object(&keys.iter().map(|(key, value)| (*key, (*value).into())).collect::<Vec<_>>())
 }
 
 fn transport(pearl: &str) -> Result<TransportSpec, JsError> {
-    match from_json(pearl).map_err(refused)? {
+    match PearlSpec::from_json(pearl).map_err(refused)? {
         PearlSpec::Transport(pearl) => Ok(*pearl),
         PearlSpec::Illuminant(_) => {
             Err(refused("model is \"illuminant\"; allowed here: \"transport\""))
