@@ -102,6 +102,8 @@ bench: setup
 bench-wasm: _wasm-tools
     cargo xtask wasm
     node benchmarks/optics.mjs
+    cargo bench --quiet --package nacreous-render --no-default-features --bench picture > target/picture.csv
+    node benchmarks/picture.mjs target/picture.csv
 
 # Prepare .venv and build the compiled rooms and the pages into it; at once when nothing changed
 [group("build")]
