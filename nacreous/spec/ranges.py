@@ -77,9 +77,7 @@ def _below(
         bounds = ("minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum")
         yield Range(path, "number", *(node.get(bound) for bound in bounds), allowed)
     if node.get("type") == "array":
-        yield Range(
-            path, "length", node.get("minItems"), None, node.get("maxItems"), None, allowed
-        )
+        yield Range(path, "length", node.get("minItems"), None, node.get("maxItems"), None, allowed)
         for place, item in enumerate(node.get("prefixItems", ())):
             yield from _below(item, f"{path}[{place}]", allowed, definitions)
         if "items" in node:
