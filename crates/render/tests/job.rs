@@ -1,5 +1,6 @@
 //! A job that is kept and asked again gives what a new one would, and works out only what changed.
 
+#[allow(dead_code)] // each file of tests takes what it needs
 mod common;
 
 use std::sync::atomic::Ordering;

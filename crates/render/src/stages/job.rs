@@ -187,3 +187,66 @@ fn checked(recipe: &Recipe) -> Result<(Arrangement, usize), RenderError> {
     }
     Ok((Arrangement::new(recipe)?, samples_side))
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    fn recipe(changes: &[(&str, Value)]) -> Recipe {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/recipes");
+        let path = format!("{folder}/akoya-rg-north-window-white.json");
+        let text = std::fs::read_to_string(path).expect("a golden recipe");
+        let mut value: Value = serde_json::from_str(&text).expect("JSON");
+        for (place, new) in changes {
+            *value.pointer_mut(place).expect("a key") = new.clone();
+        }
+        Recipe::from_json(&value.to_string()).expect("a recipe")
+    }
+
+    /// Whether the light around, and the reflections that the eye sees, are kept through a change.
+    fn kept(changes: &[(&str, Value)]) -> (bool, bool) {
+        let progress = Progress::default();
+        let mut job = Job::new(recipe(&[]), Resources::default()).unwrap();
+        let look = |job: &mut Job| {
+            job.view(&progress).unwrap();
+            let (scene_key, scene) = job.lit_scene(&progress).unwrap().unwrap();
+            let make = |_: &ReflectionsKey| Err("made anew");
+            let (arrangement, size_px) = (job.arrangement.clone(), job.recipe.size);
+            let key = ReflectionsKey { scene: scene_key, arrangement, size_px };
+            (scene, job.reflections.one(key, make).unwrap().unwrap())
+        };
+        let before = look(&mut job);
+        job.change(recipe(changes), Resources::default()).unwrap();
+        let after = look(&mut job);
+        (Arc::ptr_eq(&before.0, &after.0), Arc::ptr_eq(&before.1, &after.1))
+    }
+
+    #[test]
+    fn what_only_the_eye_sees_relights_nothing() {
+        for change in [
+            ("/scene/camera/exposure", json!(0.5)),
+            ("/scene/camera/glare", json!(0.1)),
+            ("/pearls/0/grain", json!(0.9)),
+            ("/pearls/0/texture/seed", json!(5)),
+            ("/scene/name", json!("other")),
+        ] {
+            assert!(kept(std::slice::from_ref(&change)).0, "{change:?}");
+        }
+        assert_eq!(kept(&[("/scene/camera/azimuth_deg", json!(9.0))]), (true, false));
+        assert_eq!(kept(&[("/size", json!(32))]), (true, false));
+    }
+
+    #[test]
+    fn what_sends_other_light_relights_all() {
+        for change in [
+            ("/pearls/0/depth", json!(0.2)),
+            ("/pearls/0/body/pigment", json!("gold")),
+            ("/scene/windows/0/luminance", json!(3.0)),
+            ("/scene/table/colour", json!("#ff0000")),
+        ] {
+            assert_eq!(kept(std::slice::from_ref(&change)), (false, false), "{change:?}");
+        }
+    }
+}
