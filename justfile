@@ -145,9 +145,10 @@ types: _node-tools setup
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
 [group("build")]
-wasm: _rust-tools _wasm-tools
+wasm: _rust-tools _wasm-tools setup
     cargo xtask wasm
-    node --test --test-reporter=spec tests/wasm.test.mjs
+    python -m tests.wasm.native target/wasm-native
+    node --test --test-reporter=spec tests/wasm/*.test.mjs
     cargo fmt --manifest-path xtask/Cargo.toml --check
     cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings
     cargo clippy --manifest-path xtask/Cargo.toml --target-dir target/xtask -- -D warnings

@@ -34,7 +34,13 @@ MAY_KNOW = {
         "nacreous-file",
         "nacreous-scaling",
     },
-    "nacreous-wasm": {"nacreous-nacre", "nacreous-optics"},
+    "nacreous-wasm": {
+        "nacreous-nacre",
+        "nacreous-optics",
+        "nacreous-colour",
+        "nacreous-image",
+        "nacreous-render",
+    },
 }
 
 
