@@ -130,7 +130,7 @@ impl Job {
         let surroundings = Arc::clone(&scene.surroundings);
         let counts = (size_px, self.samples_side);
         let sampler = Sampler::new(pearls, surroundings, camera, counts, reflections);
-        let look = Look::new(&self.recipe.scene.camera, self.arrangement.field_mm(), size_px);
+        let look = Look::new(&self.recipe.scene, self.arrangement.field_mm(), size_px);
         Ok(Some(View::new(Arc::new(sampler), look, size_px)))
     }
 
