@@ -25,7 +25,42 @@ pub struct Resources {
     pub grains: BTreeMap<usize, GrainSpectrum>,
 }
 
+/// The most numbers of a panorama's pixels, as for a file of one.
+const MOST_NUMBERS: usize = 3 << 26;
+
 impl Resources {
+    /// Adds a panorama, linear RGB row by row from the zenith down; what is below zero becomes zero.
+    ///
+    /// # Errors
+    /// [`RenderError::OutOfRange`] for a picture without pixels, too large or of another size than said, and
+    /// for values that are not finite.
+    pub fn add_panorama(
+        &mut self,
+        name: &str,
+        (width, height): (usize, usize),
+        rgb: &[f32],
+    ) -> Result<(), RenderError> {
+        let numbers = width.saturating_mul(height).saturating_mul(3);
+        if !(1..=MOST_NUMBERS).contains(&numbers) || rgb.len() != numbers {
+            let given = format!("{} numbers for {width} x {height} pixels", rgb.len());
+            let allowed = format!("three numbers a pixel, 3 to {MOST_NUMBERS}");
+            return Err(RenderError::OutOfRange {
+                quantity: format!("panorama {name}"),
+                value: given,
+                allowed,
+            });
+        }
+        if let Some(value) = rgb.iter().find(|value| !value.is_finite()) {
+            let quantity = format!("panorama {name}: a value");
+            return Err(RenderError::out_of_range(quantity, value, "finite numbers"));
+        }
+        let (pixels, _) = rgb.as_chunks::<3>();
+        let pixels = pixels.iter().map(|pixel| pixel.map(|channel| channel.max(0.0))).collect();
+        let panorama = Arc::new(Panorama::new(width, height, pixels));
+        self.panoramas.insert(name.to_owned(), panorama);
+        Ok(())
+    }
+
     /// A light by its name, or by the file that was read.
     pub(crate) fn light(&self, name: &str) -> Result<Spectrum, RenderError> {
         match self.spectra.get(name) {

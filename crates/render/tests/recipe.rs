@@ -1,5 +1,6 @@
 //! What a recipe may say, and what is refused.
 
+#[allow(dead_code)] // each file of tests takes what it needs
 mod common;
 
 use nacreous_render::{Job, Needs, Resources, spec::Recipe};

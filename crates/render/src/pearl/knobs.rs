@@ -7,10 +7,11 @@ use crate::spec::pearl::{PearlSpec, TransportSpec};
 /// What each key of a pearl that may be left open for the knobs comes to, by the key's path in a file.
 ///
 /// ```
-/// use nacreous_render::{resolved_of, spec::{from_json, pearl::PearlSpec}};
-/// # let text = include_str!("../../tests/akoya-rg.json");
-/// let pearl: PearlSpec = from_json(text)?;
-/// assert!(resolved_of(&pearl).iter().any(|(key, value)| *key == "film.outer_um" && *value > 36.0));
+/// use nacreous_render::{resolved_of, spec::Recipe};
+/// # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/recipes");
+/// # let text = std::fs::read_to_string(format!("{folder}/akoya-rg-north-window-white.json")).unwrap();
+/// let recipe = Recipe::from_json(&text)?;
+/// assert!(resolved_of(&recipe.pearls[0]).iter().any(|(key, value)| *key == "film.outer_um" && *value > 36.0));
 /// # Ok::<(), nacreous_render::RenderError>(())
 /// ```
 pub fn resolved_of(pearl: &PearlSpec) -> Vec<(&'static str, f64)> {
