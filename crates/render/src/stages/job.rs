@@ -234,7 +234,7 @@ mod tests {
         let mut job = Job::new(recipe(&[]), Resources::default()).unwrap();
         let look = |job: &mut Job| {
             job.view(&progress).unwrap();
-            let (scene_key, scene) = job.lit_scene(&progress).unwrap().unwrap();
+            let (scene_key, scene) = job.lit_scene(&Work::whole(&progress)).unwrap().unwrap();
             let make = |_: &ReflectionsKey| Err("made anew");
             let (arrangement, size_px) = (job.arrangement.clone(), job.recipe.size);
             let key = ReflectionsKey { scene: scene_key, arrangement, size_px };
