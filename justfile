@@ -150,6 +150,7 @@ types: _node-tools setup
 wasm: _rust-tools _wasm-tools setup
     cargo xtask wasm
     python -m tests.wasm.native target/wasm-native
+    nacreous presets --json > target/wasm-native/presets.json
     node --test --test-reporter=spec tests/wasm/*.test.mjs
     cargo fmt --manifest-path xtask/Cargo.toml --check
     cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings

@@ -3,7 +3,9 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 
@@ -243,5 +245,23 @@ test("the bundle carries no codec, no threads and no source of chance", () => {
   assert.ok(names.has("nacreous-render"));
   for (const name of ["rayon", "getrandom", "png", "exr", "image", "moxcms", "nacreous-file"]) {
     assert.ok(!names.has(name), name);
+  }
+});
+
+test("the example in docs/browser.md runs as shown", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "nacreous-"));
+  try {
+    const [, example] = readFileSync(near("../../docs/browser.md"), "utf8").match(/```js\n(.*?)```/s);
+    for (const file of ["nacreous.js", "nacreous_bg.wasm"]) {
+      copyFileSync(near(`../../target/wasm/${file}`), join(folder, file));
+    }
+    copyFileSync(near("../../target/wasm-native/presets.json"), join(folder, "presets.json"));
+    writeFileSync(join(folder, "example.mjs"), example);
+    execFileSync(process.execPath, ["example.mjs"], { cwd: folder, stdio: "pipe" });
+    const picture = readFileSync(join(folder, "pearl.ppm"));
+    assert.equal(picture.length, "P6 64 64 255\n".length + 3 * 64 * 64);
+    assert.ok(new Set(picture).size > 50);
+  } finally {
+    rmSync(folder, { recursive: true });
   }
 });

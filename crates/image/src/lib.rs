@@ -47,7 +47,7 @@ pub use progress::Progress;
 pub use rgb::Rgb;
 pub use shape::ball::{Ball, Hit};
 pub use surface::coating::Surface;
-pub use surface::film::Film;
+pub use surface::film::{Film, FilmDraft};
 pub use surface::microfacets::{Glint, Microfacets};
 pub use surface::sampling::{Facet, FacetSample, FacetsSeen};
 pub use surface::torrance_sparrow::TorranceSparrow;

@@ -1,9 +1,9 @@
 //! First stage: what each pearl does with light, the same in all its places.
 
-use std::sync::Arc;
+use std::{cell::RefCell, sync::Arc};
 
 use nacreous_image::{
-    Film, Grain, Microfacets, Response, Rgb, Rings, Surface, TorranceSparrow,
+    Film, FilmDraft, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface, TorranceSparrow,
     grain::texture::Texture,
 };
 use nacreous_optics::IlluminantModel;
@@ -89,6 +89,8 @@ struct RingsKey {
 #[derive(Debug, Default)]
 pub(crate) struct OpticsStage {
     films: Kept<FilmKey, Film>,
+    /// The film that is being made, where work ended amid it.
+    begun: RefCell<Option<(FilmKey, FilmDraft)>>,
     surfaces: Kept<SurfaceKey, Surface>,
     responses: Kept<ResponseKey, Response>,
     rings: Kept<RingsKey, Rings>,
@@ -201,11 +203,24 @@ impl OpticsStage {
         keys: &[SurfaceKey],
         work: &Work<'_>,
     ) -> Result<Option<Vec<Arc<Surface>>>, RenderError> {
+        let begun = &self.begun;
         let film = |key: &FilmKey| {
-            work.piece(|progress| {
-                let columns = columns_of(&key.nacre, &key.film, key.outer_um)?;
-                Ok::<_, RenderError>(Film::new(&columns, progress.stop_flag())?)
-            })
+            let before = begun.take().filter(|(known, _)| known == key).map(|(_, draft)| draft);
+            let mut draft = match before {
+                Some(draft) => draft,
+                None => FilmDraft::new(columns_of(&key.nacre, &key.film, key.outer_um)?),
+            };
+            loop {
+                let add = |progress: &Progress| draft.add(work.film_angles, progress.stop_flag());
+                match work.piece(add)? {
+                    Some(true) => return Ok::<_, RenderError>(Some(draft.film()?)),
+                    Some(false) => {}
+                    None => {
+                        begun.replace(Some((key.clone(), draft)));
+                        return Ok(None);
+                    }
+                }
+            }
         };
         let film_keys = keys.iter().map(|key| key.film.clone()).collect();
         let Some(films) = self.films.all(film_keys, film)? else { return Ok(None) };
