@@ -11,7 +11,7 @@ use nacreous_file::{
 use nacreous_image::{
     CHANNELS, PARTS, Panorama, Progress, develop, eight_bit, grain::spectrum::GrainSpectrum,
 };
-use nacreous_render::{Job, RenderError, Resources, light_of, spec::Recipe};
+use nacreous_render::{Arrangement, Job, Needs, RenderError, Resources, light_of, spec::Recipe};
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::prelude::*;
 
@@ -60,6 +60,22 @@ pub fn render<'py>(
     let rendered = watched(py, look_up, || progress.stop(), work)?;
     let pixels = rendered.map_err(refused)?.ok_or_else(broken_off)?;
     Ok(Picture { pixels: Mutex::new(Pixels::Ours(pixels)), size_px })
+}
+
+/// Width of the view of a recipe in JSON.
+#[pyfunction]
+pub fn field_mm(recipe: &str) -> PyResult<f64> {
+    let recipe = Recipe::from_json(recipe).map_err(refused)?;
+    Ok(Arrangement::new(&recipe).map_err(refused)?.field_mm())
+}
+
+/// The files whose contents a recipe in JSON needs: (spectra, panoramas, numbers of the pearls with a
+/// photograph).
+#[pyfunction]
+pub fn files_needed(recipe: &str) -> PyResult<(Vec<String>, Vec<String>, Vec<usize>)> {
+    let needs = Needs::of(&Recipe::from_json(recipe).map_err(refused)?);
+    let photographs = needs.photographs.into_keys().collect();
+    Ok((Vec::from_iter(needs.spectra), Vec::from_iter(needs.panoramas), photographs))
 }
 
 fn resources(

@@ -1,4 +1,4 @@
-//! The door to the browser: converts types and errors, decides nothing.
+//! The bindings for browsers and Node.js: they convert types and errors, and decide nothing.
 //!
 //! Numbers come and go as Float64Array (Float32Array in single precision and of pixels); tables are
 //! `[angle, wavelength]`, flat and row-major. What a room refuses is thrown as an Error with the

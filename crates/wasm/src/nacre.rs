@@ -1,4 +1,4 @@
-//! The door to nacre.
+//! The bindings of nacre.
 
 use js_sys::Float64Array;
 use nacreous_nacre::{Index, LayerStack, Medium};

@@ -130,7 +130,7 @@ impl Job {
         let surroundings = Arc::clone(&scene.surroundings);
         let counts = (size_px, self.samples_side);
         let sampler = Sampler::new(pearls, surroundings, camera, counts, reflections);
-        let look = Look::new(&self.recipe.scene.camera, self.arrangement.field_mm(), size_px);
+        let look = Look::new(&self.recipe.scene, self.arrangement.field_mm(), size_px);
         Ok(Some(View::new(Arc::new(sampler), look, size_px)))
     }
 
@@ -234,7 +234,7 @@ mod tests {
         let mut job = Job::new(recipe(&[]), Resources::default()).unwrap();
         let look = |job: &mut Job| {
             job.view(&progress).unwrap();
-            let (scene_key, scene) = job.lit_scene(&progress).unwrap().unwrap();
+            let (scene_key, scene) = job.lit_scene(&Work::whole(&progress)).unwrap().unwrap();
             let make = |_: &ReflectionsKey| Err("made anew");
             let (arrangement, size_px) = (job.arrangement.clone(), job.recipe.size);
             let key = ReflectionsKey { scene: scene_key, arrangement, size_px };

@@ -24,15 +24,14 @@ impl<K: PartialEq, V> Kept<K, V> {
         let mut found = Vec::with_capacity(keys.len());
         for key in keys {
             let known = used.iter().chain(&self.0).find(|(known, _)| *known == key);
-            let value = match known {
-                Some((_, value)) => value.clone(),
-                None => match make(&key)? {
-                    Some(value) => Arc::new(value),
-                    None => {
-                        self.0.extend(used);
-                        return Ok(None);
-                    }
-                },
+            let value = if let Some((_, value)) = known {
+                value.clone()
+            } else {
+                let Some(value) = make(&key)? else {
+                    self.0.extend(used);
+                    return Ok(None);
+                };
+                Arc::new(value)
             };
             found.push(value.clone());
             if !used.iter().any(|(known, _)| *known == key) {

@@ -4,7 +4,7 @@ use std::{ops::Range, sync::Arc};
 
 use nacreous_image::{CHANNELS, PARTS, Progress, Sampler, spread_glare};
 
-use crate::spec::scene::CameraSpec;
+use crate::spec::scene::SceneSpec;
 
 /// A scene before the camera, ready for any row.
 #[derive(Debug, Clone)]
@@ -24,7 +24,8 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    pub(crate) fn new(camera: &CameraSpec, field_mm: f64, size_px: usize) -> Self {
+    pub(crate) fn new(scene: &SceneSpec, field_mm: f64, size_px: usize) -> Self {
+        let camera = &scene.camera;
         let glare_mm = camera.distance_mm * libm::tan(camera.glare_deg.to_radians());
         let glare_px = glare_mm / field_mm * size_px as f64;
         Self { exposure: camera.exposure as f32, glare: camera.glare, glare_px }
