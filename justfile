@@ -69,15 +69,17 @@ check: _rust-tools setup
     echo nacreous._core.__all__ | stubtest nacreous._core --allowlist /dev/stdin
     lint-imports --no-logo
 
-# Run the tests of optics as on other processors, by Debian's qemu-user and gcc-aarch64-linux-gnu
+# Run the tests of optics, and the fingerprints, as on other processors, by Debian's qemu-user and gcc-aarch64-linux-gnu
 [group("trust")]
 [script]
 test-processors:
     tests="cargo test --release --package nacreous-optics --lib --tests"
+    pictures="cargo test --release --package nacreous-render --test fingerprint"
     for processor in Nehalem Haswell; do # without and with AVX2; neither has AVX-512
         echo "As on $processor"
-        CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="qemu-x86_64 -cpu $processor" \
-            $tests --target x86_64-unknown-linux-gnu
+        export CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="qemu-x86_64 -cpu $processor"
+        $tests --target x86_64-unknown-linux-gnu
+        $pictures --target x86_64-unknown-linux-gnu
     done
     echo "As on AArch64 (rustup target add aarch64-unknown-linux-gnu)"
     CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc \
@@ -100,6 +102,8 @@ bench: setup
 bench-wasm: _wasm-tools
     cargo xtask wasm
     node benchmarks/optics.mjs
+    cargo bench --quiet --package nacreous-render --no-default-features --bench picture > target/picture.csv
+    node benchmarks/picture.mjs target/picture.csv
 
 # Prepare .venv and build the compiled rooms and the pages into it; at once when nothing changed
 [group("build")]
@@ -138,13 +142,16 @@ pages: _node-tools
 # Make the pages' types of the wire, of pearl and of scene files again from their schemas
 [group("build")]
 types: _node-tools setup
+    python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
     python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
 [group("build")]
-wasm: _rust-tools _wasm-tools
+wasm: _rust-tools _wasm-tools setup
     cargo xtask wasm
-    node --test --test-reporter=spec tests/wasm.test.mjs
+    python -m tests.wasm.native target/wasm-native
+    nacreous presets --json > target/wasm-native/presets.json
+    node --test --test-reporter=spec tests/wasm/*.test.mjs
     cargo fmt --manifest-path xtask/Cargo.toml --check
     cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings
     cargo clippy --manifest-path xtask/Cargo.toml --target-dir target/xtask -- -D warnings

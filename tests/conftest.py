@@ -53,5 +53,5 @@ def service(app: FastAPI) -> Service:
 @pytest.fixture
 def server(app: FastAPI) -> Iterator[httpx.Client]:
     """A client of its server, which runs on a thread of this process."""
-    with in_thread(app) as url, httpx.Client(base_url=url, verify=False) as client:
+    with in_thread(app) as url, httpx.Client(base_url=url, verify=False, timeout=60) as client:
         yield client

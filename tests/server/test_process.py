@@ -39,7 +39,7 @@ def test_it_says_where_it_serves_and_stops_at_ctrl_c(folder: Path, place: str) -
     with served(folder, place=place) as server:
         assert f"{folder}: serving at {server.url}/" in server.lines
         assert f"{folder}: experimenters: {server.url}/lab" in server.lines
-        with httpx.Client(base_url=server.url) as client:
+        with httpx.Client(base_url=server.url, timeout=60) as client:
             assert Person.consented(client).answer(0).status_code == 200
             assert "server" not in client.get("/").headers
         assert server.stop() == 0
@@ -49,12 +49,18 @@ def test_it_says_where_it_serves_and_stops_at_ctrl_c(folder: Path, place: str) -
 
 
 def test_nothing_acknowledged_is_lost_when_it_is_killed(folder: Path, place: str) -> None:
-    with served(folder, place=place) as server, httpx.Client(base_url=server.url) as client:
+    with (
+        served(folder, place=place) as server,
+        httpx.Client(base_url=server.url, timeout=60) as client,
+    ):
         person = Person.consented(client)
         receipts = [person.answer(trial).json() for trial in range(3)]
         Experimenter.login(client)
         server.kill()
-    with served(folder, place=place) as server, httpx.Client(base_url=server.url) as client:
+    with (
+        served(folder, place=place) as server,
+        httpx.Client(base_url=server.url, timeout=60) as client,
+    ):
         person = Person(client, person.token)
         assert person.sitting()["answered"] == 3
         assert person.answer(2).json() == {**receipts[2], "again": True}
@@ -63,7 +69,7 @@ def test_nothing_acknowledged_is_lost_when_it_is_killed(folder: Path, place: str
 
 def test_behind_a_proxy_it_goes_by_the_public_address(folder: Path) -> None:
     with served(folder, "--url", "https://pearls.example/") as server:
-        with httpx.Client(base_url=server.url) as client:
+        with httpx.Client(base_url=server.url, timeout=60) as client:
             told = client.post(
                 "/lab/api/login",
                 json={"name": "lab", "password": "correct horse battery staple"},

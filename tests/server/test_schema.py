@@ -51,7 +51,7 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
         pages = some_pages(Path(folder).parent / "pages")
         app = create_app(Running(store, open_frozen(folder)), built=pages)
         url = stack.enter_context(in_thread(app))
-        yield stack.enter_context(httpx.Client(base_url=url))
+        yield stack.enter_context(httpx.Client(base_url=url, timeout=60))
 
 
 @pytest.fixture(scope="module")

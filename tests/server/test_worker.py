@@ -93,7 +93,7 @@ def test_a_process_that_is_killed_is_started_anew(worker: Worker) -> None:
 def test_it_ends_with_the_server(tmp_path: Path, how: str) -> None:
     folder = small_study(tmp_path / "study")
     with served(folder) as server:
-        with httpx.Client(base_url=server.url) as client:
+        with httpx.Client(base_url=server.url, timeout=60) as client:
             Person.consented(client).answer(0)
             lab = Experimenter.login(client)
             assert lab.get("progress").json()["people"][0]["answers"] == 1

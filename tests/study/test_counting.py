@@ -105,7 +105,7 @@ def test_the_four_ways_to_a_scale_agree(
 
     # The lab's page.
     store.set_password(NAME, PASSWORD, "test")
-    with in_thread(create_app(running)) as url, httpx.Client(base_url=url) as client:
+    with in_thread(create_app(running)) as url, httpx.Client(base_url=url, timeout=60) as client:
         page = Experimenter.login(client).get(f"scale?simulated={simulated}".lower()).json()
     assert (page["answers"], page["people"]) == (wanted.total, ROBOTS if simulated else PEOPLE)
     on_page = {one["label"]: one["value"] for one in page["stimuli"]}

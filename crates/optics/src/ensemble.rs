@@ -8,7 +8,8 @@ use crate::{
     OpticsError,
     incidence::{self, Block, Use},
     lanes::LANES,
-    transfer::{TransferModel, table},
+    tablets::{Columns, Tablets},
+    transfer::{Precision, TransferModel, table},
 };
 
 /// R and T over stacks alike in statistics, each on its own: light of different columns is added by
@@ -87,19 +88,25 @@ impl Ensemble {
         let (r, t) = means.split_at_mut(values);
         let (r_squares, t_squares) = squares.split_at_mut(values);
         let tables = [r, t, r_squares, t_squares];
-        let columns = Columns { before: self.columns, stacks };
-        incidence::fill(model, &media, angle_rad, tables, &columns, stop);
+        let alike = stacks.chunk_by(|a, b| a.protein_nm().to_bits() == b.protein_nm().to_bits());
+        let columns = alike.map(|stacks| {
+            let tabulated = model.precision == Precision::Single;
+            Columns { stacks, tablets: tabulated.then(|| Tablets::new(stacks, &media)) }
+        });
+        let means = Means { before: self.columns, columns: columns.collect() };
+        incidence::fill(model, &media, angle_rad, tables, &means, stop);
         self.columns += stacks.len();
         Ok((!stop.load(Ordering::Relaxed)).then_some(self))
     }
 }
 
-struct Columns<'a> {
+struct Means<'a> {
+    /// Columns in the tables so far.
     before: usize,
-    stacks: &'a [LayerStack],
+    columns: Vec<Columns<'a>>,
 }
 
-impl Use<4> for Columns<'_> {
+impl Use<4> for Means<'_> {
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 4]) {
         let lanes = tables[0].len();
         let mut sums = [[0.0; LANES]; 4];
@@ -107,12 +114,7 @@ impl Use<4> for Columns<'_> {
             sum[..lanes].copy_from_slice(table);
         }
         let [r, t, r_squares, t_squares] = &mut sums;
-        let alike =
-            self.stacks.chunk_by(|a, b| a.protein_nm().to_bits() == b.protein_nm().to_bits());
-        let found = alike.flat_map(|stacks| {
-            let met = block.met(stacks[0].protein_nm());
-            stacks.iter().map(move |stack| met.shares(stack))
-        });
+        let found = self.columns.iter().flat_map(|columns| block.each(columns));
         for (column, shares) in found.enumerate() {
             let part = 1.0 / (self.before + column + 1) as f64;
             for (mean, squares, share) in

@@ -11,6 +11,8 @@ use crate::{
     lossless,
     media::{Media, Table},
     real::Real,
+    tablets::{Columns, Tablets},
+    tabulated,
     transfer::{Precision, TransferModel},
     wave::{Plane, Polarisation},
 };
@@ -113,6 +115,36 @@ impl<const N: usize> Block<'_, N> {
         Met { block: self, layers }
     }
 
+    /// R, T and A of each column.
+    pub(crate) fn each(&self, columns: &Columns<'_>) -> Vec<Shares> {
+        let stacks = columns.stacks;
+        match &columns.tablets {
+            Some(tablets) if self.media.is_lossless => self.tabulated(stacks, tablets),
+            _ => {
+                let met = self.met(stacks[0].protein_nm());
+                stacks.iter().map(|stack| met.shares(stack)).collect()
+            }
+        }
+    }
+
+    fn tabulated(&self, stacks: &[LayerStack], tablets: &Tablets) -> Vec<Shares> {
+        let protein_nm = stacks[0].protein_nm();
+        let waves = &self.media.waves;
+        let met = tabulated::Met::new(waves, self.half_turns_per_nm, protein_nm, tablets);
+        let mut each = vec![[[0.0; LANES]; 3]; stacks.len()];
+        for ((stack, column), shares) in stacks.iter().zip(&tablets.columns).zip(&mut each) {
+            if self.lanes > HALF {
+                tabulated::add_shares::<N, LANES>(column, &met, waves, shares);
+            } else {
+                tabulated::add_shares::<N, HALF>(column, &met, waves, shares);
+            }
+            if !is_finite(shares) {
+                *shares = self.met(protein_nm).shares(stack);
+            }
+        }
+        each
+    }
+
     fn lossless<T: Real>(&self, protein_nm: f64) -> lossless::Met<T, N> {
         lossless::Met::new(&self.media.waves, self.half_turns_per_nm, protein_nm)
     }
@@ -158,8 +190,7 @@ impl<const N: usize> Met<'_, N> {
             Layers::Single(met) => {
                 self.add_lossless::<f32, ALIKE>(stack, met, shares);
                 // Media of extreme contrast overflow it; double precision holds what is allowed.
-                let sum = (0..LANES).fold(0.0, |sum, i| sum + shares[0][i] + shares[1][i]);
-                if !sum.is_finite() {
+                if !is_finite(shares) {
                     *shares = [[0.0; LANES]; 3];
                     let met = block.lossless(stack.protein_nm());
                     self.add_lossless::<f64, ALIKE>(stack, &met, shares);
@@ -182,6 +213,12 @@ impl<const N: usize> Met<'_, N> {
             lossless::add_shares::<T, N, ALIKE, HALF>(nm, met, waves, shares);
         }
     }
+}
+
+/// Whether no lane of R and T overflowed.
+fn is_finite(shares: &Shares) -> bool {
+    // Without a way out in the middle, which would keep the lanes apart.
+    (0..LANES).fold(true, |all, i| all & (shares[0][i] + shares[1][i]).is_finite())
 }
 
 /// Lanes of a block that wavelengths end in early; a multiple of every processor's vector length too.

@@ -27,6 +27,8 @@ mod parallel;
 mod phase;
 mod real;
 mod sight;
+mod tablets;
+mod tabulated;
 mod transfer;
 mod turbid;
 mod wave;

@@ -132,23 +132,23 @@ impl<T: Real> Layers<T> {
 
 /// The field (B, C) of one polarisation, C in units of aragonite's admittance, up to a common scale.
 #[derive(Clone, Copy)]
-struct Field<T> {
-    re_b: Lanes<T>,
-    im_b: Lanes<T>,
-    re_c: Lanes<T>,
-    im_c: Lanes<T>,
+pub(crate) struct Field<T> {
+    pub(crate) re_b: Lanes<T>,
+    pub(crate) im_b: Lanes<T>,
+    pub(crate) re_c: Lanes<T>,
+    pub(crate) im_c: Lanes<T>,
 }
 
 impl<T: Real> Field<T> {
     #[inline(always)]
-    fn empty() -> Self {
+    pub(crate) fn empty() -> Self {
         let lanes = [T::default(); LANES];
         Self { re_b: lanes, im_b: lanes, re_c: lanes, im_c: lanes }
     }
 
     /// B = 1, C = the substrate's admittance.
     #[inline(always)]
-    fn start_at_substrate(&mut self, waves: &Waves) {
+    pub(crate) fn start_at_substrate(&mut self, waves: &Waves) {
         for i in 0..LANES {
             self.re_b[i] = T::ONE;
             self.re_c[i] = T::near(waves.substrate_ratio.re[i]);
@@ -158,7 +158,7 @@ impl<T: Real> Field<T> {
 
     /// R and T from the field at the surface, of any scale: the energy that goes in is what T lets out.
     #[inline(always)]
-    fn add_shares<const W: usize>(&self, waves: &Waves, part: f64, shares: &mut Shares) {
+    pub(crate) fn add_shares<const W: usize>(&self, waves: &Waves, part: f64, shares: &mut Shares) {
         for i in 0..W {
             let (re_b, im_b) = (self.re_b[i].wide(), self.im_b[i].wide());
             let (re_c, im_c) = (self.re_c[i].wide(), self.im_c[i].wide());
@@ -178,7 +178,7 @@ impl<T: Real> Field<T> {
 
     /// Brings the field back to size 1. Its scale means nothing, but must not overflow.
     #[inline(always)]
-    fn rescale<const W: usize>(&mut self) {
+    pub(crate) fn rescale<const W: usize>(&mut self) {
         for i in 0..W {
             let size = (self.re_b[i].abs() + self.im_b[i].abs())
                 + (self.re_c[i].abs() + self.im_c[i].abs());

@@ -87,6 +87,16 @@ impl Table {
         })
     }
 
+    /// The most phase that a nm of aragonite gives to any wave.
+    pub(crate) fn most_half_turns_per_nm(&self) -> f64 {
+        let of_block = |(block, half_turns_per_nm): (usize, &Lanes<f64>)| {
+            let indices = &self.indices[if self.is_constant { 0 } else { block }];
+            let n = indices.aragonite.ordinary.re;
+            (0..LANES).fold(0.0, |most: f64, i| most.max(n[i] * half_turns_per_nm[i]))
+        };
+        self.half_turns_per_nm.iter().enumerate().map(of_block).fold(0.0, f64::max)
+    }
+
     /// The media at an angle, at one block of wavelengths, or at any where they are constant.
     pub(crate) fn at<const N: usize>(
         &self,

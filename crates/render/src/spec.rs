@@ -1,19 +1,21 @@
 //! A complete pearl and scene, as the declarations of the keys (`nacreous/spec/`) write them out:
 //! every default filled in, `null` where a key is left out and the renderer finds its value.
 //!
-//! Unknown keys and unknown words are refused. Ranges are not checked here: that is done where a file
-//! or a form is read.
+//! Unknown keys and unknown words are refused, and so are numbers outside their keys' declared ranges.
 
 pub mod lights;
 pub mod nacre;
 pub mod pearl;
+mod ranges;
 pub mod scene;
 
 use nacreous_colour::decode;
 use nacreous_image::Rgb;
 use serde::{Deserialize, Deserializer, de::Error};
+use serde_json::Value;
 
 use crate::RenderError;
+use nacre::NacreSpec;
 use pearl::PearlSpec;
 use scene::SceneSpec;
 
@@ -35,10 +37,51 @@ impl Recipe {
     /// Reads a recipe in JSON.
     ///
     /// # Errors
-    /// [`RenderError::Recipe`] for what is no recipe: an unknown key, a missing one, an unknown word.
+    /// [`RenderError::Recipe`] for what is no recipe: an unknown key, a missing one, an unknown word;
+    /// [`RenderError::OutOfRange`] for a number that its key does not allow.
     pub fn from_json(text: &str) -> Result<Self, RenderError> {
-        from_json(text)
+        let value: Value = from_json(text)?;
+        if let Some(pearls) = value.get("pearls").and_then(Value::as_array) {
+            for (i, pearl) in pearls.iter().enumerate() {
+                ranges::check(pearl, "pearl", &format!("pearls.{i}"))?;
+            }
+        }
+        if let Some(scene) = value.get("scene") {
+            ranges::check(scene, "scene", "scene")?;
+        }
+        Self::deserialize(value).map_err(|error| RenderError::Recipe(error.to_string()))
     }
+}
+
+impl PearlSpec {
+    /// Reads one of a recipe's pearls in JSON.
+    ///
+    /// # Errors
+    /// As [`Recipe::from_json`].
+    pub fn from_json(text: &str) -> Result<Self, RenderError> {
+        part_from_json(text, "pearl", "pearl")
+    }
+}
+
+impl NacreSpec {
+    /// Reads the `nacre` of one of a recipe's pearls in JSON.
+    ///
+    /// # Errors
+    /// As [`Recipe::from_json`].
+    pub fn from_json(text: &str) -> Result<Self, RenderError> {
+        part_from_json(text, "pearl.nacre", "nacre")
+    }
+}
+
+/// A part, its numbers held to the ranges of `path`; messages call it `place`.
+fn part_from_json<T: for<'a> Deserialize<'a>>(
+    text: &str,
+    path: &str,
+    place: &str,
+) -> Result<T, RenderError> {
+    let value: Value = from_json(text)?;
+    ranges::check(&value, path, place)?;
+    T::deserialize(value).map_err(|error| RenderError::Recipe(error.to_string()))
 }
 
 /// Reads one part of a recipe.

@@ -1,5 +1,6 @@
 //! Which pearl lies where, and what is refused.
 
+#[allow(dead_code)] // each file of tests takes what it needs
 mod common;
 
 use glam::DVec3;

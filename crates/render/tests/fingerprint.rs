@@ -1,5 +1,6 @@
 //! The renderer alone, with no Python, gives the pictures whose fingerprints are on file.
 
+#[allow(dead_code)] // each file of tests takes what it needs
 mod common;
 
 use nacreous_image::{CHANNELS, PARTS, Progress};

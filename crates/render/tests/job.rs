@@ -1,5 +1,6 @@
 //! A job that is kept and asked again gives what a new one would, and works out only what changed.
 
+#[allow(dead_code)] // each file of tests takes what it needs
 mod common;
 
 use std::sync::atomic::Ordering;
@@ -60,6 +61,21 @@ fn rows_asked_for_by_range_are_those_of_the_whole_picture() {
     let parts = [0..5, 5..6, 6..24, 24..99].map(|rows| view.rows(rows, &progress).unwrap());
     assert!(parts.concat() == whole);
     assert_eq!(whole.len(), 24 * 24 * CHANNELS);
+}
+
+#[test]
+fn a_job_in_pieces_gives_the_bytes_of_one_at_once() {
+    let (mut job, progress) = (new(common::recipe(NAME, &[])), Progress::default());
+    let mut pieces = 0;
+    let view = loop {
+        pieces += 1;
+        if let Some(view) = job.step(&progress).unwrap() {
+            break view;
+        }
+    };
+    assert!(pieces > 3, "{pieces}");
+    assert!(view.picture(&progress).unwrap() == picture(&mut new(common::recipe(NAME, &[]))));
+    assert!(job.step(&progress).unwrap().is_some());
 }
 
 #[test]

@@ -13,7 +13,10 @@ use crate::{RenderError, spec::pearl::TransportSpec};
 /// # Errors
 /// [`RenderError`] for a pigment or layers that cannot be.
 pub fn body_of(pearl: &TransportSpec) -> Result<Body, RenderError> {
-    let of_layers_mm = 1e-3 * stack_of(&pearl.nacre)?.total_um();
+    let of_layers_mm = match pearl.body.nacre_mm {
+        Some(nacre_mm) => nacre_mm,
+        None => 1e-3 * stack_of(&pearl.nacre)?.total_um(),
+    };
     Ok(Body::new(&reflectance_of(pearl, of_layers_mm)?, spread_of(pearl)))
 }
 

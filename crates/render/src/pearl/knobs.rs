@@ -7,10 +7,11 @@ use crate::spec::pearl::{PearlSpec, TransportSpec};
 /// What each key of a pearl that may be left open for the knobs comes to, by the key's path in a file.
 ///
 /// ```
-/// use nacreous_render::{resolved_of, spec::{from_json, pearl::PearlSpec}};
-/// # let text = include_str!("../../tests/akoya-rg.json");
-/// let pearl: PearlSpec = from_json(text)?;
-/// assert!(resolved_of(&pearl).iter().any(|(key, value)| *key == "film.outer_um" && *value > 36.0));
+/// use nacreous_render::{resolved_of, spec::Recipe};
+/// # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/recipes");
+/// # let text = std::fs::read_to_string(format!("{folder}/akoya-rg-north-window-white.json")).unwrap();
+/// let recipe = Recipe::from_json(&text)?;
+/// assert!(resolved_of(&recipe.pearls[0]).iter().any(|(key, value)| *key == "film.outer_um" && *value > 36.0));
 /// # Ok::<(), nacreous_render::RenderError>(())
 /// ```
 pub fn resolved_of(pearl: &PearlSpec) -> Vec<(&'static str, f64)> {
@@ -57,6 +58,13 @@ pub(crate) fn grain_of(pearl: &PearlSpec) -> Grain {
         chroma: texture.chroma_weight.unwrap_or(knobs.chroma_weight),
         value: texture.value_weight.unwrap_or(knobs.value_weight),
     }
+}
+
+/// Seed of the grain's random phases: the file's, or the growth's.
+///
+/// A number of its own beside [`resolved_of`], for seeds are whole numbers up to 2^63.
+pub fn texture_seed_of(pearl: &PearlSpec) -> u64 {
+    pearl.common().texture.seed.unwrap_or_else(|| pearl.common().nacre.seed())
 }
 
 /// Depth of the film: the file's, or what depth makes of it.
