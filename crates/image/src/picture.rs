@@ -1,8 +1,10 @@
 //! From pearls in their surroundings to pixels, and from linear light to codes for a screen.
 
 pub(crate) mod channels;
+pub(crate) mod detail;
 pub(crate) mod develop;
 pub(crate) mod glare;
 pub(crate) mod pixel;
 pub(crate) mod resampling;
 pub(crate) mod sampler;
+pub(crate) mod tent;

@@ -38,11 +38,16 @@ impl IlluminantPearl {
     /// What goes from the point towards the eye, without the grain.
     pub(crate) fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         Shade {
-            interference: rgb::scaled(self.rings.colour(sight.hit.cos_view), self.mixing),
+            interference: self.interference(sight.hit.cos_view),
             diffuse: rgb::scaled(self.body(surroundings, sight), 1.0 - self.mixing),
             mirror: self.mirror(surroundings, sight),
             ..Shade::default()
         }
+    }
+
+    /// The rings' share of the light, by the view angle alone.
+    pub(crate) fn interference(&self, cos_view: f64) -> Rgb {
+        rgb::scaled(self.rings.colour(cos_view), self.mixing)
     }
 
     /// Lambert's law in the body colour.

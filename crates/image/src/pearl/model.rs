@@ -14,7 +14,7 @@ use crate::{
         illuminant::IlluminantPearl, reflection_cache::ReflectionCache, shade::Shade, sight::Sight,
         transport::Transport,
     },
-    rgb,
+    rgb::{self, Rgb},
     shape::ball::Hit,
     surroundings::lit::Lit,
     view::camera::Camera,
@@ -60,6 +60,14 @@ impl Model {
     /// Whether its light has no detail that is finer than a pixel.
     pub(crate) fn is_smooth(&self) -> bool {
         matches!(self, Self::Transport(_))
+    }
+
+    /// The light that interference adds at a view angle, of a model in which it depends on nothing else.
+    pub(crate) fn rings(&self, cos_view: f64) -> Option<Rgb> {
+        match self {
+            Self::Illuminant(model) => Some(model.interference(cos_view)),
+            Self::Transport(_) => None,
+        }
     }
 
     /// The cache of what its facets show the camera, if there shall be one.

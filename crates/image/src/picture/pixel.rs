@@ -13,7 +13,7 @@ use crate::{
 /// One pixel's light in parts, averaged over its samples.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Pixel {
-    interference: Rgb,
+    pub(crate) interference: Rgb,
     diffuse: Rgb,
     mirror: Rgb,
     surroundings: Rgb,

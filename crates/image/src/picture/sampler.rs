@@ -8,7 +8,12 @@ use std::{ops::Range, sync::Arc};
 use crate::{
     parallel,
     pearl::{model::Pearl, reflection_cache::ReflectionCache, sight::Sight},
-    picture::{channels::CHANNELS, pixel::Pixel},
+    picture::{
+        channels::CHANNELS,
+        detail::{ALIKE, DARK, Detail, FEWEST_ALIKE, FINE, RIM},
+        pixel::Pixel,
+        tent::{rook, tent},
+    },
     progress::Progress,
     rgb::{self, Rgb},
     shape::ball::Hit,
@@ -125,14 +130,19 @@ impl Sampler {
                 let (x, y) = self.place(row, column, 0.0, 0.0);
                 self.sample(&self.camera.ray(x, y), (1.0, 0), view);
             }
-            detail => {
-                let alike = self.few((row, column), &detail, view);
-                match detail {
-                    Detail::Edges => self.others(row, column, view),
-                    Detail::Unknown if !alike => self.others(row, column, view),
-                    _ => view.brighten(self.offsets.len() as f64),
-                }
+            Detail::BelowPixel => {
+                self.few((row, column), false, view);
+                view.brighten(self.offsets.len() as f64);
             }
+            Detail::Unknown if self.few((row, column), true, view) => {
+                view.brighten(self.offsets.len() as f64);
+                self.lay_rings((row, column), view);
+            }
+            Detail::Unknown => {
+                view.clear();
+                self.all((row, column), view);
+            }
+            Detail::Edges => self.all((row, column), view),
         }
         let mut pixel = Pixel::of_surroundings(view.behind);
         for (part, &ball) in view.parts.iter_mut().zip(&view.balls) {
@@ -144,14 +154,14 @@ impl Sampler {
 
     /// One sample in each row and column of a pixel's samples, whose mean is that of all where light changes in
     /// a straight line; whether they are alike.
-    fn few(&self, (row, column): (usize, usize), detail: &Detail, view: &mut View) -> bool {
+    fn few(&self, (row, column): (usize, usize), spread: bool, view: &mut View) -> bool {
         let side = self.offsets.len();
         let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for (i, &down) in self.offsets.iter().enumerate() {
             let j = rook(i, side);
             let (x, y) = self.place(row, column, down, self.offsets[j]);
             // Alone, the samples share all facets out among themselves.
-            let part = if matches!(detail, Detail::BelowPixel) { i } else { (i + j) % side };
+            let part = if spread { (i + j) % side } else { i };
             let light = self.sample(&self.camera.ray(x, y), (self.weight(), part), view);
             for channel in 0..3 {
                 least[channel] = least[channel].min(light[channel]);
@@ -161,16 +171,31 @@ impl Sampler {
         (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + DARK))
     }
 
-    /// All other samples.
-    fn others(&self, row: usize, column: usize, view: &mut View) {
+    /// All samples.
+    fn all(&self, (row, column): (usize, usize), view: &mut View) {
         let side = self.offsets.len();
         for (i, &down) in self.offsets.iter().enumerate() {
-            for (j, &aside) in self.offsets.iter().enumerate().filter(|(j, _)| *j != rook(i, side))
-            {
+            for (j, &aside) in self.offsets.iter().enumerate() {
                 let (x, y) = self.place(row, column, down, aside);
                 self.sample(&self.camera.ray(x, y), (self.weight(), (i + j) % side), view);
             }
         }
+    }
+
+    /// The light of rings by all samples, on the inner disc of the only pearl: it depends on nothing but the
+    /// view angle, so neither may the samples of it.
+    fn lay_rings(&self, (row, column): (usize, usize), view: &mut View) {
+        let ([ball], [part]) = (&view.balls[..], &mut view.parts[..]) else { return };
+        let (ball, place, mut sum) = (*ball, &self.surroundings.balls[*ball], [0.0; 3]);
+        for &down in &self.offsets {
+            for &aside in &self.offsets {
+                let (x, y) = self.place(row, column, down, aside);
+                let hit = place.hit(&self.camera.ray(x, y), self.cell_mm(ball));
+                let rings = hit.and_then(|hit| self.pearls[ball].model.rings(hit.cos_view));
+                rgb::add(&mut sum, rgb::scaled(rings.unwrap_or_default(), self.weight()));
+            }
+        }
+        part.interference = sum;
     }
 
     /// The share of a pixel that each of all its samples stands for.
@@ -229,11 +254,15 @@ impl Sampler {
         light
     }
 
+    /// Width of a sample's cell at a ball.
+    fn cell_mm(&self, ball: usize) -> f64 {
+        self.pixel_mm[ball] / self.offsets.len() as f64
+    }
+
     /// Where a line of sight meets the balls of a view, the nearest first.
     fn meet(&self, ray: &Ray, view: &mut View) {
-        let cells = self.offsets.len() as f64;
         let met = |(place, &ball): (usize, &usize)| {
-            let hit = self.surroundings.balls[ball].hit(ray, self.pixel_mm[ball] / cells)?;
+            let hit = self.surroundings.balls[ball].hit(ray, self.cell_mm(ball))?;
             Some((place, hit))
         };
         view.hits.clear();
@@ -244,29 +273,6 @@ impl Sampler {
         }
     }
 }
-
-/// What detail there is within a pixel.
-enum Detail {
-    /// Light hardly changes over several pixels: one sample will do.
-    None,
-    /// Nothing finer than a pixel, on the inner disc of one pearl: one sample in each row and column will do.
-    BelowPixel,
-    /// Perhaps nothing: those samples tell.
-    Unknown,
-    /// A pearl's rim.
-    Edges,
-}
-
-/// Samples are alike whose light differs by this share of it, and of some more in the dark: their mean is then
-/// that of all to less than half a step between 8-bit codes (8 pearls in all scenes).
-const ALIKE: f64 = 0.02;
-const DARK: f64 = 0.02;
-/// So many samples along a side have no edge pass between them unseen.
-const FEWEST_ALIKE: usize = 4;
-/// Pixels of less than this share of a pearl's radius, this share of it from its rim, see no change of what its
-/// facets blur, its film or its grain.
-const FINE: f64 = 1.0 / 700.0;
-const RIM: f64 = 0.02;
 
 /// What a pixel shows, while it is being made.
 #[derive(Default)]
@@ -295,21 +301,4 @@ impl View {
         self.parts.resize(self.balls.len(), Pixel::default());
         self.behind = [0.0; 3];
     }
-}
-
-/// Column of the one sample that is taken in row `i`, such that no column comes twice.
-fn rook(i: usize, side: usize) -> usize {
-    (2 * i + 1) % (side + usize::from(side.is_multiple_of(2)))
-}
-
-/// Positions of the samples along one side, in pixels from the pixel's middle, such that equal weights
-/// make a tent filter two pixels wide. The same pattern on both axes and in every pixel: pixels that
-/// mirror each other about a lone pearl's centre see the same view angles.
-fn tent(samples_side: usize) -> Vec<f64> {
-    (0..samples_side)
-        .map(|i| {
-            let u = (i as f64 + 0.5) / samples_side as f64;
-            if u < 0.5 { (2.0 * u).sqrt() - 1.0 } else { 1.0 - (2.0 - 2.0 * u).sqrt() }
-        })
-        .collect()
 }

@@ -214,7 +214,7 @@ impl Sweep {
 /// The cells from one place to another; none is an empty range.
 fn clamped(low: f64, high: f64, count: usize) -> RangeInclusive<usize> {
     if high < 0.0 || low >= count as f64 {
-        return 1..=0;
+        return RangeInclusive::new(1, 0);
     }
     (low.max(0.0) as usize)..=(high as usize).min(count - 1)
 }

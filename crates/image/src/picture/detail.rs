@@ -1,0 +1,27 @@
+//! How much detail a pixel may have, which says how many samples it takes.
+//!
+//! By what is seen and how fine pixels are against it; else samples are compared.
+//! Left out: things so small that all samples miss them.
+
+/// What detail there is within a pixel.
+pub(crate) enum Detail {
+    /// Light hardly changes over several pixels: one sample will do.
+    None,
+    /// Nothing finer than a pixel, on the inner disc of one pearl: one sample in each row and column will do.
+    BelowPixel,
+    /// Perhaps nothing: those samples tell.
+    Unknown,
+    /// A pearl's rim.
+    Edges,
+}
+
+/// Samples are alike whose light differs by this share of it, and of some more in the dark: their mean is then
+/// that of all to less than half a step between 8-bit codes (8 pearls in all scenes).
+pub(crate) const ALIKE: f64 = 0.02;
+pub(crate) const DARK: f64 = 0.02;
+/// So many samples along a side have no edge pass between them unseen.
+pub(crate) const FEWEST_ALIKE: usize = 4;
+/// Pixels of less than this share of a pearl's radius, this share of it from its rim, see no change of what its
+/// facets blur, its film or its grain.
+pub(crate) const FINE: f64 = 1.0 / 700.0;
+pub(crate) const RIM: f64 = 0.02;
