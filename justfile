@@ -102,6 +102,8 @@ bench: setup
 bench-wasm: _wasm-tools
     cargo xtask wasm
     node benchmarks/optics.mjs
+    cargo bench --quiet --package nacreous-render --no-default-features --bench picture > target/picture.csv
+    node benchmarks/picture.mjs target/picture.csv
 
 # Prepare .venv and build the compiled rooms and the pages into it; at once when nothing changed
 [group("build")]
@@ -145,9 +147,11 @@ types: _node-tools setup
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
 [group("build")]
-wasm: _rust-tools _wasm-tools
+wasm: _rust-tools _wasm-tools setup
     cargo xtask wasm
-    node --test --test-reporter=spec tests/wasm.test.mjs
+    python -m tests.wasm.native target/wasm-native
+    nacreous presets --json > target/wasm-native/presets.json
+    node --test --test-reporter=spec tests/wasm/*.test.mjs
     cargo fmt --manifest-path xtask/Cargo.toml --check
     cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings
     cargo clippy --manifest-path xtask/Cargo.toml --target-dir target/xtask -- -D warnings

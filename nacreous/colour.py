@@ -339,7 +339,7 @@ def munsell_notation(hvc: ArrayLike) -> NDArray[np.str_]:
 
 
 def _array(quantity: str, values: ArrayLike) -> Array:
-    """Numbers as the compiled door takes them: float64, in one block of memory."""
+    """Numbers as the bindings take them: float64, in one block of memory."""
     try:
         array = np.asarray(values)
     except ValueError:  # rows of unequal length

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from nacreous.texture import Grain
 
-__all__ = ["SUFFIXES", "Image", "recipe_json", "render"]
+__all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render"]
 
 #: The kinds of picture file that can be written.
 SUFFIXES = (".png", ".exr")
@@ -160,11 +160,13 @@ def render(
     filled = fill(_given(pearl), _loaded(Scene, scene))
     size, samples = _whole("size", size), _whole("samples", samples)
     report = None if progress is None else lambda rows: progress(rows / size)
+    recipe = _json(filled, size, samples)
+    spectra, panoramas, photographed = _core.files_needed(recipe)
     picture = _core.render(
-        _json(filled, size, samples),
-        _spectra(filled.scene),
-        _panoramas(filled.scene),
-        _measured_grains(filled.pearls),
+        recipe,
+        _spectra(spectra),
+        [(path, file.read_panorama(path)) for path in panoramas],
+        _measured_grains({number: filled.pearls[number] for number in photographed}),
         report,
     )
     return Image._rendered(picture, _recipe(filled, size, samples))
@@ -188,6 +190,19 @@ def recipe_json(
     """
     filled = fill(_given(pearl), _loaded(Scene, scene))
     return _json(filled, _whole("size", size), _whole("samples", samples))
+
+
+def field_mm(
+    pearl: Given | Sequence[Given] = "paper", scene: str | Path | Scene = "paper"
+) -> float:
+    """Width of the view at the scene's origin in mm: camera.field_mm, or one that shows all pearls.
+
+    Arguments, and `InputError`, as for `render`.
+
+    >>> field_mm("paper", "paper")
+    11.5
+    """
+    return _core.field_mm(recipe_json(pearl, scene, 1, 1))
 
 
 def _json(filled: Filled, size: int, samples: int) -> str:
@@ -227,11 +242,8 @@ _COUNTS = {
 }
 
 
-def _spectra(scene: Scene) -> list[tuple[str, list[float]]]:
-    """The measured lights that a scene names, of lamps and windows that are on."""
-    lit = [lamp.spectrum for lamp in scene.lamps if lamp.intensity > 0]
-    lit += [window.spectrum for window in scene.windows if window.luminance > 0]
-    names = sorted({name for name in lit if name.lower().endswith(".csv")})
+def _spectra(names: list[str]) -> list[tuple[str, list[float]]]:
+    """The measured lights in files."""
     if not names:
         return []
     from nacreous.colour import spectrum_from_csv
@@ -239,19 +251,13 @@ def _spectra(scene: Scene) -> list[tuple[str, list[float]]]:
     return [(name, spectrum_from_csv(name).tolist()) for name in names]
 
 
-def _panoramas(scene: Scene) -> list[tuple[str, NDArray[np.float32]]]:
-    path = scene.sky.path
-    return [] if path is None else [(path, file.read_panorama(path))]
-
-
-def _measured_grains(pearls: list[Pearl]) -> list[tuple[int, Grain]]:
-    """The grain of each pearl that has a photograph."""
-    numbers = [i for i, pearl in enumerate(pearls) if pearl.texture.source != "procedural"]
-    if not numbers:
+def _measured_grains(photographed: Mapping[int, Pearl]) -> list[tuple[int, Grain]]:
+    """The grain on the photograph of each pearl, by its number."""
+    if not photographed:
         return []
     from nacreous.texture import measured_grain
 
-    return [(i, measured_grain(pearls[i])) for i in numbers]
+    return [(number, measured_grain(pearl)) for number, pearl in photographed.items()]
 
 
 def _recipe(filled: Filled, size: int, samples: int) -> dict[str, str]:
@@ -260,7 +266,7 @@ def _recipe(filled: Filled, size: int, samples: int) -> dict[str, str]:
 
     pearls = filled.pearls
     seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
-    texture_seeds = [p.texture_seed for p in pearls]
+    texture_seeds = [_core.texture_seed(p.model_dump_json()) for p in pearls]
     one = len(pearls) == 1
     settings = {
         "size": size,

@@ -81,7 +81,7 @@ Medium: TypeAlias = (
 
 
 def medium_of(name: str, medium: object) -> _core._Medium:
-    """A medium as the door takes it; a function stands as 1 until its wavelengths are known."""
+    """A medium as the bindings take it; a function stands as 1 until its wavelengths are known."""
     if isinstance(medium, str):
         return medium
     if isinstance(medium, IndexTable):

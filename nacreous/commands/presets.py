@@ -10,6 +10,7 @@ examples:
   nacreous presets scene                 the scenes only
   nacreous presets scene booth           the file of one preset, as it stands
   nacreous presets pearl paper > my.toml begin a pearl of your own with it
+  nacreous presets --json                pearls, scenes and nacre with every key, for a browser
 """
 
 
@@ -27,13 +28,19 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "kind", nargs="?", choices=("pearl", "scene", "nacre", "study"), help="only these"
     )
     parser.add_argument("name", nargs="?", help="show this preset's file")
+    parser.add_argument(
+        "--json", action="store_true", help="with every key written out, as JSON (not of studies)"
+    )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Print the list or the file."""
+    """Print the list, the file or the JSON."""
     from nacreous.spec import preset
 
+    if args.json:
+        print(_json(args.kind, args.name))
+        return 0
     if args.name:
         print(preset.text(args.kind, args.name), end="")
         return 0
@@ -44,3 +51,20 @@ def run(args: argparse.Namespace) -> int:
         for name in preset.names(kind):
             print(f"  {name:{width}}  {preset.summary(kind, name)}")
     return 0
+
+
+def _json(kind: str | None, name: str | None) -> str:
+    """Presets by kind and name, or one of them."""
+    import json
+
+    from nacreous.complete import KINDS, complete
+    from nacreous.problem import InputError
+    from nacreous.spec import preset
+
+    kinds = [one for one in KINDS if kind in (None, one)]
+    if not kinds:
+        raise InputError(f"{kind} presets have no JSON; allowed: {', '.join(KINDS)}")
+    if name:
+        return json.dumps(complete(kinds[0], name), ensure_ascii=False)
+    all_ = {one: {name: complete(one, name) for name in preset.names(one)} for one in kinds}
+    return json.dumps(all_, ensure_ascii=False)

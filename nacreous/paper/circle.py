@@ -9,7 +9,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.spec import Camera
+from nacreous.image import field_mm
+from nacreous.spec import Pearl, Scene
 
 __all__ = ["Circle"]
 
@@ -25,20 +26,20 @@ class Circle:
     radius_px: float
 
     @classmethod
-    def of_camera(cls, camera: Camera, diameter_mm: float, size_px: int) -> Self:
-        """The outline in a rendered picture, by geometry.
+    def of_view(cls, pearl: Pearl, scene: Scene, size_px: int) -> Self:
+        """The outline of a lone pearl in a rendered picture, by geometry.
 
         An eye nearby sees less than half of the ball, and its outline larger by a little.
 
         >>> from nacreous.spec import Camera
-        >>> Circle.of_camera(Camera(field_mm=16.0), diameter_mm=8.0, size_px=100)
+        >>> Circle.of_view(Pearl(), Scene(camera=Camera(field_mm=16.0)), size_px=100)
         Circle(x_px=50.0, y_px=50.0, radius_px=25.0)
         """
-        radius_mm = 0.5 * diameter_mm
-        if camera.projection == "perspective":
-            radius_mm /= math.sqrt(1 - (radius_mm / camera.distance_mm) ** 2)
-        field_mm = camera.field_mm or 1.5 * diameter_mm
-        return cls(0.5 * size_px, 0.5 * size_px, size_px * radius_mm / field_mm)
+        radius_mm = 0.5 * pearl.diameter_mm
+        if scene.camera.projection == "perspective":
+            radius_mm /= math.sqrt(1 - (radius_mm / scene.camera.distance_mm) ** 2)
+        radius_px = size_px * radius_mm / field_mm(pearl, scene)
+        return cls(0.5 * size_px, 0.5 * size_px, radius_px)
 
     def distance(self, shape: tuple[int, ...]) -> Array:
         """Distance of each pixel's middle from the centre, in radii, [row, column]."""

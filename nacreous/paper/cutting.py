@@ -136,8 +136,9 @@ def _recorded(shape: tuple[int, ...], texts: dict[str, str]) -> Circle | None:
         size = json.loads(texts["nacreous:settings"])["size"]
         pearl = Pearl.from_toml(texts["nacreous:pearl"])
         scene = Scene.from_toml(texts["nacreous:scene"])
+        circle = Circle.of_view(pearl, scene, size)
     except (KeyError, TypeError, ValueError):  # no recipe, or one that someone has changed
         return None
     if shape[:2] != (size, size) or "nacreous:strip" in texts or "nacreous:crop" in texts:
         return None
-    return Circle.of_camera(scene.camera, pearl.diameter_mm, size)
+    return circle

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous import colour
+from nacreous import _core, colour
 from nacreous.image import Image
 from nacreous.paper.exhibit import Exhibit, Plate
 from nacreous.paper.measurement import Measurement
@@ -77,6 +77,7 @@ def exhibit(folder: Path, pictures: Pictures) -> Exhibit:
     # The preset has no photograph; what stands in for one is known by its spectrum.
     spectrum = GrainSpectrum.procedural()
     band = (float(spectrum.cycles_per_mm[0]), float(spectrum.cycles_per_mm[-1]))
+    seed = _core.texture_seed(pictures.pearl.model_dump_json())
     return Exhibit(
         "13",
         [
@@ -87,7 +88,7 @@ def exhibit(folder: Path, pictures: Pictures) -> Exhibit:
         "nacreous render paper -o layers.exr (layer texture, second channel)",
         [
             f"Source of the texture: {spectrum.source}, a stand-in chosen by eye and not measured "
-            f"on a pearl (ours). Seed {pictures.pearl.texture_seed}.",
+            f"on a pearl (ours). Seed {seed}.",
             f"Middle grey is 0; black and white are −{white:.2g} and {white:.2g} of lightness, "
             f"{_RANGE:g} standard deviations.",
         ],

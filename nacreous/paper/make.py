@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from nacreous import folder
+from nacreous import _core, folder
 from nacreous.paper import (
     figure_2,
     figure_8,
@@ -99,7 +99,7 @@ def _settings(taken: pictures.Pictures) -> dict[str, Any]:
         "size": taken.size_px,
         "samples": pictures.SAMPLES,
         "seed": nacre.seed if isinstance(nacre, Growth) else None,
-        "texture_seed": taken.pearl.texture_seed,
+        "texture_seed": _core.texture_seed(taken.pearl.model_dump_json()),
         "texture_source": taken.pearl.texture.source,
         "versions": {
             "nacreous": __version__,

@@ -9,6 +9,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.image import field_mm
 from nacreous.paper.circle import Circle
 from nacreous.spec import Camera, Lamp, Pearl, Scene
 
@@ -37,13 +38,13 @@ class Sight:
     @classmethod
     def of(cls, pearl: Pearl, scene: Scene, size_px: int) -> Self:
         """The geometry of a picture of this size."""
-        eye_mm, along = _rays(scene.camera, pearl.diameter_mm, size_px)
+        eye_mm, along = _rays(scene.camera, field_mm(pearl, scene), size_px)
         radius_mm = 0.5 * pearl.diameter_mm
         closest = eye_mm - along * np.sum(eye_mm * along, axis=-1, keepdims=True)
         sine = np.linalg.norm(closest, axis=-1) / radius_mm
         cosine = np.sqrt(np.where(sine < 1, 1 - sine**2, np.nan))
         normal = closest / radius_mm - along * cosine[..., None]
-        circle = Circle.of_camera(scene.camera, pearl.diameter_mm, size_px)
+        circle = Circle.of_view(pearl, scene, size_px)
         return cls(radius_mm, circle, cosine, normal, -along)
 
     @property
@@ -85,17 +86,16 @@ def direction_of(camera_or_lamp: Camera | Lamp) -> Array:
     return np.array([math.sin(azimuth) * flat, math.sin(elevation), math.cos(azimuth) * flat])
 
 
-def _rays(camera: Camera, diameter_mm: float, size_px: int) -> tuple[Array, Array]:
+def _rays(camera: Camera, width_mm: float, size_px: int) -> tuple[Array, Array]:
     """Where the pixels' lines of sight start, and their unit directions, [row, column, xyz]."""
     back = direction_of(camera)
     azimuth = math.radians(camera.azimuth_deg)
     right = np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)])
     up = np.cross(back, right)
-    half_mm = 0.5 * (camera.field_mm or 1.5 * diameter_mm)
     step = (2 * np.arange(size_px) + 1 - size_px) / size_px
-    target = half_mm * (step[None, :, None] * right - step[:, None, None] * up)
+    target = 0.5 * width_mm * (step[None, :, None] * right - step[:, None, None] * up)
     if camera.projection == "orthographic":
-        return target + back * (10 * diameter_mm), np.broadcast_to(-back, target.shape)
+        return target + back * (10 * width_mm), np.broadcast_to(-back, target.shape)
     eye = back * camera.distance_mm
     along = target - eye
     along /= np.linalg.norm(along, axis=-1, keepdims=True)

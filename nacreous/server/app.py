@@ -57,5 +57,5 @@ def without_study() -> FastAPI:
 
 
 async def _raised(_request: Request, problem: Exception) -> Response:
-    """The door tells all problems alike."""
+    """All problems are told alike."""
     raise problem

@@ -92,13 +92,6 @@ class Pearl(SpecFile):
     surface: Surface = section("The mirroring surface.")
     texture: Texture = section("The grain of the surface.")
 
-    @property
-    def texture_seed(self) -> int:
-        """The seed of the texture: its own, else the growth's, else 1 for listed layers."""
-        if self.texture.seed is not None:
-            return self.texture.seed
-        return self.nacre.seed if isinstance(self.nacre, Growth) else 1
-
     def contradictions(self) -> Iterator[Contradiction]:
         """Keys and media that the model has not, and nacre thicker than the pearl."""
         for path, home in strangers(self, self.model):

@@ -74,12 +74,12 @@ def _below(
     for key, inner in node.get("properties", {}).items():
         yield from _below(inner, f"{path}.{key}", allowed, definitions)
     if node.get("type") in ("number", "integer"):
-        bounds = ("minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum")
-        yield Range(path, "number", *(node.get(bound) for bound in bounds), allowed)
+        least, above = node.get("minimum"), node.get("exclusiveMinimum")
+        most, below = node.get("maximum"), node.get("exclusiveMaximum")
+        yield Range(path, "number", least, above, most, below, allowed)
     if node.get("type") == "array":
-        yield Range(
-            path, "length", node.get("minItems"), None, node.get("maxItems"), None, allowed
-        )
+        fewest, most = node.get("minItems"), node.get("maxItems")
+        yield Range(path, "length", fewest, None, most, None, allowed)
         for place, item in enumerate(node.get("prefixItems", ())):
             yield from _below(item, f"{path}[{place}]", allowed, definitions)
         if "items" in node:

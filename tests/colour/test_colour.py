@@ -1,4 +1,4 @@
-"""The colour room against colour-science, an independent peer, and at its door."""
+"""The colour room against colour-science, an independent peer, and what it refuses."""
 
 import warnings
 from collections.abc import Callable

@@ -23,6 +23,7 @@ MAY_KNOW = {
         "nacreous-colour",
         "nacreous-image",
     },
+    "nacreous-measure": {"nacreous-colour"},
     "nacreous-file": {"nacreous-colour"},
     "nacreous-scaling": set(),
     "nacreous-python": {
@@ -31,11 +32,22 @@ MAY_KNOW = {
         "nacreous-colour",
         "nacreous-image",
         "nacreous-render",
+        "nacreous-measure",
         "nacreous-file",
         "nacreous-scaling",
     },
-    "nacreous-wasm": {"nacreous-nacre", "nacreous-optics"},
+    "nacreous-wasm": {
+        "nacreous-nacre",
+        "nacreous-optics",
+        "nacreous-colour",
+        "nacreous-image",
+        "nacreous-render",
+        "nacreous-measure",
+    },
 }
+
+#: Their place is kept; there is nothing in it yet.
+TO_COME = {"nacreous-measure"}
 
 
 def crates() -> dict[str, set[str]]:
@@ -56,7 +68,7 @@ def crates() -> dict[str, set[str]]:
 
 
 def test_every_crate_has_its_place_in_the_order():
-    assert crates().keys() == MAY_KNOW.keys()
+    assert crates().keys() == MAY_KNOW.keys() - TO_COME
 
 
 def test_earlier_crates_never_depend_on_later_ones():

@@ -31,7 +31,7 @@ def rendered(tmp_path_factory: Any) -> Path:
 
 @pytest.fixture(scope="module")
 def truth() -> Circle:
-    return Circle.of_camera(Scene.load("paper").camera, Pearl.load("paper").diameter_mm, SIZE_PX)
+    return Circle.of_view(Pearl.load("paper"), Scene.load("paper"), SIZE_PX)
 
 
 def pixels(path: Path) -> np.ndarray:
@@ -137,7 +137,7 @@ def test_a_pearls_outline_is_found_to_one_part_in_a_hundred(scene: str) -> None:
     linear = np.asarray(_core.decode_rgb(codes / 255.0))
     # Off the middle, so that a guess of the middle would not do.
     found, _ = estimate(np.pad(linear, ((0, 30), (70, 0), (0, 0)), mode="reflect"))
-    true = Circle.of_camera(Scene.load(scene).camera, Pearl.load("akoya-rg").diameter_mm, 256)
+    true = Circle.of_view(Pearl.load("akoya-rg"), Scene.load(scene), 256)
     assert np.hypot(found.x_px - 70 - true.x_px, found.y_px - true.y_px) < 0.01 * true.radius_px
     assert found.radius_px == pytest.approx(true.radius_px, rel=0.01)
 
@@ -166,9 +166,9 @@ def test_no_pearl_is_said_and_not_guessed(picture: np.ndarray) -> None:
 
 
 def test_a_nearby_eye_sees_a_larger_outline() -> None:
-    far = Circle.of_camera(Camera(field_mm=12.0), 8.0, 120)
-    near = Circle.of_camera(
-        Camera(field_mm=12.0, projection="perspective", distance_mm=20), 8.0, 120
+    eyes: list[dict[str, Any]] = [{}, {"projection": "perspective", "distance_mm": 20.0}]
+    far, near = (
+        Circle.of_view(Pearl(), Scene(camera=Camera(field_mm=12.0, **eye)), 120) for eye in eyes
     )
     assert near.radius_px / far.radius_px == pytest.approx(1 / np.sqrt(1 - (4 / 20) ** 2))
 

@@ -49,12 +49,18 @@ def test_it_says_where_it_serves_and_stops_at_ctrl_c(folder: Path, place: str) -
 
 
 def test_nothing_acknowledged_is_lost_when_it_is_killed(folder: Path, place: str) -> None:
-    with served(folder, place=place) as server, httpx.Client(base_url=server.url, timeout=60) as client:
+    with (
+        served(folder, place=place) as server,
+        httpx.Client(base_url=server.url, timeout=60) as client,
+    ):
         person = Person.consented(client)
         receipts = [person.answer(trial).json() for trial in range(3)]
         Experimenter.login(client)
         server.kill()
-    with served(folder, place=place) as server, httpx.Client(base_url=server.url, timeout=60) as client:
+    with (
+        served(folder, place=place) as server,
+        httpx.Client(base_url=server.url, timeout=60) as client,
+    ):
         person = Person(client, person.token)
         assert person.sitting()["answered"] == 3
         assert person.answer(2).json() == {**receipts[2], "again": True}

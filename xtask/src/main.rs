@@ -56,6 +56,8 @@ fn build() -> Result<(), String> {
     Bindgen::new()
         .input_path(target.join(TARGET).join("release/nacreous_wasm.wasm"))
         .out_name("nacreous")
+        // Without an address, init() takes the file beside the module.
+        .omit_default_module_path(false)
         .web(true)
         .and_then(|bindgen| bindgen.typescript(true).generate(target.join("wasm")))
         .map_err(|error| format!("no bundle: {error:#}"))

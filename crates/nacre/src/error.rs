@@ -75,7 +75,7 @@ pub enum NacreError {
     },
 }
 
-/// The one check of a number at this door: inside `range`, or an error that says what is `allowed`.
+/// The one check of a number from outside: inside `range`, or an error that says what is `allowed`.
 pub(crate) fn within(
     quantity: &str,
     value: f64,

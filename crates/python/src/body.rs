@@ -1,4 +1,4 @@
-//! The door to what gives a pearl its body colour.
+//! The bindings of what gives a pearl its body colour.
 
 use nacreous_colour::{SAMPLES, Spectrum, reflectance_from_rgb};
 use nacreous_nacre::Pigment;

@@ -1,4 +1,4 @@
-//! The door to colour: arrays `[..., 3]` and `[..., 401]` in, the same shapes out.
+//! The bindings of colour: arrays `[..., 3]` and `[..., 401]` in, the same shapes out.
 #![expect(clippy::needless_pass_by_value, reason = "Python hands its arguments over by value")]
 
 use std::ops::RangeInclusive;

@@ -1,4 +1,4 @@
-//! The door to picture files.
+//! The bindings of picture files.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};

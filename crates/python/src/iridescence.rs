@@ -1,4 +1,4 @@
-//! The door to colours by angle.
+//! The bindings of colours by angle.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

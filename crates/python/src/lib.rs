@@ -1,4 +1,4 @@
-//! The door to Python: converts types and errors, decides nothing.
+//! The bindings for Python: they convert types and errors, and decide nothing.
 #![allow(clippy::needless_pass_by_value)] // arrays from Python are handed over
 #![allow(clippy::elidable_lifetime_names)] // 'py, named as in all of PyO3's documentation
 
@@ -51,9 +51,11 @@ mod _core {
     #[pymodule_export]
     use super::optics::{energies, ensemble, fresnel, illuminant};
     #[pymodule_export]
-    use super::pearl::{body_reflectance, film_columns, grow, resolved_keys, stack_of_nacre};
+    use super::pearl::{
+        body_reflectance, film_columns, grow, resolved_keys, stack_of_nacre, texture_seed,
+    };
     #[pymodule_export]
-    use super::render::{Picture, render};
+    use super::render::{Picture, field_mm, files_needed, render};
     #[pymodule_export]
     use super::scaling::{PairModel, PersonalAnswers, log_normal_cdf};
     #[pymodule_export]

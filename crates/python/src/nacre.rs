@@ -1,4 +1,4 @@
-//! The door to nacre.
+//! The bindings of nacre.
 
 use nacreous_nacre::{Index, LayerStack, MAX_LAYERS, Medium, NacreError};
 use num_complex::Complex64;

@@ -1,4 +1,4 @@
-//! The door to optics.
+//! The bindings of optics.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -7,7 +7,7 @@ use nacreous_render::{
         nacre::{GrowthSpec, NacreSpec},
         pearl::{PearlSpec, TransportSpec},
     },
-    stack_of,
+    stack_of, texture_seed_of,
 };
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::{prelude::*, types::PyDict};
@@ -72,6 +72,12 @@ pub fn resolved_keys<'py>(py: Python<'py>, pearl: &str) -> PyResult<Bound<'py, P
         keys.set_item(key, value)?;
     }
     Ok(keys)
+}
+
+/// The seed of the grain of a pearl in JSON.
+#[pyfunction]
+pub fn texture_seed(pearl: &str) -> PyResult<u64> {
+    Ok(texture_seed_of(&from_json(pearl).map_err(refused)?))
 }
 
 fn transport(pearl: &str) -> PyResult<TransportSpec> {

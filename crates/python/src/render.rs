@@ -11,7 +11,7 @@ use nacreous_file::{
 use nacreous_image::{
     CHANNELS, PARTS, Panorama, Progress, develop, eight_bit, grain::spectrum::GrainSpectrum,
 };
-use nacreous_render::{Job, RenderError, Resources, spec::Recipe};
+use nacreous_render::{Arrangement, Job, Needs, RenderError, Resources, light_of, spec::Recipe};
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::prelude::*;
 
@@ -60,6 +60,22 @@ pub fn render<'py>(
     let rendered = watched(py, look_up, || progress.stop(), work)?;
     let pixels = rendered.map_err(refused)?.ok_or_else(broken_off)?;
     Ok(Picture { pixels: Mutex::new(Pixels::Ours(pixels)), size_px })
+}
+
+/// Width of the view of a recipe in JSON.
+#[pyfunction]
+pub fn field_mm(recipe: &str) -> PyResult<f64> {
+    let recipe = Recipe::from_json(recipe).map_err(refused)?;
+    Ok(Arrangement::new(&recipe).map_err(refused)?.field_mm())
+}
+
+/// The files whose contents a recipe in JSON needs: (spectra, panoramas, numbers of the pearls with a
+/// photograph).
+#[pyfunction]
+pub fn files_needed(recipe: &str) -> PyResult<(Vec<String>, Vec<String>, Vec<usize>)> {
+    let needs = Needs::of(&Recipe::from_json(recipe).map_err(refused)?);
+    let photographs = needs.photographs.into_keys().collect();
+    Ok((Vec::from_iter(needs.spectra), Vec::from_iter(needs.panoramas), photographs))
 }
 
 fn resources(
@@ -124,7 +140,7 @@ impl Picture {
         let gamut: Gamut = gamut.parse().map_err(refused)?;
         let size = u32::try_from(self.size_px).unwrap_or(u32::MAX);
         self.read(py, |pixels| {
-            let developed = develop(&whole(pixels), rgb_space, gamut);
+            let developed = develop(&light_of(pixels), rgb_space, gamut);
             let eight = (bits == 8).then(|| eight_bit(&developed.codes));
             let codes = match &eight {
                 Some(codes) => PngPixels::Eight(codes),
@@ -149,7 +165,7 @@ impl Picture {
                 let channels = pixels.chunks_exact(CHANNELS).flat_map(|pixel| &pixel[part.clone()]);
                 plane(name, channels.copied().collect())
             });
-            let planes = [plane("", whole(pixels))].into_iter().chain(parts);
+            let planes = [plane("", light_of(pixels))].into_iter().chain(parts);
             let planes: Vec<Plane<'_>> = planes.collect::<PyResult<_>>()?;
             save_exr(&path, (self.size_px, self.size_px), &planes, &text)
         })
@@ -169,11 +185,4 @@ impl Picture {
             Pixels::Array(array) => work(array.bind(py).readonly().as_slice()?),
         }
     }
-}
-
-/// The sum of the first four parts, pixel by pixel.
-fn whole(pixels: &[f32]) -> Vec<f32> {
-    let sum =
-        |pixel: &[f32]| [0, 1, 2].map(|i| pixel[i] + pixel[i + 3] + pixel[i + 6] + pixel[i + 9]);
-    pixels.chunks_exact(CHANNELS).flat_map(sum).collect()
 }

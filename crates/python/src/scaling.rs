@@ -1,4 +1,4 @@
-//! The door to scaling.
+//! The bindings of scaling.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 

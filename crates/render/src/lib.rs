@@ -26,12 +26,13 @@ pub use pearl::{
     calendar::Calendar,
     columns::columns_of,
     grain::GrainKey,
-    knobs::{outer_um_of, resolved_of},
+    knobs::{outer_um_of, resolved_of, texture_seed_of},
     nacre::{Core, core_under, diary_of, stack_of},
+    spectra::film_spectra,
 };
-pub use resources::Resources;
+pub use resources::{Needs, Resources};
 pub use stages::{
     around::BOUNCES,
     job::{Job, MAX_SAMPLES},
-    view::View,
+    view::{View, light_of},
 };

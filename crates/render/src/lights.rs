@@ -68,14 +68,14 @@ impl Lights {
         arrangement: &Arrangement,
         resources: &Resources,
     ) -> Result<Self, RenderError> {
-        let on = || scene.lamps.iter().filter(|lamp| lamp.intensity > 0.0);
         let lit: Vec<(&WindowSpec, &Frame)> = scene
             .windows
             .iter()
             .zip(arrangement.frames())
-            .filter(|(window, _)| window.luminance > 0.0)
+            .filter(|(window, _)| is_lit(window))
             .collect();
-        let lamp_sources = on()
+        let lamps_on = || scene.lamps.iter().filter(|lamp| is_on(lamp));
+        let lamp_sources = lamps_on()
             .map(|lamp| source(resources, &lamp.spectrum, lamp.intensity))
             .collect::<Result<Vec<_>, _>>()?;
         let panes = lit
@@ -86,7 +86,7 @@ impl Lights {
         let all: Vec<Source> = lamp_sources.iter().cloned().chain(shining).collect();
         let sky = sky(&scene.sky, resources)?;
         let light = Light::new(&all, sky.mean_luminance(), white(scene)?, observer(scene))?;
-        let lamps = on()
+        let lamps = lamps_on()
             .zip(&lamp_sources)
             .map(|(lamp, source)| Ok(round(lamp, light.brightness(source)?)))
             .collect::<Result<_, RenderError>>()?;
@@ -109,6 +109,16 @@ impl Lights {
         };
         self.lamps.iter().map(resolved).collect()
     }
+}
+
+/// Whether a lamp gives any light.
+pub(crate) fn is_on(lamp: &LampSpec) -> bool {
+    lamp.intensity > 0.0
+}
+
+/// Whether a window gives any light.
+pub(crate) fn is_lit(window: &WindowSpec) -> bool {
+    window.luminance > 0.0
 }
 
 fn source(resources: &Resources, name: &str, intensity: f64) -> Result<Source, RenderError> {

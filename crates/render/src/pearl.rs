@@ -7,3 +7,4 @@ pub mod columns;
 pub mod grain;
 pub mod knobs;
 pub mod nacre;
+pub mod spectra;

@@ -15,6 +15,7 @@ use serde::{Deserialize, Deserializer, de::Error};
 use serde_json::Value;
 
 use crate::RenderError;
+use nacre::NacreSpec;
 use pearl::PearlSpec;
 use scene::SceneSpec;
 
@@ -50,6 +51,37 @@ impl Recipe {
         }
         Self::deserialize(value).map_err(|error| RenderError::Recipe(error.to_string()))
     }
+}
+
+impl PearlSpec {
+    /// Reads one of a recipe's pearls in JSON.
+    ///
+    /// # Errors
+    /// As [`Recipe::from_json`].
+    pub fn from_json(text: &str) -> Result<Self, RenderError> {
+        part_from_json(text, "pearl", "pearl")
+    }
+}
+
+impl NacreSpec {
+    /// Reads the `nacre` of one of a recipe's pearls in JSON.
+    ///
+    /// # Errors
+    /// As [`Recipe::from_json`].
+    pub fn from_json(text: &str) -> Result<Self, RenderError> {
+        part_from_json(text, "pearl.nacre", "nacre")
+    }
+}
+
+/// A part, its numbers held to the ranges of `path`; messages call it `place`.
+fn part_from_json<T: for<'a> Deserialize<'a>>(
+    text: &str,
+    path: &str,
+    place: &str,
+) -> Result<T, RenderError> {
+    let value: Value = from_json(text)?;
+    ranges::check(&value, path, place)?;
+    T::deserialize(value).map_err(|error| RenderError::Recipe(error.to_string()))
 }
 
 /// Reads one part of a recipe.

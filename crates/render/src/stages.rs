@@ -6,3 +6,4 @@ pub mod job;
 mod kept;
 mod optics;
 pub mod view;
+mod work;

@@ -64,6 +64,21 @@ fn rows_asked_for_by_range_are_those_of_the_whole_picture() {
 }
 
 #[test]
+fn a_job_in_pieces_gives_the_bytes_of_one_at_once() {
+    let (mut job, progress) = (new(common::recipe(NAME, &[])), Progress::default());
+    let mut pieces = 0;
+    let view = loop {
+        pieces += 1;
+        if let Some(view) = job.step(&progress).unwrap() {
+            break view;
+        }
+    };
+    assert!(pieces > 3, "{pieces}");
+    assert!(view.picture(&progress).unwrap() == picture(&mut new(common::recipe(NAME, &[]))));
+    assert!(job.step(&progress).unwrap().is_some());
+}
+
+#[test]
 fn a_refused_change_leaves_the_job_as_it_was() {
     let mut job = new(common::recipe(NAME, &[]));
     let before = picture(&mut job);

@@ -3,8 +3,8 @@
 #[allow(dead_code)] // each file of tests takes what it needs
 mod common;
 
-use nacreous_render::{Job, Resources, spec::Recipe};
-use serde_json::json;
+use nacreous_render::{Job, Needs, Resources, spec::Recipe};
+use serde_json::{Value, json};
 
 #[test]
 fn an_unknown_key_and_an_unknown_word_are_refused_by_name() {
@@ -63,4 +63,26 @@ fn days_that_are_none_are_refused() {
         let found = job.view(&nacreous_image::Progress::default()).expect_err("a refusal");
         assert!(found.to_string().contains("allowed: MM-DD or YYYY-MM-DD"), "{found}");
     }
+}
+
+#[test]
+fn the_files_needed_are_those_of_lights_that_are_on_of_the_sky_and_of_photographs() {
+    let lamps = json!([lamp("on.csv", 1.0), lamp("off.csv", 0.0), lamp("D65", 1.0)]);
+    let changes = [
+        ("/scene/lamps", lamps),
+        ("/scene/sky/kind", json!("panorama")),
+        ("/scene/sky/path", json!("sky.hdr")),
+        ("/pearls/0/texture/source", json!("pearl.png")),
+    ];
+    let needs = Needs::of(&common::recipe("paper-paper", &changes));
+    assert_eq!(needs.spectra, ["on.csv".to_owned()].into());
+    assert_eq!(needs.panoramas, ["sky.hdr".to_owned()].into());
+    assert_eq!(needs.photographs, [(0, "pearl.png".to_owned())].into());
+    assert_eq!(Needs::of(&common::recipe("paper-paper", &[])), Needs::default());
+}
+
+fn lamp(spectrum: &str, intensity: f64) -> Value {
+    let mut lamp = common::value("paper-paper")["scene"]["lamps"][0].clone();
+    (lamp["spectrum"], lamp["intensity"]) = (json!(spectrum), json!(intensity));
+    lamp
 }

@@ -1,7 +1,8 @@
-//! The door to nacre.
+//! The bindings of nacre.
 
 use js_sys::Float64Array;
 use nacreous_nacre::{Index, LayerStack, Medium};
+use nacreous_render::{spec::nacre::NacreSpec, stack_of};
 use wasm_bindgen::prelude::*;
 
 use crate::refused;
@@ -36,6 +37,24 @@ impl Stack {
         )
         .map(Self)
         .map_err(refused)
+    }
+}
+
+#[wasm_bindgen]
+impl Stack {
+    /// The layers of a pearl, by the `nacre` of a recipe in JSON.
+    #[wasm_bindgen(js_name = ofNacre)]
+    pub fn of_nacre(
+        #[wasm_bindgen(unchecked_param_type = "NacreJson")] nacre: &str,
+    ) -> Result<Self, JsError> {
+        let nacre = NacreSpec::from_json(nacre).map_err(refused)?;
+        stack_of(&nacre).map(Self).map_err(refused)
+    }
+
+    /// Thickness of each aragonite layer in nm, the surface first.
+    #[wasm_bindgen(getter = thicknessNm)]
+    pub fn thickness_nm(&self) -> Vec<f64> {
+        self.0.thickness_nm().to_vec()
     }
 }
 

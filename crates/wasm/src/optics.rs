@@ -1,4 +1,4 @@
-//! The door to optics.
+//! The bindings of optics.
 
 use std::sync::atomic::AtomicBool;
 
@@ -70,7 +70,7 @@ fn shares(found: &Energies) -> [&[f64]; 3] {
 }
 
 /// Whether the memory of a page holds the table: a GB, for more than there is ends the program.
-fn fits(angle_rad: &[f64], wavelength_nm: &[f64]) -> Result<(), JsError> {
+pub fn fits(angle_rad: &[f64], wavelength_nm: &[f64]) -> Result<(), JsError> {
     let (rows, columns) = (angle_rad.len(), wavelength_nm.len());
     if rows.saturating_mul(columns) > MAX_VALUES {
         let message =

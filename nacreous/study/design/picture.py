@@ -102,7 +102,7 @@ class Source:
         codes, _ = made.develop()
         crops = None
         if self.stimulus.cut == "seven-crops":
-            circle = Circle.of_camera(self.scene.camera, self.pearl.diameter_mm, size_px)
+            circle = Circle.of_view(self.pearl, self.scene, size_px)
             crops = seven(colour.decode(codes / 255.0), circle)
         recipe: dict[str, Any] = dict(made.recipe)
         for name in ("settings", "versions"):

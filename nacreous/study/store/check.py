@@ -1,4 +1,4 @@
-"""What may be stored, checked at the door: text, JSON, times, numbers."""
+"""What may be stored, checked where it comes in: text, JSON, times, numbers."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ use crate::{
         bands::{BANDS, Bands},
         palette::Palette,
     },
-    pearl::subsurface::Body,
+    pearl::body::Body,
     rgb,
     surface::{coating::Surface, film::STEPS},
 };

@@ -13,8 +13,8 @@ use crate::{
         palette::Palette,
     },
     pearl::{
+        body::Body,
         passage::{COSINES, Passage},
-        subsurface::Body,
     },
     rgb::Rgb,
     surface::{coating::Surface, microfacets::Microfacets},

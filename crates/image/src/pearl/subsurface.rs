@@ -6,11 +6,11 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;
-use nacreous_colour::{SAMPLES, matrix::apply};
+use nacreous_colour::matrix::apply;
 
 use crate::{
     harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
-    light::bands::{BANDS, Bands, means},
+    light::bands::{BANDS, Bands},
     parallel,
     pearl::passage::Passage,
     rgb::Rgb,
@@ -27,23 +27,6 @@ pub(crate) struct Beam {
     pub(crate) angular_radius_rad: f64,
     /// Light in bands of a white matt surface that faces it.
     pub(crate) power: Bands,
-}
-
-/// What a pearl does to light that has entered.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Body {
-    /// Share that nacre and nucleus send back, by band.
-    pub reflectance: Bands,
-    /// How far light wanders before it leaves: waves of degree l fade by exp(-l (l + 1) spread). 0 leaves a
-    /// matt body, much a body that shines alike on all sides.
-    pub spread: f64,
-}
-
-impl Body {
-    /// Of a reflectance by wavelength.
-    pub fn new(reflectance: &[f64; SAMPLES], spread: f64) -> Self {
-        Self { reflectance: means(reflectance), spread }
-    }
 }
 
 /// Light that has been inside, ready to be looked at.

@@ -32,25 +32,14 @@ impl Film {
     /// # Errors
     /// What [`Ensemble::with`] refuses.
     pub fn new(columns: &[LayerStack], stop: &AtomicBool) -> Result<Option<Self>, OpticsError> {
-        let angle_rad: Vec<f64> = cosines().map(libm::acos).collect();
-        let groups = if columns.len() < 2 * GROUPS { 1 } else { GROUPS };
-        let mut by_nm = vec![[0.0; SAMPLES]; angle_rad.len()];
-        for group in 0..groups {
-            let some: Vec<LayerStack> =
-                columns.iter().skip(group).step_by(groups).cloned().collect();
-            let nm: Vec<f64> = WAVELENGTH_NM.iter().skip(group).step_by(groups).copied().collect();
-            let empty = Ensemble::empty(angle_rad.len() * nm.len());
-            let Some(mean) = empty.with(MODEL, &some, &angle_rad, &nm, stop)? else {
-                return Ok(None);
-            };
-            for (row, found) in by_nm.iter_mut().zip(mean.reflectance().chunks_exact(nm.len())) {
-                for (to, from) in row.iter_mut().skip(group).step_by(groups).zip(found) {
-                    *to = *from;
-                }
+        let mut draft = FilmDraft::new(columns.to_vec());
+        loop {
+            match draft.add(FilmDraft::ALL_ANGLES, stop)? {
+                None => return Ok(None),
+                Some(false) => {}
+                Some(true) => return draft.film().map(Some),
             }
         }
-        let reflectance = by_nm.iter().map(|row| bands::means(row).map(|r| r.clamp(0.0, 1.0)));
-        Ok(Some(Self { reflectance: reflectance.collect(), modes: modes(columns)? }))
     }
 
     /// A film that mirrors the same at every angle and wavelength, above nacre of index `n`.
@@ -66,6 +55,63 @@ impl Film {
     /// Modes of light in the nacre below, for each of the air's.
     pub(crate) fn modes(&self) -> &Bands {
         &self.modes
+    }
+}
+
+/// A film in the making, some angles of a group of columns at a time. The film does not depend on how many.
+#[derive(Debug, Clone)]
+pub struct FilmDraft {
+    columns: Vec<LayerStack>,
+    by_nm: Vec<[f64; SAMPLES]>,
+    /// Angles that are there, group after group.
+    done: usize,
+}
+
+impl FilmDraft {
+    /// All angles of a group of columns.
+    pub const ALL_ANGLES: usize = STEPS + 1;
+
+    /// Of the columns of a film.
+    pub fn new(columns: Vec<LayerStack>) -> Self {
+        Self { columns, by_nm: vec![[0.0; SAMPLES]; Self::ALL_ANGLES], done: 0 }
+    }
+
+    /// Adds up to so many angles, at least one; whether the film is complete. `None`, and nothing added, once
+    /// `stop` is set.
+    ///
+    /// # Errors
+    /// What [`Ensemble::with`] refuses.
+    pub fn add(&mut self, angles: usize, stop: &AtomicBool) -> Result<Option<bool>, OpticsError> {
+        let groups = if self.columns.len() < 2 * GROUPS { 1 } else { GROUPS };
+        let (group, first) = (self.done / Self::ALL_ANGLES, self.done % Self::ALL_ANGLES);
+        if group == groups {
+            return Ok(Some(true));
+        }
+        let angle_rad: Vec<f64> =
+            cosines().skip(first).take(angles.max(1)).map(libm::acos).collect();
+        let some: Vec<LayerStack> =
+            self.columns.iter().skip(group).step_by(groups).cloned().collect();
+        let nm: Vec<f64> = WAVELENGTH_NM.iter().skip(group).step_by(groups).copied().collect();
+        let empty = Ensemble::empty(angle_rad.len() * nm.len());
+        let Some(mean) = empty.with(MODEL, &some, &angle_rad, &nm, stop)? else { return Ok(None) };
+        let rows = self.by_nm.iter_mut().skip(first);
+        for (row, found) in rows.zip(mean.reflectance().chunks_exact(nm.len())) {
+            for (to, from) in row.iter_mut().skip(group).step_by(groups).zip(found) {
+                *to = *from;
+            }
+        }
+        self.done += angle_rad.len();
+        Ok(Some(self.done == groups * Self::ALL_ANGLES))
+    }
+
+    /// The film, once it is complete.
+    ///
+    /// # Errors
+    /// As [`FilmDraft::add`].
+    pub fn film(&self) -> Result<Film, OpticsError> {
+        let bands = |row: &[f64; SAMPLES]| bands::means(row).map(|r| r.clamp(0.0, 1.0));
+        let reflectance = self.by_nm.iter().map(bands).collect();
+        Ok(Film { reflectance, modes: modes(&self.columns)? })
     }
 }
 
@@ -116,6 +162,18 @@ mod tests {
             assert!(mean.iter().zip(&seen).all(|(x, y)| (x - y).abs() < 1e-12));
         }
         assert!((both.modes()[7] - 1.53 * 1.53).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_film_made_in_parts_is_the_same_to_the_bit() {
+        let (columns, never) =
+            ((0..9).map(|i| column(380.0 + f64::from(i))), AtomicBool::new(false));
+        let columns: Vec<LayerStack> = columns.collect();
+        let mut draft = FilmDraft::new(columns.clone());
+        while !draft.add(50, &never).unwrap().unwrap() {
+            assert_eq!(draft.add(50, &AtomicBool::new(true)), Ok(None));
+        }
+        assert_eq!(Film::new(&columns, &never), Ok(Some(draft.film().unwrap())));
     }
 
     #[test]

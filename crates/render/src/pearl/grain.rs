@@ -5,7 +5,11 @@ use nacreous_image::{
     grain::{spectrum::GrainSpectrum, texture::Texture},
 };
 
-use crate::{RenderError, spec::pearl::PearlSpec};
+use super::knobs::texture_seed_of;
+use crate::{
+    RenderError,
+    spec::pearl::{PROCEDURAL, PearlSpec},
+};
 
 /// What makes a texture; pearls of the same grain share it.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +35,7 @@ impl GrainKey {
         let texture = common.texture;
         let spectrum = match measured {
             Some(spectrum) => spectrum.clone(),
-            None if texture.source == "procedural" => {
+            None if texture.source == PROCEDURAL => {
                 let (low, high) = (texture.low_per_mm, texture.high_per_mm);
                 GrainSpectrum::procedural()
                     .limited(low.unwrap_or(0.0), high.unwrap_or(f64::INFINITY))?
@@ -39,8 +43,8 @@ impl GrainKey {
             None => return Err(RenderError::Missing(texture.source.clone())),
         };
         let radius_mm = 0.5 * common.diameter_mm;
-        let seed = texture.seed.unwrap_or_else(|| common.nacre.seed());
-        Ok(Self { spectrum, radius_mm, seed, footprint_rad: pixel_mm / radius_mm })
+        let (seed, footprint_rad) = (texture_seed_of(pearl), pixel_mm / radius_mm);
+        Ok(Self { spectrum, radius_mm, seed, footprint_rad })
     }
 
     /// Draws the texture.

@@ -60,6 +60,13 @@ pub(crate) fn grain_of(pearl: &PearlSpec) -> Grain {
     }
 }
 
+/// Seed of the grain's random phases: the file's, or the growth's.
+///
+/// A number of its own beside [`resolved_of`], for seeds are whole numbers up to 2^63.
+pub fn texture_seed_of(pearl: &PearlSpec) -> u64 {
+    pearl.common().texture.seed.unwrap_or_else(|| pearl.common().nacre.seed())
+}
+
 /// Depth of the film: the file's, or what depth makes of it.
 pub fn outer_um_of(pearl: &TransportSpec) -> f64 {
     pearl.film.outer_um.unwrap_or_else(|| knobs(pearl).outer_um)

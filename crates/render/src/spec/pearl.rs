@@ -152,11 +152,14 @@ pub struct IlluminantSurfaceSpec {
     pub falloff_mm: f64,
 }
 
+/// The source of a grain that was measured on no photograph.
+pub const PROCEDURAL: &str = "procedural";
+
 /// The grain of the surface (paper, section 4.3).
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TextureSpec {
-    /// `procedural`, or the path of a photograph.
+    /// [`PROCEDURAL`], or the path of a photograph.
     pub source: String,
     /// Size of the photograph's pixels on the pearl.
     pub mm_per_pixel: Option<f64>,

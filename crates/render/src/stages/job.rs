@@ -9,6 +9,7 @@ use super::{
     kept::Kept,
     optics::OpticsStage,
     view::{Look, View},
+    work::Work,
 };
 use crate::{
     RenderError, Resources,
@@ -99,27 +100,44 @@ impl Job {
     /// # Errors
     /// [`RenderError`] for layers, lights or grains that cannot be.
     pub fn view(&mut self, progress: &Progress) -> Result<Option<View>, RenderError> {
-        let Some((scene_key, scene)) = self.lit_scene(progress)? else { return Ok(None) };
-        let pearls = self.pearls(&scene)?;
+        self.viewed(&Work::whole(progress))
+    }
+
+    /// Works out one more piece of the way to the view: the film of one pearl, its response to light, its
+    /// grain, the light around all pearls, or what they mirror. The view once nothing is missing; `None`
+    /// before, so that whoever calls can look at something else between two pieces.
+    ///
+    /// # Errors
+    /// As [`Job::view`].
+    pub fn step(&mut self, progress: &Progress) -> Result<Option<View>, RenderError> {
+        self.viewed(&Work::one_piece(progress))
+    }
+
+    /// The scene before the camera; `None` where `work` ends before.
+    fn viewed(&mut self, work: &Work<'_>) -> Result<Option<View>, RenderError> {
+        let Some((scene_key, scene)) = self.lit_scene(work)? else { return Ok(None) };
+        let Some(pearls) = self.pearls(&scene, work)? else { return Ok(None) };
         let (camera, size_px) = (self.arrangement.camera(), self.recipe.size);
         let key =
             ReflectionsKey { scene: scene_key, arrangement: self.arrangement.clone(), size_px };
         let make = |_: &ReflectionsKey| {
-            let reflections = Reflections::new(&pearls, &scene.surroundings, &camera, size_px);
-            Ok::<_, RenderError>((!progress.is_stopped()).then_some(reflections))
+            work.piece(|progress| {
+                let reflections = Reflections::new(&pearls, &scene.surroundings, &camera, size_px);
+                Ok::<_, RenderError>((!progress.is_stopped()).then_some(reflections))
+            })
         };
         let Some(reflections) = self.reflections.one(key, make)? else { return Ok(None) };
         let surroundings = Arc::clone(&scene.surroundings);
         let counts = (size_px, self.samples_side);
         let sampler = Sampler::new(pearls, surroundings, camera, counts, reflections);
-        let look = Look::new(&self.recipe.scene.camera, self.arrangement.field_mm(), size_px);
+        let look = Look::new(&self.recipe.scene, self.arrangement.field_mm(), size_px);
         Ok(Some(View::new(Arc::new(sampler), look, size_px)))
     }
 
     /// First and second stage.
     fn lit_scene(
         &mut self,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Option<(SceneKey, Arc<LitScene>)>, RenderError> {
         let (recipe, arrangement) = (&self.recipe, &self.arrangement);
         let lights_key = LightsKey::new(&recipe.scene, arrangement);
@@ -127,7 +145,7 @@ impl Job {
             |_: &LightsKey| Lights::new(&recipe.scene, arrangement, &self.resources).map(Some);
         let Some(lights) = self.lights.one(lights_key.clone(), make)? else { return Ok(None) };
         let known = (&lights_key, &*lights);
-        let Some(optics) = self.optics.optics(&recipe.pearls, known, progress)? else {
+        let Some(optics) = self.optics.optics(&recipe.pearls, known, work)? else {
             return Ok(None);
         };
         let unlit = Unlit {
@@ -139,20 +157,25 @@ impl Job {
             samples_side: self.samples_side,
         };
         let key = SceneKey::new(recipe, arrangement, lights_key, self.samples_side);
-        let make = |_: &SceneKey| Ok::<_, RenderError>(unlit.lit(progress));
+        let make = |_: &SceneKey| work.piece(|progress| Ok::<_, RenderError>(unlit.lit(progress)));
         Ok(self.scene.one(key.clone(), make)?.map(|scene| (key, scene)))
     }
 
-    /// The pearls in their places, with their grain.
-    fn pearls(&mut self, scene: &LitScene) -> Result<Vec<Pearl>, RenderError> {
-        let pixel_mm = self.arrangement.pixel_mm(self.recipe.size);
-        let grains = self.optics.grains(&self.recipe.pearls, &self.resources, pixel_mm)?;
+    /// The pearls in their places, with their grain; `None` where `work` ends before.
+    fn pearls(
+        &mut self,
+        scene: &LitScene,
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<Pearl>>, RenderError> {
+        let (recipe, pixel_mm) = (&self.recipe, self.arrangement.pixel_mm(self.recipe.size));
+        let grains = self.optics.grains(&recipe.pearls, &self.resources, pixel_mm, work)?;
+        let Some(grains) = grains else { return Ok(None) };
         let pearl = |(model, place): (&Arc<Model>, &Place)| Pearl {
             model: Arc::clone(model),
             texture: grains[place.pearl].texture.clone(),
             grain: grains[place.pearl].grain,
         };
-        Ok(scene.models.iter().zip(self.arrangement.places()).map(pearl).collect())
+        Ok(Some(scene.models.iter().zip(self.arrangement.places()).map(pearl).collect()))
     }
 }
 
@@ -211,7 +234,7 @@ mod tests {
         let mut job = Job::new(recipe(&[]), Resources::default()).unwrap();
         let look = |job: &mut Job| {
             job.view(&progress).unwrap();
-            let (scene_key, scene) = job.lit_scene(&progress).unwrap().unwrap();
+            let (scene_key, scene) = job.lit_scene(&Work::whole(&progress)).unwrap().unwrap();
             let make = |_: &ReflectionsKey| Err("made anew");
             let (arrangement, size_px) = (job.arrangement.clone(), job.recipe.size);
             let key = ReflectionsKey { scene: scene_key, arrangement, size_px };

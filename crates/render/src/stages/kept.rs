@@ -14,7 +14,7 @@ impl<K, V> Default for Kept<K, V> {
 
 impl<K: PartialEq, V> Kept<K, V> {
     /// The value of each key: what is kept, else what `make` gives; equal keys share it. `None` as soon as
-    /// `make` gives none, which happens where it was asked to stop.
+    /// `make` gives none, which happens where it was asked to stop; what it made before that is kept too.
     pub(crate) fn all<E>(
         &mut self,
         keys: Vec<K>,
@@ -24,12 +24,14 @@ impl<K: PartialEq, V> Kept<K, V> {
         let mut found = Vec::with_capacity(keys.len());
         for key in keys {
             let known = used.iter().chain(&self.0).find(|(known, _)| *known == key);
-            let value = match known {
-                Some((_, value)) => value.clone(),
-                None => match make(&key)? {
-                    Some(value) => Arc::new(value),
-                    None => return Ok(None),
-                },
+            let value = if let Some((_, value)) = known {
+                value.clone()
+            } else {
+                let Some(value) = make(&key)? else {
+                    self.0.extend(used);
+                    return Ok(None);
+                };
+                Arc::new(value)
             };
             found.push(value.clone());
             if !used.iter().any(|(known, _)| *known == key) {
@@ -80,5 +82,13 @@ mod tests {
         kept.one(1, make(false)).unwrap().unwrap();
         assert_eq!(kept.all(vec![1, 2], make(true)), Ok(None));
         assert_eq!(kept.one(1, make(true)).unwrap().as_deref(), Some(&1));
+    }
+
+    #[test]
+    fn what_was_made_before_a_stop_is_not_made_again() {
+        let mut kept = Kept::default();
+        let until = |stop: i32| move |key: &i32| Ok::<_, ()>((*key < stop).then_some(*key));
+        assert_eq!(kept.all(vec![1, 2, 3], until(3)), Ok(None));
+        assert_eq!(kept.all(vec![1, 2], until(0)), Ok(Some(vec![Arc::new(1), Arc::new(2)])));
     }
 }

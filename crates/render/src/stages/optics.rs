@@ -1,14 +1,14 @@
 //! First stage: what each pearl does with light, the same in all its places.
 
-use std::sync::Arc;
+use std::{cell::RefCell, sync::Arc};
 
 use nacreous_image::{
-    Film, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface, TorranceSparrow,
+    Film, FilmDraft, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface, TorranceSparrow,
     grain::texture::Texture,
 };
 use nacreous_optics::IlluminantModel;
 
-use super::kept::Kept;
+use super::{kept::Kept, work::Work};
 use crate::{
     RenderError, Resources,
     lights::{Lights, LightsKey},
@@ -89,6 +89,8 @@ struct RingsKey {
 #[derive(Debug, Default)]
 pub(crate) struct OpticsStage {
     films: Kept<FilmKey, Film>,
+    /// The film that is being made, where work ended amid it.
+    begun: RefCell<Option<(FilmKey, FilmDraft)>>,
     surfaces: Kept<SurfaceKey, Surface>,
     responses: Kept<ResponseKey, Response>,
     rings: Kept<RingsKey, Rings>,
@@ -96,14 +98,14 @@ pub(crate) struct OpticsStage {
 }
 
 impl OpticsStage {
-    /// The optics of each pearl; `None` once `progress` says to stop.
+    /// The optics of each pearl; `None` where `work` ends before.
     pub(crate) fn optics(
         &mut self,
         pearls: &[PearlSpec],
         (lights_key, lights): (&LightsKey, &Lights),
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Option<Vec<Optics>>, RenderError> {
-        let Some(responses) = self.responses(pearls, (lights_key, lights), progress)? else {
+        let Some(responses) = self.responses(pearls, (lights_key, lights), work)? else {
             return Ok(None);
         };
         let illuminant = pearls.iter().filter_map(|pearl| match pearl {
@@ -111,8 +113,10 @@ impl OpticsStage {
             PearlSpec::Illuminant(spec) => Some(rings_key(pearl, spec, lights_key)),
         });
         let make = |key: &RingsKey| {
-            let stack = stack_of(&key.nacre)?;
-            Ok::<_, RenderError>(Rings::new(&stack, &key.model, &lights.light, progress)?)
+            work.piece(|progress| {
+                let stack = stack_of(&key.nacre)?;
+                Ok::<_, RenderError>(Rings::new(&stack, &key.model, &lights.light, progress)?)
+            })
         };
         let Some(rings) = self.rings.all(illuminant.collect(), make)? else { return Ok(None) };
         let (mut responses, mut rings) = (responses.into_iter(), rings.into_iter());
@@ -136,7 +140,7 @@ impl OpticsStage {
         &mut self,
         pearls: &[PearlSpec],
         (lights_key, lights): (&LightsKey, &Lights),
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Option<Vec<Arc<Response>>>, RenderError> {
         let specs: Vec<(&PearlSpec, &TransportSpec)> = pearls
             .iter()
@@ -147,7 +151,7 @@ impl OpticsStage {
             .collect();
         let keys: Vec<SurfaceKey> =
             specs.iter().map(|(pearl, spec)| surface_key(pearl, spec)).collect();
-        let Some(surfaces) = self.surfaces(&keys, progress)? else { return Ok(None) };
+        let Some(surfaces) = self.surfaces(&keys, work)? else { return Ok(None) };
         let response_keys = specs.iter().zip(&keys).map(|((_, spec), surface)| ResponseKey {
             surface: surface.clone(),
             body: spec.body.clone(),
@@ -161,42 +165,62 @@ impl OpticsStage {
             let Some(first) = response_keys.iter().position(|known| known == key) else {
                 return Ok(None);
             };
-            let (surface, body) = (&surfaces[first], body_of(specs[first].1)?);
-            let response = Response::new(surface, &body, &lights.palette, &lights.lamp_bands);
-            Ok::<_, RenderError>((!progress.is_stopped()).then_some(response))
+            work.piece(|progress| {
+                let (surface, body) = (&surfaces[first], body_of(specs[first].1)?);
+                let response = Response::new(surface, &body, &lights.palette, &lights.lamp_bands);
+                Ok::<_, RenderError>((!progress.is_stopped()).then_some(response))
+            })
         };
         self.responses.all(response_keys.clone(), make)
     }
 
-    /// The grain of each pearl that shows any; pearls of the same grain share it.
+    /// The grain of each pearl that shows any; pearls of the same grain share it. `None` where `work` ends
+    /// before.
     pub(crate) fn grains(
         &mut self,
         pearls: &[PearlSpec],
         resources: &Resources,
         pixel_mm: f64,
-    ) -> Result<Vec<Grained>, RenderError> {
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<Grained>>, RenderError> {
         let seen: Vec<bool> = pearls.iter().map(|pearl| is_seen(&grain_of(pearl))).collect();
         let keys = pearls.iter().enumerate().filter(|(i, _)| seen[*i]);
         let keys = keys
             .map(|(i, pearl)| GrainKey::new(pearl, resources.grains.get(&i), pixel_mm))
             .collect::<Result<Vec<_>, _>>()?;
-        let textures = self.textures.all(keys, |key| key.texture().map(Some))?.unwrap_or_default();
+        let make = |key: &GrainKey| work.piece(|_| key.texture().map(Some));
+        let Some(textures) = self.textures.all(keys, make)? else { return Ok(None) };
         let mut textures = textures.into_iter();
         let grained = |(pearl, seen): (&PearlSpec, bool)| Grained {
             texture: if seen { textures.next() } else { None },
             grain: grain_of(pearl),
         };
-        Ok(pearls.iter().zip(seen).map(grained).collect())
+        Ok(Some(pearls.iter().zip(seen).map(grained).collect()))
     }
 
     fn surfaces(
         &mut self,
         keys: &[SurfaceKey],
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Option<Vec<Arc<Surface>>>, RenderError> {
+        let begun = &self.begun;
         let film = |key: &FilmKey| {
-            let columns = columns_of(&key.nacre, &key.film, key.outer_um)?;
-            Ok::<_, RenderError>(Film::new(&columns, progress.stop_flag())?)
+            let before = begun.take().filter(|(known, _)| known == key).map(|(_, draft)| draft);
+            let mut draft = match before {
+                Some(draft) => draft,
+                None => FilmDraft::new(columns_of(&key.nacre, &key.film, key.outer_um)?),
+            };
+            loop {
+                let add = |progress: &Progress| draft.add(work.film_angles, progress.stop_flag());
+                match work.piece(add)? {
+                    Some(true) => return Ok::<_, RenderError>(Some(draft.film()?)),
+                    Some(false) => {}
+                    None => {
+                        begun.replace(Some((key.clone(), draft)));
+                        return Ok(None);
+                    }
+                }
+            }
         };
         let film_keys = keys.iter().map(|key| key.film.clone()).collect();
         let Some(films) = self.films.all(film_keys, film)? else { return Ok(None) };

@@ -4,7 +4,7 @@ use std::{ops::Range, sync::Arc};
 
 use nacreous_image::{CHANNELS, PARTS, Progress, Sampler, spread_glare};
 
-use crate::spec::scene::CameraSpec;
+use crate::spec::scene::SceneSpec;
 
 /// A scene before the camera, ready for any row.
 #[derive(Debug, Clone)]
@@ -24,7 +24,8 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    pub(crate) fn new(camera: &CameraSpec, field_mm: f64, size_px: usize) -> Self {
+    pub(crate) fn new(scene: &SceneSpec, field_mm: f64, size_px: usize) -> Self {
+        let camera = &scene.camera;
         let glare_mm = camera.distance_mm * libm::tan(camera.glare_deg.to_radians());
         let glare_px = glare_mm / field_mm * size_px as f64;
         Self { exposure: camera.exposure as f32, glare: camera.glare, glare_px }
@@ -52,11 +53,21 @@ impl View {
     /// coverage are no light and stay.
     pub fn look(&self, pixels: &mut [f32]) {
         spread_glare(pixels, self.size_px, self.look.glare, self.look.glare_px);
+        self.expose(pixels);
+    }
+
+    /// The look without glare, which needs the whole picture: of any pixels.
+    pub fn expose(&self, pixels: &mut [f32]) {
         for pixel in pixels.chunks_exact_mut(CHANNELS) {
             for channel in &mut pixel[..PARTS[3].1.end] {
                 *channel *= self.look.exposure;
             }
         }
+    }
+
+    /// Whether lens and eye spread any light.
+    pub fn has_glare(&self) -> bool {
+        self.look.glare > 0.0
     }
 
     /// The whole picture: linear light [row, column, channel] in the parts that [`PARTS`] names.
@@ -65,4 +76,11 @@ impl View {
         self.look(&mut pixels);
         Some(pixels)
     }
+}
+
+/// The light of pixels, three channels each: the sum of the first four parts.
+pub fn light_of(pixels: &[f32]) -> Vec<f32> {
+    let sum =
+        |pixel: &[f32]| [0, 1, 2].map(|i| pixel[i] + pixel[i + 3] + pixel[i + 6] + pixel[i + 9]);
+    pixels.chunks_exact(CHANNELS).flat_map(sum).collect()
 }

@@ -5,10 +5,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { energies, energiesSingle, illuminant, initSync, Stack } from "../target/wasm/nacreous.js";
+import { nacreous, near } from "./bundle.mjs";
 
-const near = (path) => new URL(path, import.meta.url);
-initSync({ module: readFileSync(near("../target/wasm/nacreous_bg.wasm")) });
+const { energies, energiesSingle, illuminant, Stack } = nacreous;
 
 const thicknessNm = Float64Array.from({ length: 100 }, (_, i) => 350 + ((i * 37) % 101));
 const angleRad = Float64Array.of(0, 0.6, 1.2);
@@ -18,7 +17,7 @@ const nacre = (aragonite = 1.53, protein = 1.43) =>
 
 /** The stacks of bilayers among the independent numbers, with what they reflect and transmit. */
 function golden() {
-  const [, ...rows] = readFileSync(near("golden/tmm_reference.csv"), "utf8").trim().split("\n");
+  const [, ...rows] = readFileSync(near("../golden/tmm_reference.csv"), "utf8").trim().split("\n");
   return rows
     .map((row) => row.split(","))
     .filter(([name]) => ["one_bilayer", "six_bilayers", "six_bilayers_absorbing"].includes(name))
@@ -93,8 +92,8 @@ test("one layer lit from within sends what its protein's two faces reflect", () 
 });
 
 test("the example in docs/optics.md runs as shown", async () => {
-  const [, example] = readFileSync(near("../docs/optics.md"), "utf8").match(/```js\n(.*?)```/s);
-  const bundle = near("../target/wasm/nacreous.js").href;
+  const [, example] = readFileSync(near("../../docs/optics.md"), "utf8").match(/```js\n(.*?)```/s);
+  const bundle = near("../../target/wasm/nacreous.js").href;
   const program = `${example.replace("./nacreous.js", bundle)}; export { R, T, A }`;
   const shares = await import(`data:text/javascript,${encodeURIComponent(program)}`);
   assert.ok(shares.R instanceof Float32Array);

@@ -1,0 +1,124 @@
+//! The binding of the render room's job: a recipe in JSON in, rows of light out.
+
+use nacreous_image::{CHANNELS, Progress};
+use nacreous_render::{View, spec::Recipe};
+use wasm_bindgen::prelude::*;
+
+use crate::{refused, resources::resources_of};
+
+/// A picture in the making, kept and asked again: only what changed is worked out anew.
+#[wasm_bindgen]
+pub struct Job {
+    job: nacreous_render::Job,
+    resources: nacreous_render::Resources,
+    view: Option<View>,
+}
+
+#[wasm_bindgen]
+impl Job {
+    /// Takes a complete recipe, and the contents of the files that it names.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "RecipeJson")] recipe: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "Resources")] resources: JsValue,
+    ) -> Result<Self, JsError> {
+        let recipe = Recipe::from_json(recipe).map_err(refused)?;
+        let resources = resources_of(&resources)?;
+        let job = nacreous_render::Job::new(recipe, resources.clone()).map_err(refused)?;
+        Ok(Self { job, resources, view: None })
+    }
+
+    /// Puts another recipe in the place of this one; what both have in common stays known. Without
+    /// resources, those handed over before stay. A refused change leaves the job as it was.
+    pub fn change(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "RecipeJson")] recipe: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "Resources")] resources: JsValue,
+    ) -> Result<(), JsError> {
+        let recipe = Recipe::from_json(recipe).map_err(refused)?;
+        let resources = match resources.is_undefined() {
+            true => self.resources.clone(),
+            false => resources_of(&resources)?,
+        };
+        self.job.change(recipe, resources.clone()).map_err(refused)?;
+        (self.resources, self.view) = (resources, None);
+        Ok(())
+    }
+
+    /// Works out one more piece of what comes before the pixels; whether all of it is there. A worker looks
+    /// at its messages between two pieces. Nobody has to call it: rows work out what is missing.
+    pub fn step(&mut self) -> Result<bool, JsError> {
+        if self.view.is_none() {
+            self.view = self.job.step(&Progress::default()).map_err(refused)?;
+        }
+        Ok(self.view.is_some())
+    }
+
+    /// Light of some rows from the top, before the look: 16 numbers a pixel, named by `layers`. Rows beyond
+    /// the last are left out.
+    pub fn rows(&mut self, first: usize, end: usize) -> Result<Vec<f32>, JsError> {
+        let size_px = self.size();
+        let rows = end.min(size_px).saturating_sub(first);
+        if rows * size_px > MOST_PIXELS {
+            let message = format!(
+                "rows {first} to {end} have {} pixels; allowed: up to {MOST_PIXELS}",
+                rows * size_px
+            );
+            return Err(refused(message));
+        }
+        self.view()?.rows(first..end, &Progress::default()).ok_or_else(broken_off)
+    }
+
+    /// Turns the light of the whole picture into what lens, eye and exposure leave of it, in place.
+    pub fn look(&mut self, pixels: &mut [f32]) -> Result<(), JsError> {
+        let (whole, given) = (self.size().pow(2) * CHANNELS, pixels.len());
+        if given != whole {
+            let message = format!("pixels has {given} numbers; allowed: {whole}, all of a picture");
+            return Err(refused(message));
+        }
+        self.view()?.look(pixels);
+        Ok(())
+    }
+
+    /// The look without glare, which needs the whole picture: of any pixels, in place.
+    pub fn expose(&mut self, pixels: &mut [f32]) -> Result<(), JsError> {
+        check_pixels(pixels)?;
+        self.view()?.expose(pixels);
+        Ok(())
+    }
+
+    /// Whether lens and eye spread any light: then rows alone do not look as they do in the whole picture.
+    #[wasm_bindgen(getter = hasGlare)]
+    pub fn has_glare(&self) -> bool {
+        self.job.recipe().scene.camera.glare > 0.0
+    }
+
+    /// Pixels a side.
+    #[wasm_bindgen(getter)]
+    pub fn size(&self) -> usize {
+        self.job.recipe().size
+    }
+
+    fn view(&mut self) -> Result<&View, JsError> {
+        if self.view.is_none() {
+            self.view = self.job.view(&Progress::default()).map_err(refused)?;
+        }
+        self.view.as_ref().ok_or_else(broken_off)
+    }
+}
+
+/// Holds the number of channels against whole pixels.
+pub fn check_pixels(pixels: &[f32]) -> Result<(), JsError> {
+    if pixels.len().is_multiple_of(CHANNELS) {
+        return Ok(());
+    }
+    let given = pixels.len();
+    Err(refused(format!("pixels has {given} numbers; allowed: a multiple of {CHANNELS}")))
+}
+
+fn broken_off() -> JsError {
+    refused("the picture broke off; please report this")
+}
+
+/// What the memory of a page holds at once: a GB. More than there is ends the program.
+const MOST_PIXELS: usize = 1 << 24;
