@@ -4,11 +4,11 @@
     python benchmarks/image.py --peers    # and Mitsuba's pearl, and docs/benchmarks.md
 
 Prints whole-process wall time, processor time and peak memory over several runs, of the main job,
-of every preset scene and of 24 pearls in one, the import of the package (which loads no room until
-asked) and of its last room (which brings NumPy and pydantic), and where the time goes in the rooms;
-the main job by stages is in `main_job.py`. The budget of the main job is 1.5 s on two cores, of the
-import 0.3 s, of memory 200 MB. `--peers` compares with Mitsuba 3, see `reflection.py`. Nothing here
-is a test: machines differ.
+of every preset scene, of 24 to 400 pearls in one, of 4096 x 4096 pixels, the import of the package
+(which loads no room until asked) and of its last room (which brings NumPy and pydantic), and where
+the time goes in the rooms; the main job by stages is in `main_job.py`. The budget of the main job
+is 1.5 s on two cores, of the import 0.3 s, of memory 200 MB. `--peers` compares with Mitsuba 3, see
+`reflection.py`. Nothing here is a test: machines differ.
 """
 
 from __future__ import annotations
@@ -129,6 +129,43 @@ def report_scenes(render: list[str], folder: str) -> None:
     report("24 pearls", [*render, *goods, "--scene", str(tray), *output])
 
 
+#: Pearls in a square of rows, from above.
+FIELD = """
+name = "field"
+[camera]
+elevation_deg = 45.0
+distance_mm = 800.0
+{rows}
+[[windows]]
+azimuth_deg = -40.0
+elevation_deg = 45.0
+spectrum = "6500K"
+luminance = 6.0
+[table]
+kind = "cloth"
+"""
+
+
+STAR = '"*"'
+
+
+def report_fields(render: list[str], folder: str) -> None:
+    """25, 100 and 400 pearls in 512 x 512; wanted: 8 s, and a time linear in their number."""
+    output = ["--size", "512", "-o", str(Path(folder, "field.png"))]
+    pearls = ("akoya-rg", "akoya-r-1.0", "akoya-g-0.0")
+    for side in (5, 10, 20):
+        row = f"[[rows]]\npearls = [{', '.join([STAR] * side)}]"
+        field = Path(folder, f"field-{side}.toml")
+        field.write_text(FIELD.format(rows="\n".join([row] * side)))
+        report(f"{side * side} pearls", [*render, *pearls, "--scene", str(field), *output])
+
+
+def report_large(render: list[str], folder: str) -> None:
+    """One pearl in 4096 x 4096; wanted: 15 s of processor time."""
+    output = ["--size", "4096", "-o", str(Path(folder, "large.png"))]
+    report("4096 x 4096", [*render, "akoya-rg", "--scene", "north-window-white", *output])
+
+
 def main() -> None:
     """Print everything."""
     print(f"{processor()}; {platform.platform()}; Python {platform.python_version()}; {RUNS} runs")
@@ -139,6 +176,8 @@ def main() -> None:
         larger = ["--size", "1024", "-o", output]
         report("the same, 1024 x 1024", [*nacreous, "render", "paper", *larger])
         report_scenes([*nacreous, "render"], folder)
+        report_fields([*nacreous, "render"], folder)
+        report_large([*nacreous, "render"], folder)
         report("import nacreous", [sys.executable, "-c", "import nacreous"])
         report("import nacreous.image", [sys.executable, "-c", "import nacreous.image"])
         report("Python alone", [sys.executable, "-c", "pass"])

@@ -40,7 +40,7 @@ pub use gamut::{Gamut, in_gamut, out_of_gamut_share};
 pub use illuminant::{Illuminant, Kelvin};
 pub use lab::{delta_e_2000, lab_from_xyz, xyz_from_lab};
 pub use matrix::Matrix;
-pub use munsell::{Hvc, hvc_from_rgb, hvc_from_xyz, rgb_from_hvc, xyz_from_hvc};
+pub use munsell::{Hvc, hvc_from_rgb, hvc_from_xyz, rgb_from_hvc, value_from_rgb, xyz_from_hvc};
 pub use observer::Observer;
 pub use reflectance::reflectance_from_rgb;
 pub use rgb::{RgbSpace, decode, encode};

@@ -1,5 +1,6 @@
 //! Everything a pearl stands in and mirrors, and the light that falls there.
 
+pub(crate) mod clusters;
 pub(crate) mod environment;
 pub(crate) mod ground;
 pub(crate) mod incident;

@@ -26,6 +26,13 @@ impl SecondOrder {
         Self(coefficients)
     }
 
+    /// Adds so much of another.
+    pub(crate) fn add(&mut self, other: &Self, amount: f64) {
+        for (sum, more) in self.0.iter_mut().zip(other.0) {
+            rgb::add(sum, rgb::scaled(more, amount));
+        }
+    }
+
     /// The value in a direction, each harmonic times its weight.
     pub(crate) fn at(&self, direction: DVec3, weights: &[f64; 9]) -> Rgb {
         let mut value = [0.0; 3];

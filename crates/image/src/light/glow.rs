@@ -25,6 +25,15 @@ impl Glow {
         Self(SecondOrder::nearest_to(directions().map(|(to, share)| (to, share, radiance(to)))))
     }
 
+    /// The mean of several, each by its weight; the weights add up to 1.
+    pub(crate) fn mean(glows: impl Iterator<Item = (f64, Self)>) -> Self {
+        let mut sum = SecondOrder::ZERO;
+        for (weight, glow) in glows {
+            sum.add(&glow.0, weight);
+        }
+        Self(sum)
+    }
+
     /// Mean radiance shown to a viewer in a direction (a unit vector from the ball).
     pub fn at(&self, towards_viewer: DVec3) -> Rgb {
         self.0.at(towards_viewer, &[1.0; 9]).map(|channel| channel.max(0.0))

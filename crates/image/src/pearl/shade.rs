@@ -3,7 +3,7 @@
 //! Interference, body and mirror add up, as in the paper's section 4.
 //! Left out: what lies behind the pearl.
 
-use crate::rgb::Rgb;
+use crate::rgb::{self, Rgb};
 
 /// The light of one point of the pearl, in parts.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -17,4 +17,14 @@ pub struct Shade {
     pub mirror: Rgb,
     /// Grain in hue, value, chroma.
     pub texture: Rgb,
+}
+
+impl Shade {
+    /// All of its light, before the grain.
+    pub(crate) fn light(&self) -> Rgb {
+        let mut light = self.interference;
+        rgb::add(&mut light, self.diffuse);
+        rgb::add(&mut light, self.mirror);
+        light
+    }
 }

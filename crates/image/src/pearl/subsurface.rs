@@ -35,13 +35,23 @@ pub(crate) struct Beam {
 /// its colour in a direction depends on the angle to the normal by the film, on the place by the light.
 #[derive(Debug, Clone)]
 pub(crate) struct Subsurface {
-    /// By direction of the normal, [`ROWS`] rows: light about to leave, by band, and what would leave of it
+    /// By direction of the normal, in rows: light about to leave, by band, and what would leave of it
     /// through a film without colour, in linear RGB.
     places: Vec<[f32; PLACE]>,
+    rows: usize,
     passage: Arc<Passage>,
 }
 
-const ROWS: usize = 64;
+/// Rows from pole to pole, enough that lines between them miss waves up to degree `top` that fade as they wander
+/// by less than half a step between 8-bit codes.
+fn rows(top: usize) -> usize {
+    match top {
+        0..=12 => 32,
+        13..=18 => 48,
+        _ => 64,
+    }
+}
+
 /// The bands, RGB and one number to fill the registers.
 const PLACE: usize = BANDS + 4;
 
@@ -54,12 +64,13 @@ impl Subsurface {
         beams: &[Beam],
     ) -> Self {
         let outside = Outside::new(&passage, surroundings, ball, beams);
-        let mut places = vec![[0.0_f32; PLACE]; 2 * ROWS * ROWS];
-        let mut grid = vec![[0.0_f64; CHANNELS]; 2 * ROWS * ROWS];
+        let rows = rows(passage.top());
+        let mut places = vec![[0.0_f32; PLACE]; 2 * rows * rows];
+        let mut grid = vec![[0.0_f64; CHANNELS]; 2 * rows * rows];
         for first in (0..BANDS).step_by(CHANNELS) {
             let bands: [usize; CHANNELS] = std::array::from_fn(|i| (first + i).min(BANDS - 1));
             let waves = outside.waves(bands);
-            synthesise(&waves, passage.top(), (ROWS, 2 * ROWS), |texel| texel, &mut grid);
+            synthesise(&waves, passage.top(), (rows, 2 * rows), |texel| texel, &mut grid);
             for (place, values) in places.iter_mut().zip(&grid) {
                 for (value, band) in values.iter().zip(bands) {
                     // A cut-off sum of waves swings below zero beside a lamp's terminator.
@@ -72,7 +83,7 @@ impl Subsurface {
                 place[BANDS + channel] = dot(weights, place);
             }
         }
-        Self { places, passage }
+        Self { places, rows, passage }
     }
 
     /// Linear RGB of the light that leaves where the normal is `normal`, at an angle to it, and what it
@@ -87,8 +98,8 @@ impl Subsurface {
     /// Between the four nearest places.
     #[inline]
     fn light(&self, place: Place) -> [f32; PLACE] {
-        let scale = ROWS as f32 / std::f32::consts::PI;
-        let (columns, rows) = (2 * ROWS, ROWS as f32);
+        let scale = self.rows as f32 / std::f32::consts::PI;
+        let (columns, rows) = (2 * self.rows, self.rows as f32);
         // A turn and a row more keep both positive.
         let across = place.longitude * scale + columns as f32;
         let down = (place.colatitude * scale + 0.5).min(rows + 0.4999);
@@ -98,8 +109,8 @@ impl Subsurface {
         for (r, row_share) in [(row, 1.0 - below), (row + 1, below)] {
             // Beyond a pole lies the same ring, half way round.
             let (ring, turn) = match r {
-                0 => (0, ROWS),
-                r if r > ROWS => (ROWS - 1, ROWS),
+                0 => (0, self.rows),
+                r if r > self.rows => (self.rows - 1, self.rows),
                 r => (r - 1, 0),
             };
             for (c, share) in [(column, 1.0 - aside), (column + 1, aside)] {
@@ -184,14 +195,15 @@ impl<'a> Outside<'a> {
 
 /// The light around in waves, as amounts of the palette's curves.
 fn around(passage: &Passage, surroundings: &Lit, ball: usize) -> Coefficients {
-    let step_rad = PI / ROWS as f64;
+    let rows = rows(passage.top());
+    let step_rad = PI / rows as f64;
     let directions: Vec<DVec3> =
-        directions_of_grid(ROWS).map(|(direction, _)| from_grid(direction)).collect();
+        directions_of_grid(rows).map(|(direction, _)| from_grid(direction)).collect();
     let amounts = |seen: Rgb| apply(passage.palette().amounts(), seen);
     let values = parallel::map(directions.len(), |i| {
         amounts(surroundings.seen_without_windows(ball, directions[i], step_rad))
     });
-    let mut waves = analyse(ROWS, &values, passage.top());
+    let mut waves = analyse(rows, &values, passage.top());
     for (along, solid_angle, more) in surroundings.window_points(ball) {
         let amounts = amounts(more).map(|amount| amount * solid_angle);
         waves.add(&point(to_grid(along), passage.top()), amounts);

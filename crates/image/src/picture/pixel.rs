@@ -3,7 +3,7 @@
 //! The paper, section 4.4: hue, chroma and brightness change in proportion to lightness.
 //! Left out: grain on what interference adds.
 
-use nacreous_colour::{hvc_from_rgb, rgb_from_hvc};
+use nacreous_colour::{hvc_from_rgb, rgb_from_hvc, value_from_rgb};
 
 use crate::{
     pearl::{model::Pearl, shade::Shade},
@@ -36,6 +36,16 @@ impl Pixel {
         self.coverage += weight;
     }
 
+    /// Counts its samples so many times.
+    pub(crate) fn brighten(&mut self, times: f64) {
+        let parts =
+            [&mut self.interference, &mut self.diffuse, &mut self.mirror, &mut self.texture];
+        for part in parts {
+            *part = rgb::scaled(*part, times);
+        }
+        self.coverage *= times;
+    }
+
     /// Grain of the one pearl that the samples so far show: H and C of the body colour and the
     /// brightness of what is mirrored, each changed in proportion to lightness (paper, section 4.4).
     /// Once a pixel, for its samples share the texture.
@@ -46,7 +56,7 @@ impl Pixel {
         }
         let [hue, value, chroma] = self.texture.map(|t| t / self.coverage);
         let lightness = |part: Rgb| {
-            hvc_from_rgb(rgb::scaled(part, 1.0 / self.coverage)).value.clamp(0.0, 10.0) / 10.0
+            value_from_rgb(rgb::scaled(part, 1.0 / self.coverage)).clamp(0.0, 10.0) / 10.0
         };
         let glint = 1.0 + weights.value * lightness(self.mirror) * value;
         let mut body = hvc_from_rgb(rgb::scaled(self.diffuse, 1.0 / self.coverage));

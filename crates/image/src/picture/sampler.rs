@@ -108,9 +108,7 @@ impl Sampler {
         };
         view.balls.clear();
         view.balls.extend(balls.iter().copied().filter(near));
-        view.parts.clear();
-        view.parts.resize(view.balls.len(), Pixel::default());
-        view.behind = [0.0; 3];
+        view.clear();
     }
 
     /// Where in the view a point of a pixel is, offsets in pixels from the pixel's middle.
@@ -122,17 +120,18 @@ impl Sampler {
     }
 
     fn pixel(&self, row: usize, column: usize, view: &mut View) -> Pixel {
-        let side = self.offsets.len();
-        let smooth = self.is_smooth(row, column, view);
-        let weight = 1.0 / (if smooth { side } else { side * side }) as f64;
-        for (i, &down) in self.offsets.iter().enumerate() {
-            for (j, &aside) in self.offsets.iter().enumerate() {
-                if smooth && j != rook(i, side) {
-                    continue;
+        match self.detail(row, column, view) {
+            Detail::None => {
+                let (x, y) = self.place(row, column, 0.0, 0.0);
+                self.sample(&self.camera.ray(x, y), (1.0, 0), view);
+            }
+            detail => {
+                let alike = self.few((row, column), &detail, view);
+                match detail {
+                    Detail::Edges => self.others(row, column, view),
+                    Detail::Unknown if !alike => self.others(row, column, view),
+                    _ => view.brighten(self.offsets.len() as f64),
                 }
-                let (x, y) = self.place(row, column, down, aside);
-                let part = if smooth { i } else { (i + j) % side };
-                self.sample(&self.camera.ray(x, y), (weight, part), view);
             }
         }
         let mut pixel = Pixel::of_surroundings(view.behind);
@@ -143,35 +142,91 @@ impl Sampler {
         pixel
     }
 
-    /// Whether nothing but the inner disc of one pearl is seen whose light has no detail finer than a pixel:
-    /// then one sample in each row and column will do.
-    fn is_smooth(&self, row: usize, column: usize, view: &View) -> bool {
-        let [ball] = view.balls[..] else { return false };
+    /// One sample in each row and column of a pixel's samples, whose mean is that of all where light changes in
+    /// a straight line; whether they are alike.
+    fn few(&self, (row, column): (usize, usize), detail: &Detail, view: &mut View) -> bool {
+        let side = self.offsets.len();
+        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for (i, &down) in self.offsets.iter().enumerate() {
+            let j = rook(i, side);
+            let (x, y) = self.place(row, column, down, self.offsets[j]);
+            // Alone, the samples share all facets out among themselves.
+            let part = if matches!(detail, Detail::BelowPixel) { i } else { (i + j) % side };
+            let light = self.sample(&self.camera.ray(x, y), (self.weight(), part), view);
+            for channel in 0..3 {
+                least[channel] = least[channel].min(light[channel]);
+                most[channel] = most[channel].max(light[channel]);
+            }
+        }
+        (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + DARK))
+    }
+
+    /// All other samples.
+    fn others(&self, row: usize, column: usize, view: &mut View) {
+        let side = self.offsets.len();
+        for (i, &down) in self.offsets.iter().enumerate() {
+            for (j, &aside) in self.offsets.iter().enumerate().filter(|(j, _)| *j != rook(i, side))
+            {
+                let (x, y) = self.place(row, column, down, aside);
+                self.sample(&self.camera.ray(x, y), (self.weight(), (i + j) % side), view);
+            }
+        }
+    }
+
+    /// The share of a pixel that each of all its samples stands for.
+    fn weight(&self) -> f64 {
+        1.0 / self.offsets.len().pow(2) as f64
+    }
+
+    /// What detail a pixel may have.
+    fn detail(&self, row: usize, column: usize, view: &View) -> Detail {
+        let many = self.offsets.len() >= FEWEST_ALIKE;
+        let ball = match view.balls[..] {
+            [] if many => return Detail::Unknown,
+            [ball] => ball,
+            [] | [_, _, ..] => return Detail::Edges,
+        };
         let (x, y) = self.place(row, column, 0.0, 0.0);
-        let edge_mm = self.surroundings.balls[ball].radius_mm - 3.0 * self.pixel_mm[ball];
-        self.pearls[ball].model.is_smooth()
-            && self.surroundings.balls[ball].passing_mm(&self.camera.ray(x, y)) < edge_mm
+        let (radius_mm, pixel_mm) = (self.surroundings.balls[ball].radius_mm, self.pixel_mm[ball]);
+        let rim_mm = radius_mm - self.surroundings.balls[ball].passing_mm(&self.camera.ray(x, y));
+        if rim_mm <= 3.0 * pixel_mm {
+            return Detail::Edges;
+        }
+        let cached = self.reflections.0[ball].is_some();
+        match self.pearls[ball].model.is_smooth() {
+            true if cached && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm => {
+                Detail::None
+            }
+            true => Detail::BelowPixel,
+            false if many => Detail::Unknown,
+            false => Detail::Edges,
+        }
     }
 
     /// From front to back, each pearl covers what lies behind it.
-    fn sample(&self, ray: &Ray, (weight, part): (f64, usize), view: &mut View) {
+    /// Gives the light of all that it shows.
+    fn sample(&self, ray: &Ray, (weight, part): (f64, usize), view: &mut View) -> Rgb {
         self.meet(ray, view);
-        let mut left = 1.0;
+        let (mut light, mut left) = ([0.0; 3], 1.0);
         for (place, hit) in &view.hits {
             let ball = view.balls[*place];
             let pixel_mm = self.pixel_mm[ball];
             let around = self.reflections.0[ball].as_ref().map(|cache| cache.at(hit.normal));
             let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part, around };
             let shade = self.pearls[ball].shade(&self.surroundings, &sight);
-            view.parts[*place].add(&shade, weight * left * hit.coverage);
+            let share = left * hit.coverage;
+            view.parts[*place].add(&shade, weight * share);
+            rgb::add(&mut light, rgb::scaled(shade.light(), share));
             left *= 1.0 - hit.coverage;
             if left <= 0.0 {
-                return;
+                return light;
             }
         }
         let pixel_rad = self.camera.cell_mm(self.size_px) / self.camera.reach_mm(ray);
         let seen = self.surroundings.scenery(ray, pixel_rad);
         rgb::add(&mut view.behind, rgb::scaled(seen.radiance, weight * left));
+        rgb::add(&mut light, rgb::scaled(seen.radiance, left));
+        light
     }
 
     /// Where a line of sight meets the balls of a view, the nearest first.
@@ -190,6 +245,29 @@ impl Sampler {
     }
 }
 
+/// What detail there is within a pixel.
+enum Detail {
+    /// Light hardly changes over several pixels: one sample will do.
+    None,
+    /// Nothing finer than a pixel, on the inner disc of one pearl: one sample in each row and column will do.
+    BelowPixel,
+    /// Perhaps nothing: those samples tell.
+    Unknown,
+    /// A pearl's rim.
+    Edges,
+}
+
+/// Samples are alike whose light differs by this share of it, and of some more in the dark: their mean is then
+/// that of all to less than half a step between 8-bit codes (8 pearls in all scenes).
+const ALIKE: f64 = 0.02;
+const DARK: f64 = 0.02;
+/// So many samples along a side have no edge pass between them unseen.
+const FEWEST_ALIKE: usize = 4;
+/// Pixels of less than this share of a pearl's radius, this share of it from its rim, see no change of what its
+/// facets blur, its film or its grain.
+const FINE: f64 = 1.0 / 700.0;
+const RIM: f64 = 0.02;
+
 /// What a pixel shows, while it is being made.
 #[derive(Default)]
 struct View {
@@ -200,6 +278,23 @@ struct View {
     behind: Rgb,
     /// Where the present line of sight meets them, by place in `balls`.
     hits: Vec<(usize, Hit)>,
+}
+
+impl View {
+    /// Counts all light that was gathered so many times.
+    fn brighten(&mut self, times: f64) {
+        for part in &mut self.parts {
+            part.brighten(times);
+        }
+        self.behind = rgb::scaled(self.behind, times);
+    }
+
+    /// Forgets the light that was gathered.
+    fn clear(&mut self) {
+        self.parts.clear();
+        self.parts.resize(self.balls.len(), Pixel::default());
+        self.behind = [0.0; 3];
+    }
 }
 
 /// Column of the one sample that is taken in row `i`, such that no column comes twice.

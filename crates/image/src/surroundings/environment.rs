@@ -4,9 +4,12 @@
 //! Left out: balls that overlap, and windows that hide one another.
 
 use crate::{
+    light::glow::Glow,
     rgb::Rgb,
     shape::{ball::Ball, neighbours::Neighbours},
-    surroundings::{lamp::Lamp, sky::Sky, table::Table, walls::Walls, window::Window},
+    surroundings::{
+        clusters::ClusterTree, lamp::Lamp, sky::Sky, table::Table, walls::Walls, window::Window,
+    },
     view::ray::Ray,
 };
 
@@ -28,7 +31,8 @@ pub struct Surroundings {
     pub windows: Vec<Window>,
     /// The pearls, which throw shadows and give light.
     pub balls: Vec<Ball>,
-    neighbours: Neighbours,
+    pub(crate) neighbours: Neighbours,
+    pub(crate) clusters: ClusterTree,
     /// Height of the table: that of the lowest ball's lowest point.
     pub(crate) table_y_mm: f64,
     /// Radiance of a white matt table under the sky alone; walls are taken to receive half of it.
@@ -48,8 +52,18 @@ impl Surroundings {
         let sky_on_table = sky.on_table();
         let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
-        let (windows, neighbours) = (Vec::new(), Neighbours::new(&balls));
-        Self { table, walls, sky, lamps, windows, balls, neighbours, table_y_mm, sky_on_table }
+        Self {
+            table,
+            walls,
+            sky,
+            lamps,
+            windows: Vec::new(),
+            neighbours: Neighbours::new(&balls),
+            clusters: ClusterTree::new(&balls),
+            balls,
+            table_y_mm,
+            sky_on_table,
+        }
     }
 
     /// The same with windows.
@@ -58,15 +72,23 @@ impl Surroundings {
         Self { windows, ..self }
     }
 
-    /// The balls that a cone of light may meet, the one left out that it comes from.
+    /// The same with the light that each ball sends out.
+    #[must_use]
+    pub(crate) fn with_glows(mut self, glows: Vec<Glow>) -> Self {
+        for (ball, glow) in self.balls.iter_mut().zip(glows) {
+            ball.glow = glow;
+        }
+        self.clusters = ClusterTree::new(&self.balls);
+        self
+    }
+
+    /// The balls that a cone of light may meet, the one left out that it comes from; roughly from front to back.
     pub(crate) fn balls_near(
         &self,
         ray: &Ray,
         spread_rad: f64,
         from: Option<usize>,
     ) -> impl Iterator<Item = &Ball> {
-        let others = from.map(|ball| self.neighbours.near(ball, ray, spread_rad));
-        let all = if from.is_some() { 0..0 } else { 0..self.balls.len() };
-        others.into_iter().flatten().chain(all).map(|ball| &self.balls[ball])
+        self.neighbours.near(ray, spread_rad, from).map(|ball| &self.balls[ball])
     }
 }

@@ -6,10 +6,10 @@
 use glam::DVec3;
 
 use crate::{
-    light::glow::Glow,
     rgb::{self, Rgb},
     shape::ball::Ball,
     surroundings::{
+        clusters::Hidden,
         environment::Surroundings,
         lamp::Lamp,
         window::{Patch, Window},
@@ -64,16 +64,24 @@ impl Surroundings {
     fn window_past(&self, window: &Window, point: DVec3, normal: DVec3) -> f64 {
         let (toward, cone_rad) = window.cone(point);
         let cone = libm::sincos(cone_rad);
-        let clear = |ball: &&Ball| ball.is_clear_of(point, toward, cone);
-        let hiding: Vec<&Ball> = self.balls.iter().filter(|ball| !clear(ball)).collect();
-        if hiding.is_empty() {
+        let hides = |ball: &&Ball| !ball.is_clear_of(point, toward, cone);
+        let slope = if cone.1 > 1e-3 { cone.0 / cone.1 } else { 1e3 };
+        let middle = Ray { from: point, along: toward };
+        let in_cone = self.balls_near(&middle, 2.0 * slope, None);
+        let some: Vec<&Ball> = in_cone.filter(hides).take(FEW + 1).collect();
+        if some.is_empty() {
             return 1.0;
         }
         let (mut past, mut whole) = (0.0, 0.0);
         for Patch { toward, disc_rad, light } in window.patches(point, normal) {
             let ray = Ray { from: point, along: toward };
-            let stopped = |ball: &&Ball| ball.stops(&ray, 2.0 * disc_rad).map_or(0.0, |(_, s)| s);
-            past += light * hiding.iter().map(|ball| 1.0 - stopped(ball)).product::<f64>();
+            past += light
+                * if some.len() <= FEW {
+                    passing(&ray, 2.0 * disc_rad, some.iter().copied())
+                } else {
+                    let near = self.balls_near(&ray, 2.0 * disc_rad, None);
+                    passing(&ray, 2.0 * disc_rad, near.filter(hides))
+                };
             whole += light;
         }
         if whole > 0.0 { past / whole } else { 1.0 }
@@ -82,19 +90,10 @@ impl Surroundings {
     /// Each ball hides its share of the sky, exactly; that they hide them independently of each other is
     /// an approximation **(ours)**, and their glows share in all that is hidden.
     fn sky_and_glow_on_table(&self, point: DVec3) -> Rgb {
-        let (mut past, mut hidden, mut glow) = (1.0, 0.0, [0.0; 3]);
-        for ball in &self.balls {
-            let beside = ball.sky_past(point);
-            past *= beside;
-            hidden += 1.0 - beside;
-            if ball.glow != Glow::BLACK {
-                let seen = ball.glow.at((point - ball.centre).normalize());
-                rgb::add(&mut glow, rgb::scaled(seen, 1.0 - beside));
-            }
-        }
+        let Hidden { past, shares, glow } = self.clusters.hidden(&self.balls, point);
         let mut light = rgb::scaled(self.sky_on_table, past);
-        if hidden > 0.0 {
-            rgb::add(&mut light, rgb::scaled(glow, (1.0 - past) / hidden));
+        if shares > 0.0 {
+            rgb::add(&mut light, rgb::scaled(glow, (1.0 - past) / shares));
         }
         light
     }
@@ -113,6 +112,24 @@ impl Surroundings {
         light
     }
 }
+
+/// The share of a cone's light that passes balls, each of which stops its own share of what the others leave.
+fn passing<'a>(ray: &Ray, spread_rad: f64, balls: impl Iterator<Item = &'a Ball>) -> f64 {
+    let mut past = 1.0;
+    for ball in balls {
+        past *= 1.0 - ball.stops(ray, spread_rad).map_or(0.0, |(_, stopped)| stopped);
+        if past < DARK {
+            break;
+        }
+    }
+    past
+}
+
+/// So many balls before a window are asked about each of its patches; more are looked for patch by patch.
+const FEW: usize = 6;
+
+/// Of a patch of which less is left, no further shadow counts: a tenth of a step between 8-bit codes at most.
+const DARK: f64 = 1e-4;
 
 #[cfg(test)]
 mod tests {

@@ -47,9 +47,7 @@ impl Lit {
     /// [`Surroundings::settled`].
     #[must_use]
     pub fn with_glows(mut self, glows: Vec<Glow>, charted: bool) -> Self {
-        for (ball, glow) in self.surroundings.balls.iter_mut().zip(glows) {
-            ball.glow = glow;
-        }
+        self.surroundings = self.surroundings.with_glows(glows);
         self.table_lights.clear();
         self.charted(charted)
     }

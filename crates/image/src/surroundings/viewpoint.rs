@@ -3,6 +3,8 @@
 //! Pearls and windows before table, walls and sky, each a layer that lets part of a cone of light through.
 //! Left out: that two layers may hide the same part of a cone.
 
+use std::cell::Cell;
+
 use glam::DVec3;
 
 use crate::{
@@ -43,9 +45,24 @@ impl<'a> Viewpoint<'a> {
 
     /// What a ray along a direction meets; `spread_rad` is the angle that it stands for.
     pub(crate) fn seen(&self, along: DVec3, spread_rad: f64) -> Seen {
+        if self.surroundings.balls.len() == usize::from(self.on.is_some()) {
+            return self.scenery(along, spread_rad);
+        }
         let ray = Ray { from: self.point, along };
-        let balls = self.surroundings.balls_near(&ray, spread_rad, self.on).filter_map(|ball| {
+        let (neighbours, balls) = (&self.surroundings.neighbours, &self.surroundings.balls);
+        // Nothing is seen behind a ball that fills the cone.
+        let full_mm = Cell::new(f64::INFINITY);
+        let slices = neighbours.slices(&ray, 0.5 * spread_rad, self.on.is_some());
+        let slices = slices.take_while(|slice| slice.least_mm <= full_mm.get());
+        let balls = slices.flat_map(|slice| slice.balls).filter_map(|&number| {
+            if Some(number as usize) == self.on {
+                return None;
+            }
+            let ball = &balls[number as usize];
             let (distance_mm, share) = ball.stops(&ray, spread_rad)?;
+            if share >= 1.0 {
+                full_mm.set(distance_mm.min(full_mm.get()));
+            }
             let radiance = ball.glow.at((self.point - ball.centre).normalize());
             Some(Layer { distance_mm, share, radiance, fades: true })
         });
