@@ -134,7 +134,7 @@ impl Bilayers {
         protein: Turn::NONE,
     };
 
-    /// tan x = x + x^3 / 3 + 2 x^5 / 15, its last term by Chebyshev's polynomial within half a step.
+    /// tan x = x + x^3 / 3 + 2 x^5 / 15, the last term by Chebyshev's polynomial within half a step.
     #[inline(always)]
     fn meet_tablets(&mut self, half_turns_per_nm: &Lanes<f64>, step_nm: f64) {
         for i in 0..LANES {
@@ -179,14 +179,13 @@ impl Turn {
     #[inline(always)]
     fn meet<const FUSED: bool>(
         &mut self,
-        node_nm: Split<f32>,
+        node_nm: f64,
         half_turns_per_nm: &Lanes<f64>,
         protein: &Self,
     ) {
         for i in 0..LANES {
-            let per_nm = Split::<f32>::of(half_turns_per_nm[i]);
-            let f = phase::reduced::<f32, FUSED>(node_nm, per_nm.high, per_nm.low);
-            let (p, s) = phase::pair::<f32, FUSED>(f);
+            let f = phase::reduced::<f64, FUSED>(Split::of(node_nm), half_turns_per_nm[i], 0.0);
+            let (p, s) = phase::pair::<f32, FUSED>(f as f32);
             let (cos, sin) = (protein.cos[i], protein.sin[i]);
             self.cos[i] = p.times_plus::<FUSED>(cos, -(s * sin));
             self.sin[i] = p.times_plus::<FUSED>(sin, s * cos);

@@ -9,7 +9,7 @@ use crate::{refused, resources::resources_of};
 /// A picture in the making, kept and asked again: only what changed is worked out anew.
 #[wasm_bindgen]
 pub struct Job {
-    job: nacreous_render::Job,
+    made: nacreous_render::Job,
     resources: nacreous_render::Resources,
     view: Option<View>,
 }
@@ -24,8 +24,8 @@ impl Job {
     ) -> Result<Self, JsError> {
         let recipe = Recipe::from_json(recipe).map_err(refused)?;
         let resources = resources_of(&resources)?;
-        let job = nacreous_render::Job::new(recipe, resources.clone()).map_err(refused)?;
-        Ok(Self { job, resources, view: None })
+        let made = nacreous_render::Job::new(recipe, resources.clone()).map_err(refused)?;
+        Ok(Self { made, resources, view: None })
     }
 
     /// Puts another recipe in the place of this one; what both have in common stays known. Without
@@ -36,11 +36,12 @@ impl Job {
         #[wasm_bindgen(unchecked_optional_param_type = "Resources")] resources: JsValue,
     ) -> Result<(), JsError> {
         let recipe = Recipe::from_json(recipe).map_err(refused)?;
-        let resources = match resources.is_undefined() {
-            true => self.resources.clone(),
-            false => resources_of(&resources)?,
+        let resources = if resources.is_undefined() {
+            self.resources.clone()
+        } else {
+            resources_of(&resources)?
         };
-        self.job.change(recipe, resources.clone()).map_err(refused)?;
+        self.made.change(recipe, resources.clone()).map_err(refused)?;
         (self.resources, self.view) = (resources, None);
         Ok(())
     }
@@ -49,7 +50,7 @@ impl Job {
     /// at its messages between two pieces. Nobody has to call it: rows work out what is missing.
     pub fn step(&mut self) -> Result<bool, JsError> {
         if self.view.is_none() {
-            self.view = self.job.step(&Progress::default()).map_err(refused)?;
+            self.view = self.made.step(&Progress::default()).map_err(refused)?;
         }
         Ok(self.view.is_some())
     }
@@ -90,18 +91,18 @@ impl Job {
     /// Whether lens and eye spread any light: then rows alone do not look as they do in the whole picture.
     #[wasm_bindgen(getter = hasGlare)]
     pub fn has_glare(&self) -> bool {
-        self.job.recipe().scene.camera.glare > 0.0
+        self.made.recipe().scene.camera.glare > 0.0
     }
 
     /// Pixels a side.
     #[wasm_bindgen(getter)]
     pub fn size(&self) -> usize {
-        self.job.recipe().size
+        self.made.recipe().size
     }
 
     fn view(&mut self) -> Result<&View, JsError> {
         if self.view.is_none() {
-            self.view = self.job.view(&Progress::default()).map_err(refused)?;
+            self.view = self.made.view(&Progress::default()).map_err(refused)?;
         }
         self.view.as_ref().ok_or_else(broken_off)
     }

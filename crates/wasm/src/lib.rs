@@ -22,8 +22,10 @@ fn refused(error: impl std::fmt::Display) -> wasm_bindgen::JsError {
 #[wasm_bindgen::prelude::wasm_bindgen(start)]
 pub fn tell_panics() {
     std::panic::set_hook(Box::new(|panic| {
-        let (what, place) = (panic.payload_as_str().unwrap_or("a fault"), panic.location());
-        let what = what.replace('\n', " ");
+        let (payload, place) = (panic.payload(), panic.location());
+        let text = payload.downcast_ref::<&str>().copied();
+        let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+        let what = text.unwrap_or("a fault").replace('\n', " ");
         let place = place.map(ToString::to_string).unwrap_or_default();
         wasm_bindgen::throw_val(
             refused(format!("broken off: {what} ({place}); please report this")).into(),

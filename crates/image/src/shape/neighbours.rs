@@ -3,7 +3,7 @@
 //! A uniform grid over the plane that the balls lie on, swept along the cone until it has left their heights.
 //! Left out: heights within the grid; all balls lie on one table.
 
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 use glam::DVec3;
 
@@ -97,9 +97,9 @@ impl Neighbours {
             .then(|| Sweep::new(self, ray, slope, self.reach_mm(ray, slope)));
         let lines = sweep.map(|sweep| (sweep, sweep.lines(self)));
         lines.into_iter().flat_map(move |(sweep, lines)| {
-            let count = lines.end() + 1 - lines.start();
+            let count = lines.len();
             (0..count).filter_map(move |i| {
-                let line = if sweep.step > 0.0 { lines.start() + i } else { lines.end() - i };
+                let line = if sweep.step > 0.0 { lines.start + i } else { lines.end - 1 - i };
                 sweep.slice(self, line)
             })
         })
@@ -173,7 +173,7 @@ impl Sweep {
     }
 
     /// The lines of cells that the sweep passes; none is an empty range.
-    fn lines(&self, grid: &Neighbours) -> RangeInclusive<usize> {
+    fn lines(&self, grid: &Neighbours) -> Range<usize> {
         let end = self.start[0] + self.step * self.reach;
         let wide = self.room + self.slope * self.reach;
         let low = (self.start[0] - self.room).min(end - wide);
@@ -195,7 +195,7 @@ impl Sweep {
         }
         let Cells { starts, balls } = &grid.along[self.axis];
         let start = |cell: usize| starts[line * count + cell] as usize;
-        let balls = &balls[start(*cells.start())..start(cells.end() + 1)];
+        let balls = &balls[start(cells.start)..start(cells.end)];
         Some(Slice { least_mm: first * grid.cell_mm - grid.greatest_mm, balls })
     }
 
@@ -212,11 +212,11 @@ impl Sweep {
 }
 
 /// The cells from one place to another; none is an empty range.
-fn clamped(low: f64, high: f64, count: usize) -> RangeInclusive<usize> {
+fn clamped(low: f64, high: f64, count: usize) -> Range<usize> {
     if high < 0.0 || low >= count as f64 {
-        return RangeInclusive::new(1, 0);
+        return 0..0;
     }
-    (low.max(0.0) as usize)..=(high as usize).min(count - 1)
+    (low.max(0.0) as usize)..(high as usize + 1).min(count)
 }
 
 #[cfg(test)]
