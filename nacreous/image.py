@@ -58,6 +58,14 @@ class Image:
         image._arrays, image._picture, image.recipe = None, picture, recipe
         return image
 
+    def __repr__(self) -> str:
+        """Its size and what is in it."""
+        return f"Image(linear {self.linear.shape}, layers: {', '.join(self.layers) or 'none'})"
+
+    def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
+        """By its arrays, so that it goes from process to process."""
+        return type(self), (self.linear, dict(self.layers), dict(self.recipe))
+
     @property
     def linear(self) -> NDArray[np.float32]:
         """The picture's light."""
@@ -145,9 +153,9 @@ def render(
     """Render a pearl, or several, in a scene (paper, section 4).
 
     pearl, scene: models, files, or presets' names. Of several pearls each takes the next "*" in the
-    scene's rows, in turn. size: pixels a side, 1 to 8192. samples: a
-    pixel, a square number, 1 to 1024. progress: called with the finished share, 0 to 1, now and
-    then; what it raises stops the render, as Ctrl-C does.
+    scene's rows, in turn. size: pixels a side, 1 to 8192. samples: the most a pixel takes, a square
+    number, 1 to 1024; where the first are alike, it takes fewer. progress: called with the finished
+    share, 0 to 1, now and then; what it raises stops the render, as Ctrl-C does.
 
     Same pearl, scene, size and samples: same bytes. Memory: 76 bytes a pixel, some 60 MB, and up to
     25 MB for each different grain (24 different pearls in 1024 x 1024: 460 MB).

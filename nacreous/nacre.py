@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
 from nacreous.medium import Medium, medium_of, sampled
-from nacreous.number import number_of, row_of, said
+from nacreous.number import number_of, row_of, said, within
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -184,9 +184,9 @@ def stack_of(pearl: Pearl) -> LayerStack:
 def columns_of(pearl: Pearl, outer_um: float | None = None) -> list[LayerStack]:
     """The columns of tablets of a transport pearl's film, the outer `outer_um` of each.
 
-    outer_um: depth in um; left out, the pearl's own. Grown nacre: each column grows by the same
-    season with a seed of its own, the first with the pearl's. Listed layers are the same in all.
-    Both are spread by film.column_spread_nm, layer by layer. Same pearl, same columns. Raises
+    outer_um: depth, 1 to 500 um; left out, the pearl's own. Grown nacre: each column grows by the
+    same season with a seed of its own, the first with the pearl's. Listed layers are the same in
+    all. Both are spread by film.column_spread_nm, layer by layer. Same pearl, same columns. Raises
     `InputError` for a pearl of the other model.
 
     >>> from nacreous.spec import Pearl
@@ -194,6 +194,8 @@ def columns_of(pearl: Pearl, outer_um: float | None = None) -> list[LayerStack]:
     >>> len(columns), len(columns[0])
     (64, 24)
     """
+    if outer_um is not None:
+        outer_um = within("outer_um", outer_um, 1, 500)
     columns = _core.film_columns(pearl.model_dump_json(), outer_um)
     stack = stack_of(pearl)
     media = (stack.protein_nm, *(getattr(stack, name) for name in _MEDIA))

@@ -40,7 +40,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "--samples",
         type=_whole,
         default=16,
-        help="samples a pixel, a square number up to 1024 (16)",
+        help="samples a pixel at most, a square number up to 1024 (16); alike ones are spared",
     )
     parser.add_argument("-o", "--output", default="pearl.png", help=".png or .exr (pearl.png)")
     parser.add_argument(

@@ -141,12 +141,17 @@ def _data(args: argparse.Namespace) -> Any:
         return paper()
     if args.counts:
         return Comparisons.read_counts(args.answers)
-    if not unneeded:
-        from nacreous.study.results import exported_answers
+    from nacreous.study.results import exported_answers
 
-        exported = exported_answers(args.answers, args.question, simulated=args.simulated)
-        if exported is not None:
-            return exported
+    exported = exported_answers(args.answers, args.question, simulated=args.simulated)
+    if exported is not None and unneeded:
+        given = unneeded[0].replace("_", "-")
+        raise InputError(
+            f"{given} is given with an export of a study, whose columns and repeats are known; "
+            "allowed: with another table of answers"
+        )
+    if exported is not None:
+        return exported
     return Answers.read(args.answers, repeats=args.repeats, sided=not args.no_sides, **names)
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -262,3 +264,13 @@ def test_a_panorama_is_turned_as_asked_and_mirrored_in_the_pearl(tmp_path: Path)
     assert left > 5 * right
     left, right = halves(180)
     assert right > 5 * left
+
+
+def test_an_image_goes_from_process_to_process_with_all_that_it_holds() -> None:
+    image = nc.render("paper", size=8, samples=1)
+    copies = [pickle.loads(pickle.dumps(image)), copy.deepcopy(image)]
+    for other in copies:
+        np.testing.assert_array_equal(other.linear, image.linear)
+        assert list(other.layers) == list(image.layers)
+        assert other.recipe == image.recipe
+    assert repr(image).startswith("Image(linear (8, 8, 3), layers: interference, diffuse")

@@ -157,3 +157,53 @@ def test_an_export_of_several_questions_is_asked_which(tmp_path: Path) -> None:
     read = exported_answers(tmp_path / "answers.csv", "rounder")
     assert read is not None
     np.testing.assert_array_equal(read.comparisons().matrix, wanted)
+
+
+@pytest.mark.parametrize(
+    ("column", "cell", "said"),
+    [
+        ("sequence", "abc", "row 1: sequence is 'abc'; allowed: a number"),
+        ("response_ms", "nan", "row 1: response_ms is 'nan'; allowed: a number"),
+        ("simulated", "WAHR", "row 1: simulated is 'WAHR'; allowed: true or false"),
+    ],
+)
+def test_a_spoiled_export_is_refused_in_one_line(
+    running: Running, tmp_path: Path, column: str, cell: str, said: str
+) -> None:
+    path = _exported(running, tmp_path)
+    head, first, *rest = path.read_text().splitlines()
+    cells = next(csv.reader([first]))
+    cells[next(csv.reader([head])).index(column)] = cell
+    line = io.StringIO()
+    csv.writer(line, lineterminator="\n").writerow(cells)
+    path.write_text("\n".join([head, line.getvalue().strip(), *rest, ""]))
+    with pytest.raises(InputError, match=f"answers.csv: {re.escape(said)}"):
+        exported_answers(path)
+
+
+def test_one_and_zero_are_true_and_false_as_spreadsheets_write_them(
+    running: Running, tmp_path: Path
+) -> None:
+    path = _exported(running, tmp_path)
+    before = exported_answers(path, simulated=True)
+    text = path.read_text().replace(",true", ",1").replace(",false", ",0")
+    path.write_text(text)
+    after = exported_answers(path, simulated=True)
+    assert before is not None
+    assert after is not None
+    np.testing.assert_array_equal(after.comparisons().matrix, before.comparisons().matrix)
+
+
+def test_options_of_other_tables_are_refused_with_an_export(
+    running: Running, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = _exported(running, tmp_path)
+    assert cli.main(["scale", str(path), "--repeats", "-o", str(tmp_path / "r.html")]) == 2
+    assert "--repeats is given with an export of a study" in capsys.readouterr().err
+    assert not (tmp_path / "r.html").exists()
+
+
+def _exported(running: Running, folder: Path) -> Path:
+    path = folder / "answers.csv"
+    export(running.store, running.study, path)
+    return path

@@ -1,7 +1,7 @@
 //! The binding of the render room: JSON in, a picture out.
 
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use nacreous_colour::{Gamut, RgbSpace, Spectrum};
 use nacreous_file::{
@@ -9,7 +9,7 @@ use nacreous_file::{
     png::PngPixels,
 };
 use nacreous_image::{
-    CHANNELS, PARTS, Panorama, Progress, develop, eight_bit, grain::spectrum::GrainSpectrum,
+    CHANNELS, PARTS, Progress, develop, eight_bit, grain::spectrum::GrainSpectrum,
 };
 use nacreous_render::{Arrangement, Job, Needs, RenderError, Resources, light_of, spec::Recipe};
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods, PyReadonlyArray3};
@@ -86,20 +86,21 @@ fn resources(
     let spectrum = |(name, values): (String, Vec<f64>)| {
         Ok((name, Spectrum::from_values(&values).map_err(refused)?))
     };
-    let panorama = |(name, picture): (String, PyReadonlyArray3<'_, f32>)| {
-        let picture = picture.as_array();
-        let (height, width, _) = picture.dim();
-        let pixels = picture.rows().into_iter().map(|p| [p[0], p[1], p[2]]).collect();
-        (name, Arc::new(Panorama::new(width, height, pixels)))
-    };
     let grain = |(pearl, given): (usize, GrainGiven<'_>)| -> PyResult<(usize, GrainSpectrum)> {
         Ok((pearl, grain_of(&given)?))
     };
-    Ok(Resources {
+    let mut resources = Resources {
         spectra: spectra.into_iter().map(spectrum).collect::<PyResult<_>>()?,
-        panoramas: panoramas.into_iter().map(panorama).collect(),
         grains: grains.into_iter().map(grain).collect::<PyResult<_>>()?,
-    })
+        ..Resources::default()
+    };
+    for (name, picture) in panoramas {
+        let picture = picture.as_array();
+        let (height, width, _) = picture.dim();
+        let rgb: Vec<f32> = picture.iter().copied().collect();
+        resources.add_panorama(&name, (width, height), &rgb).map_err(refused)?;
+    }
+    Ok(resources)
 }
 
 #[pymethods]

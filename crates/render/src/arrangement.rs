@@ -156,7 +156,8 @@ fn in_rows(
 /// The numbers of each row's pearls.
 fn numbered(scene: &SceneSpec, given: usize) -> Result<Vec<Vec<usize>>, RenderError> {
     let number = |name: &String| {
-        let number = name.strip_prefix('*').and_then(|digits| digits.parse().ok());
+        let digits = name.strip_prefix('*').filter(|digits| !digits.starts_with('+'));
+        let number = digits.and_then(|digits| digits.parse().ok());
         number.filter(|&number| number < given).ok_or_else(|| {
             let last = given.saturating_sub(1);
             let fault =

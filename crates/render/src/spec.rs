@@ -41,6 +41,10 @@ impl Recipe {
     /// [`RenderError::OutOfRange`] for a number that its key does not allow.
     pub fn from_json(text: &str) -> Result<Self, RenderError> {
         let value: Value = from_json(text)?;
+        if !value.is_object() {
+            let wanted = "wanted: an object with pearls, scene, size and samples";
+            return Err(RenderError::Recipe(wanted.to_owned()));
+        }
         if let Some(pearls) = value.get("pearls").and_then(Value::as_array) {
             for (i, pearl) in pearls.iter().enumerate() {
                 ranges::check(pearl, "pearl", &format!("pearls.{i}"))?;
@@ -100,7 +104,10 @@ impl<'de> Deserialize<'de> for Colour {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let refused = || D::Error::custom(format!("colour is {text:?}; allowed: \"#rrggbb\""));
-        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        let is_code = |digits: &&str| {
+            digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
+        };
+        let digits = text.strip_prefix('#').filter(is_code);
         let code = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
         let code = code.ok_or_else(refused)?;
         Ok(Self([16, 8, 0].map(|shift| decode(f64::from((code >> shift) & 0xff) / 255.0))))

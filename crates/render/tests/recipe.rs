@@ -86,3 +86,13 @@ fn lamp(spectrum: &str, intensity: f64) -> Value {
     (lamp["spectrum"], lamp["intensity"]) = (json!(spectrum), json!(intensity));
     lamp
 }
+
+#[test]
+fn a_list_in_the_place_of_a_table_is_refused() {
+    let mut recipe = common::value("akoya-rg-north-window-white");
+    let whole = json!([recipe["pearls"], recipe["scene"], 8, 1]);
+    assert!(Recipe::from_json(&whole.to_string()).is_err());
+    recipe["pearls"][0]["film"] = json!([37.0, 64, null]);
+    let found = Recipe::from_json(&recipe.to_string()).expect_err("a refusal").to_string();
+    assert_eq!(found, "pearls.0.film is a list; allowed: no list");
+}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -44,9 +45,9 @@ def exported_answers(
     if not set(_NAMES) <= set(_head(Path(path))):
         return None
     table = read_table(path)
-    rows = _rows(table)
+    rows = _rows(table, str(path))
     asked = sorted({str(row["question"]) for row in rows})
-    if len(asked) == 1:
+    if len(asked) == 1 and question is None:
         question = asked[0]
     elif question not in asked:
         raise InputError(f"{path}: question is {question!a}; allowed: {', '.join(asked)}")
@@ -56,7 +57,9 @@ def exported_answers(
         if row["question"] == question and counts(row, simulated=simulated)
     ]
     if not which:
-        raise InputError(f"{path}: no answers to {question!a} count; wanted: at least one")
+        others = any(row["question"] == question and counts(row, simulated=True) for row in rows)
+        hint = "; those of simulated observers do with --simulated" if others else ""
+        raise InputError(f"{path}: no answers to {question!a} count; wanted: at least one{hint}")
     groups = {name: _texts(table, name) for name in table.columns if name not in _NAMES}
     answers = task_of(rows[which[0]]).answers(
         [rows[place] for place in which],
@@ -80,15 +83,17 @@ def _head(path: Path) -> list[str]:
     return []
 
 
-def _rows(table: Table) -> list[Row]:
+def _rows(table: Table, where: str) -> list[Row]:
     """Rows as the store gives them, as far as the file says."""
     texts = {name: _texts(table, name) for name in _NAMES}
     rows = []
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
-        row["seq"], row["trial"] = int(row["sequence"]), _number(row["trial"])
-        row["response_ms"] = _number(row["response_ms"])
-        row["simulated"] = str(row["simulated"]).lower() == "true"
+        cell = f"{where}: row {place + 1}"
+        row["seq"] = int(_number(row["sequence"], f"{cell}: sequence") or 0)
+        row["trial"] = _number(row["trial"], f"{cell}: trial")
+        row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms")
+        row["simulated"] = _whether(row["simulated"], f"{cell}: simulated")
         # Numbers and random names are labels here, and told apart by none.
         row["number"], row["erased_as"] = row["person"], None
         rows.append(cast("Row", row))
@@ -101,5 +106,24 @@ def _texts(table: Table, name: str) -> list[str | None]:
     return [None if value is None or value == "" else str(value) for value in values]
 
 
-def _number(text: str | None) -> float | None:
-    return None if text is None else float(text)
+def _number(text: str | None, quantity: str) -> float | None:
+    if text is None:
+        return None
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise InputError(f"{quantity} is {text[:40]!a}; allowed: a number")
+    return number
+
+
+def _whether(text: str | None, quantity: str) -> bool:
+    """As spreadsheets write it: who takes a simulated answer for a person's would say too much."""
+    told = _WORDS.get((text or "").lower())
+    if told is None:
+        raise InputError(f"{quantity} is {(text or '')[:40]!a}; allowed: true or false")
+    return told
+
+
+_WORDS = {"true": True, "1": True, "1.0": True, "false": False, "0": False, "0.0": False}

@@ -51,6 +51,11 @@ pub(crate) fn check(value: &Value, kind: &str, place: &str) -> Result<(), Render
             let number = number.as_f64().unwrap_or(f64::INFINITY);
             within(kind, "number", number, || (place.to_owned(), value.to_string()))
         }
+        // serde takes a list for a table, whose keys would then go by no name here.
+        Value::Array(_) if !RANGES.contains_key(&(kind.to_owned(), "length".to_owned())) => {
+            let (quantity, value) = (place.to_owned(), "a list".to_owned());
+            Err(RenderError::OutOfRange { quantity, value, allowed: "no list".to_owned() })
+        }
         Value::Array(items) => {
             let shown = || (place.to_owned(), format!("a list of {}", items.len()));
             within(kind, "length", items.len() as f64, shown)?;
@@ -105,6 +110,16 @@ mod tests {
         let listed = |nm: f64| json!({"nacre": {"thickness_nm": [400.0, nm]}});
         assert!(refusal(&listed(0.0), "pearl").starts_with("pearl.nacre.thickness_nm.1 is 0.0; "));
         assert!(check(&listed(1.0), "pearl", "pearl").is_ok());
+    }
+
+    #[test]
+    fn a_list_stands_for_no_table() {
+        for (value, said) in [
+            (json!([1.0, 2.0]), "pearl is a list"),
+            (json!({"film": [2.0, 64, null]}), "pearl.film is a list"),
+        ] {
+            assert!(refusal(&value, "pearl").starts_with(said));
+        }
     }
 
     #[test]
