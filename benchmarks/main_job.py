@@ -27,7 +27,7 @@ STOPWATCH = Path(__file__).with_name("stopwatch.py")
 
 STAGES = {
     "interpreter": "Python itself",
-    "imports": "imports of the command, pydantic and NumPy",
+    "imports": "imports of the command and pydantic",
     "reading": "reading pearl and scene",
     "rendering": "rendering",
     "writing": "development, PNG",
