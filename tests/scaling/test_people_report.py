@@ -67,7 +67,7 @@ def test_the_other_way_round_is_said_apart_from_other_orders():
     )
     said = people.chapter(nc.scaling.analyse(few, bootstrap=0), words)
     assert "Sharper, or the other way round" in said
-    spread = nc.scaling.simulate(TRUTH, 60, person_spread=0.6, seed=4)
+    spread = nc.scaling.simulate(TRUTH, 104, person_spread=0.3, seed=2)
     said = people.chapter(nc.scaling.analyse(spread, bootstrap=0), words)
     assert "Other order" in said
     assert "the other way round" not in said
@@ -96,6 +96,11 @@ def test_the_command_says_first_that_people_do_not_share_one_scale(tmp_path, cap
     assert first.startswith("people do not share one scale, p 0.001")
     assert second == "2 classes of people: 0.50, 0.50; correlation -1.00"
     assert third.startswith("1260 answers")
+
+
+def test_camps_differ_at_a_strict_level_too():
+    found = nc.scaling.analyse(nc.scaling.Answers.read(CAMPS), bootstrap=0, level=0.999)
+    assert found.people_differ
 
 
 def test_spread_in_the_report_is_in_the_unit_of_the_scale():

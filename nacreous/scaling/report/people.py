@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil
 
 from nacreous.problem import InputError
 from nacreous.scaling.check.covariate import Covariate, person_covariates
@@ -12,6 +13,9 @@ from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.report.settings import Settings
 
 __all__ = ["People", "people_of"]
+
+#: Answers x permutations that nobody minds to wait for, some seconds.
+_MOST_DEALT = 50_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,13 +37,20 @@ def people_of(answers: Answers | None, settings: Settings) -> People | None:
     """None where people are unknown, or answered nothing in which they could differ."""
     if answers is None or answers.person is None:
         return None
+    permutations = _permutations(len(answers), settings.level)
     try:
-        shared = shared_scale(answers, seed=settings.seed)
+        shared = shared_scale(answers, permutations, settings.seed)
     except InputError:  # no pair was answered by two, or all agree
         return None
     differ = shared.differ(settings.level)
     described = _population(answers, settings) if differ else None
-    return People(shared, differ, described, person_covariates(answers, seed=settings.seed))
+    covariates = person_covariates(answers, permutations, settings.seed)
+    return People(shared, differ, described, covariates)
+
+
+def _permutations(answers: int, level: float) -> int:
+    """999, fewer for very many answers; enough that p can be below 1 - level."""
+    return max(99, ceil(2 / (1 - level)), min(999, _MOST_DEALT // answers))
 
 
 def _population(answers: Answers, settings: Settings) -> Population | None:

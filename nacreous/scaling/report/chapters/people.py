@@ -86,8 +86,13 @@ def _classes(found: Population, words: Words) -> Html:
     ]
     if not rows:
         return Html("")
-    keys = ("class_head", "share", "members", "ranking", "correlation")
-    heads = [words(f"people.{key}") for key in keys]
+    heads = [
+        words("people.class_head"),
+        words("people.share"),
+        words("people.members"),
+        words("people.ranking"),
+        words("people.correlation"),
+    ]
     scales = [
         (
             words.name(label),
@@ -117,8 +122,10 @@ def _candidates(found: Population, words: Words) -> Html:
 
 
 def _called(name: str, words: Words) -> Html:
-    if name in ("one scale", "spread"):
-        return words(f"people.candidate.{name.replace(' ', '_')}")
+    if name == "one scale":
+        return words("people.candidate.one_scale")
+    if name == "spread":
+        return words("people.candidate.spread")
     return words("people.candidate.classes", count=name.split()[0])
 
 
@@ -138,7 +145,12 @@ def _covariates(analysis: Analysis, people: People, words: Words) -> Html:
                 chance(one.p_adjusted),
             )
         )
-    keys = ("column", "verdict", "split", "p", "p_adjusted")
-    heads = [words(f"people.{key}") for key in keys]
+    heads = [
+        words("people.column"),
+        words("people.verdict"),
+        words("people.split"),
+        words("people.p_value"),
+        words("neighbours.p"),
+    ]
     lead = words.paragraph("people.covariates")
     return Html(lead + table(heads, rows, ["", "", "", "n", "n"]))
