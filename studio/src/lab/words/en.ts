@@ -198,7 +198,8 @@ export const en = {
     people_differ:
       "People do not share one scale: they differ by more than chance. The report says in which way.",
     describes: "One scale describes these answers.",
-    describes_sums: "The scale describes the answers of all together, but not those of each person.",
+    describes_sums:
+      "The scale describes the answers of all together, but not those of each person.",
     misfits: "The scale is a summary: some answers stray from it by more than chance.",
     misfits_pair:
       "The scale is a summary: some answers stray from it by more than chance, most of all those on {first} and {second}.",
