@@ -1,6 +1,6 @@
 """Do people share one scale: how often the test is wrong, how often right, and what BIC chooses.
 
-    python benchmarks/persons.py             # the tables of docs/scaling.md, minutes
+    python benchmarks/persons.py             # the tables of docs/people.md, minutes
     python benchmarks/persons.py --studies 1000
 
 Simulated people, 7 stimuli from 0.8 to -0.8 z, each of the 21 pairs once unless said otherwise.

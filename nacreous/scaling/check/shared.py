@@ -58,8 +58,9 @@ def shared_scale(answers: Answers, permutations: int = 999, seed: int = 1) -> Sh
     against the shares of all people, and V their covariance where answers are dealt at random.
     Products of a person's answers to the same pair are left out, and such answers are dealt
     together: that people remember what they said is no scale of their own. The test is exact for
-    any number of people, with ties, repeats, missing pairs and pairs of one's own; it takes no
-    model and needs no fit. An effect of the side that differs between people is found too.
+    any number of people, with ties, repeats, missing pairs and pairs of one's own, under no model
+    of choice; only where it is split does a scale of all people tell along from across. An
+    effect of the side that differs between people is found too.
 
     permutations: 99 to 1 000 000. Raises `InputError` where people are unknown, where no two
     answered the same pair, where all agree on every pair, and beyond 500 stimuli.
