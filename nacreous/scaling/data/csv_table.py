@@ -147,7 +147,7 @@ def _with_misfits(
     fitted: list[list[str]] = []
     faults = Faults(place)
     for misfit in misfits:
-        cells = next(csv.reader(io.StringIO(misfit.text, newline=""), delimiter=header.separator))
+        cells = _cells(misfit, header.separator)
         kept = cells[:width] + [""] * (width - len(cells))
         short = len(cells) < named and any(cells)
         if short or any(cell.strip() for cell in cells[width:]):
@@ -157,6 +157,11 @@ def _with_misfits(
                 lambda _, cells=cells: f"has {len(cells)} cells; allowed: {named}",  # type: ignore[misc]
             )
         fitted.append(kept)
+    if faults and named == 1:
+        raise InputError(
+            f"{place}: row {header.rows} has a single cell and rows below have more; allowed: the "
+            "names of columns there, or skip rows above the names by --skip-rows N"
+        )
     faults.stop()
     total = len(columns[0]) + len(misfits)
     own = np.array([misfit.row - 1 for misfit in misfits], np.int64)
@@ -175,6 +180,13 @@ def _with_misfits(
     if not filled.all():
         columns = [column.filter(pa.array(filled)) for column in columns]
     return columns, numbers[filled]
+
+
+def _cells(misfit: _Misfit, separator: str) -> list[str]:
+    try:
+        return next(csv.reader(io.StringIO(misfit.text, newline=""), delimiter=separator), [])
+    except csv.Error:  # a cell beyond 131072 characters, which is not looked into
+        return [misfit.text] * misfit.cells
 
 
 def _blank(columns: list[Any]) -> NDArray[np.bool_]:

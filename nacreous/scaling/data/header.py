@@ -75,7 +75,14 @@ def find_header(
             below = f" below the first {skip_rows} rows" if skip_rows else ""
             allowed = "allowed: a line of column names, then answers"
             raise InputError(f"{place}: is empty{below}; {allowed}")
-    return _header(found[mark], mark, at)
+    header = _header(found[mark], mark, at)
+    if any(re.search(r"[\n\r]", name) for name in header.names):
+        line = content[header.top : found[mark][at].end].decode("utf-8")
+        try:
+            list(csv.reader(io.StringIO(line, newline=""), delimiter=mark, strict=True))
+        except csv.Error as problem:
+            raise _unclosed(place, at + 1) from problem
+    return header
 
 
 def _header(rows: list[_Row], mark: str, at: int) -> Header:
@@ -112,13 +119,17 @@ def _rows(place: str, text: str, mark: str) -> list[_Row]:
             rows.append(_Row([name_of(cell) for cell in cells], end))
             if len(rows) > _MOST_ROWS:
                 break
-    except csv.Error as problem:
-        long = "a cell of more than 131072 characters"
-        raise InputError(
-            f"{place}: line {reader.line_num} holds {long}; allowed: shorter ones (is a quotation "
-            "mark not closed?)"
-        ) from problem
+    except csv.Error as problem:  # a cell beyond 131072 characters
+        if not rows:
+            raise _unclosed(place, 1) from problem
     return rows
+
+
+def _unclosed(place: str, row: int) -> InputError:
+    return InputError(
+        f"{place}: row {row}: a quotation mark is not closed; allowed: quotation marks in pairs "
+        "around a cell"
+    )
 
 
 def name_of(cell: object) -> str:
