@@ -124,7 +124,7 @@ class Answers:
 
         >>> Answers.of_table({"left": ["a"], "right": ["b"]})
         Traceback (most recent call last):
-        nacreous.problem.InputError: table: has no column chosen; columns here: "left", "right"
+        nacreous.problem.InputError: table: has no column chosen; columns here: "left", "right"; ...
         """
         fields = fields_of(
             table_of(table),
