@@ -16,6 +16,7 @@ from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.entrance import fields_of
 from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.pairs import codes_of_pairs
 from nacreous.scaling.data.roles import Names, check_names, wanted_of
 from nacreous.scaling.data.table import read_table, table_of
@@ -211,6 +212,7 @@ class Answers:
         return parts
 
     def _group(self, column: str) -> Grouping:
+        column = name_of(column)
         if column in self.groups:
             return self.groups[column]
         if column == "person" and self.person is not None:
