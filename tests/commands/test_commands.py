@@ -438,10 +438,11 @@ print(*(model.__name__ for model in below(Section) if model.__pydantic_complete_
 
 
 def test_rendering_loads_no_drawing_and_no_science_library(tmp_path: Path) -> None:
-    render = "from nacreous.cli import main; main(['render', 'paper', '--size=8', '--samples=1'])"
-    loaded = loaded_after(render, tmp_path)
+    render = "from nacreous.cli import main; main(['render', 'paper', '--size=8', '--samples=1'{}])"
+    loaded = loaded_after(render.format(", '--set', 'depth=0.5'"), tmp_path)
     assert "pydantic" in loaded
     assert not loaded & {"numpy", "matplotlib", "scipy", "colour", "PIL", "OpenEXR"}
+    assert "pydantic" not in loaded_after(render.format(""), tmp_path), "for a preset as it is"
 
 
 def test_the_installed_command_runs(tmp_path: Path) -> None:
