@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,9 +12,10 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.label import LONGEST_LABEL, natural
 from nacreous.scaling.data.table import Table
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Grouping:
     """A column that sorts answers into groups, such as `sex` or `cohort`.
 
