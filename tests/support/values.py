@@ -118,6 +118,7 @@ def _of_answers() -> list[object]:
     attributes = {label: {"lustre": float(k)} for k, label in enumerate(answers.stimuli)}
     weighed = scaling.fit_attributes(answers, attributes)
     two = {"one": answers, "two": other}
+    people = scaling.population(answers, most=2, starts=2)
     groups = scaling.compare_groups(two, same_people=False, permutations=99)
     return [
         answers,
@@ -139,6 +140,11 @@ def _of_answers() -> list[object]:
         groups,
         groups.tests[0],
         groups.differences[0],
+        people,
+        people.candidates[0],
+        scaling.PersonClass(0.4, ("mika", "jun"), np.array([0.5, 0.0, -0.5]), -0.9),
+        scaling.Covariate("age", 6, "number", 40.0, 2.5, 0.1, 0.2),
+        scaling.shared_scale(answers),
         scaling.cluster_ratio(answers, "ab", "cd"),
         scaling.compare_ratios(two, "ab", "cd", same_people=False),
         scaling.compare_sets(answers, other, same_people=False, samples=200),

@@ -47,6 +47,10 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.exists"))
     found.append(words("method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
+    if analysis.people is not None:
+        found.append(words("method.people", samples=analysis.people.shared.permutations))
+    if analysis.people is not None and analysis.people.population is not None:
+        found.append(words("method.population"))
     if analysis.goodness.mosteller is not None:
         found.append(words("method.mosteller"))
     found.append(words("method.consistency"))
@@ -112,6 +116,8 @@ def _cited(analysis: Analysis) -> list[str]:
         "efron": wanted.bootstrap > 0,
         "nagata": analysis.example or wanted.method == "least-squares",
         "perez": analysis.fit.unit in ("JOD", "JND"),
+        "schwarz": analysis.people is not None and analysis.people.population is not None,
+        "dempster": analysis.people is not None and analysis.people.population is not None,
         "mosteller": analysis.goodness.mosteller is not None,
     }
     return [text for key, text in texts.items() if used.get(key, True)]
