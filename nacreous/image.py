@@ -11,6 +11,7 @@ from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import Recipe, recipe
+from nacreous.value import Unchanging, keep, key_of, released
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,15 +27,20 @@ __all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render", "render_rec
 SUFFIXES = (".png", ".exr")
 
 
-class Image:
+class Image(Unchanging):
     """A picture in linear light, and the recipe that it can be made from again.
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
     leave 0..1. layers: of a rendered picture, the parts "interference", "diffuse", "mirror" and
     "surroundings", which add up to linear, and "texture" (hue, value, chroma) and "coverage" (of
     all pearls). recipe: texts "pearl" (of several different pearls "pearl.0", "pearl.1" and so on),
-    "scene" and others.
+    "scene" and others. A picture never changes; it compares, hashes, copies and pickles as its
+    numbers and its recipe.
     """
+
+    _arrays: _Arrays | None
+    _picture: _core.Picture | None
+    recipe: Mapping[str, str]
 
     def __init__(
         self,
@@ -42,15 +48,13 @@ class Image:
         layers: Mapping[str, NDArray[np.float32]],
         recipe: Mapping[str, str] | None = None,
     ) -> None:
-        self._arrays: _Arrays | None = (linear, layers)
-        self._picture: _core.Picture | None = None
-        self.recipe: Mapping[str, str] = recipe or {}
+        keep(self, _arrays=(linear, layers), _picture=None, recipe=recipe or {})
 
     @classmethod
     def _rendered(cls, picture: _core.Picture, recipe: Mapping[str, str]) -> Image:
         """A picture whose arrays, and NumPy with them, are loaded when they are first asked for."""
         image = cls.__new__(cls)
-        image._arrays, image._picture, image.recipe = None, picture, recipe
+        keep(image, _arrays=None, _picture=picture, recipe=recipe)
         return image
 
     def __repr__(self) -> str:
@@ -60,6 +64,17 @@ class Image:
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
         return type(self), (self.linear, dict(self.layers), dict(self.recipe))
+
+    def __eq__(self, other: object) -> bool:
+        """Same light, same parts, same recipe."""
+        return self._key() == other._key() if isinstance(other, Image) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Equal pictures have equal hashes."""
+        return hash(self._key())
+
+    def _key(self) -> object:
+        return key_of((self.linear, self.layers, self.recipe))
 
     @property
     def linear(self) -> NDArray[np.float32]:
@@ -76,9 +91,12 @@ class Image:
             if self._picture is None:
                 raise TypeError("an image has neither arrays nor a picture")
             pixels, parts = self._picture.parts()
+            released(pixels)
             layers = {name: pixels[..., first:end] for name, first, end in parts}
             first_four = list(layers.values())[:4]
-            self._arrays = sum(first_four[1:], first_four[0]), layers
+            linear = released(sum(first_four[1:], first_four[0]))
+            keep(self, _arrays=(linear, layers))
+            return linear, layers
         return self._arrays
 
     def develop(

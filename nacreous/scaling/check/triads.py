@@ -6,7 +6,6 @@ M. G. Kendall and B. Babington Smith, On the method of paired comparisons, Biome
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from math import comb
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from nacreous.scaling.check.circle import count_open
 from nacreous.scaling.check.tournament import Shares, shares_of
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.value import value_class
 
 #: Up to so many stimuli chance is counted out exactly.
 MOST_EXACT = 8
@@ -25,7 +25,7 @@ MOST_EXACT = 8
 MOST_LISTED = 100
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Triads:
     """How many triads go round in a circle.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +13,14 @@ from nacreous.scaling.compare.attribute_table import AttributeTable, products
 from nacreous.scaling.compare.estimate import Estimate
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.scale import Scale
+from nacreous.value import value_class
 
 __all__ = ["Line", "Prediction"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class Prediction:
     """Where a new stimulus would stand, in the model's own unit; 0 is the mean of those judged.
 
@@ -38,7 +39,7 @@ class Prediction:
     beyond: tuple[str, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Line:
     """The line of the attributes: how columns of terms are made, and what was fitted.
 

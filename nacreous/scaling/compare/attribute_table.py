@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
@@ -16,6 +15,7 @@ from nacreous.scaling.data.column import number_column, text_column
 from nacreous.scaling.data.fault import listed, nearest, quoted
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.data.table import read_table, table_of
+from nacreous.value import value_class
 
 __all__ = ["AttributeTable", "check_columns", "products"]
 
@@ -26,7 +26,7 @@ _NOTHING = 1e-8
 _LARGEST = 1e100
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class AttributeTable:
     """Finite numbers, one a stimulus and attribute.
 

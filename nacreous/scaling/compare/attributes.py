@@ -11,7 +11,7 @@ the noise of the answers (misfit), and which share of its variance the sum has (
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -26,13 +26,14 @@ from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = ["AttributeFit", "AttributeTest", "AttributeWeight", "Prediction", "fit_attributes"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class AttributeWeight:
     """By how much the scale rises with a term, with its own interval and p."""
 
@@ -44,7 +45,7 @@ class AttributeWeight:
     p_value: float
 
 
-@dataclass(frozen=True)
+@value_class
 class AttributeTest:
     """A test of a smaller model against a larger one: "likelihood-ratio" or "robust-wald"."""
 
@@ -54,7 +55,7 @@ class AttributeTest:
     p_value: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class AttributeFit:
     """A scale made of attributes, as `fit_attributes` fitted it.
 

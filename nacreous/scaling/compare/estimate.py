@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from nacreous.scaling.fit.existence import REMEDY
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import inverse
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = [
     "Estimate",
@@ -34,7 +34,7 @@ __all__ = [
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Estimate:
     """A fit, and how far it may be off.
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from os import PathLike
-from types import MappingProxyType
 from typing import Any, Unpack
 
 import numpy as np
@@ -20,9 +19,10 @@ from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.pairs import codes_of_pairs
 from nacreous.scaling.data.roles import Names, check_names, wanted_of
 from nacreous.scaling.data.table import read_table, table_of
+from nacreous.value import ReadOnlyMapping, value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Answers:
     """One row an answer. Made by `read`, `of_table` or `of_pairs`, which check everything.
 
@@ -48,7 +48,7 @@ class Answers:
     outcome: NDArray[np.int8]
     people: tuple[str, ...] = ()
     person: NDArray[np.int64] | None = None
-    groups: Mapping[str, Grouping] = field(default_factory=lambda: MappingProxyType({}))
+    groups: Mapping[str, Grouping] = field(default_factory=lambda: ReadOnlyMapping({}))
     response_s: NDArray[np.float64] | None = None
     time: NDArray[np.float64] | None = None
     sided: bool = True

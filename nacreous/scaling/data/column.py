@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
@@ -15,12 +14,13 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.label import LONGEST_LABEL, hidden_in, natural
 from nacreous.scaling.data.table import Table
+from nacreous.value import value_class
 
 #: What programs write into a cell that holds nothing, in small letters.
 NOTHING = frozenset({"null", "none", "nan", "na", "n/a", "undefined"})
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Grouping:
     """A column that sorts answers into groups, such as `sex` or `cohort`.
 

@@ -9,7 +9,7 @@ than the whole scale, holds them. How many there were is said.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 import numpy as np
@@ -20,6 +20,7 @@ from nacreous.number import said, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.uncertainty import control_of, level_of
+from nacreous.value import value_class
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -29,7 +30,7 @@ KINDS = ("studentised", "percentile", "basic")
 MOST_STUDENTISED = 150
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Bootstrap:
     """The scales of samples drawn again from the answers.
 

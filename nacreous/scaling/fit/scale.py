@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -17,6 +17,7 @@ from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit import bootstrap, clustering, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
 from nacreous.scaling.fit.unit import Unit, factor, unit_of
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.data.answers import Answers
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Scale:
     """A scale of stimuli, as `thurstone` or `bradley_terry` fitted it.
 
@@ -65,7 +66,7 @@ class Scale:
     design: Array | None = None
     answers: Answers | None = None
     parameters: Array = field(default_factory=lambda: np.zeros(0), repr=False)
-    pair_model: PairModel | None = field(default=None, repr=False)
+    pair_model: PairModel | None = field(default=None, repr=False, compare=False)
 
     def __str__(self) -> str:
         """A line for each stimulus, with its unit above and standard errors beside."""

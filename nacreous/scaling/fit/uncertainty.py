@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -10,13 +9,14 @@ from numpy.typing import NDArray
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
+from nacreous.value import value_class
 
 Array = NDArray[np.float64]
 
 CONTROLS = ("none", "holm", "bonferroni", "tukey")
 
 
-@dataclass(frozen=True)
+@value_class
 class Difference:
     """How far `first` is above `second`, in `unit`.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.report.doubt import Doubt, Neighbours, doubt_of, neighbours_of
 from nacreous.scaling.report.people import People, people_of
 from nacreous.scaling.report.settings import MODELS, Settings
+from nacreous.value import value_class
 
 __all__ = ["SUFFIXES", "Analysis", "analyse"]
 
@@ -32,7 +33,7 @@ SUFFIXES = (".html", ".csv", ".json")
 _RESAMPLING = 0.8
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Analysis:
     """Answers and all that was found in them.
 

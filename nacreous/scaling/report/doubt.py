@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +11,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.report.settings import Settings
+from nacreous.value import value_class
 
 __all__ = ["Doubt", "Neighbours", "doubt_of", "neighbours_of"]
 
@@ -19,7 +19,7 @@ __all__ = ["Doubt", "Neighbours", "doubt_of", "neighbours_of"]
 FEW_PEOPLE = 20
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Doubt:
     """Margins of a scale, in its unit.
 
@@ -34,7 +34,7 @@ class Doubt:
     covariance: NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class Neighbours:
     """Two things that follow each other on the scale, the higher one first.
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
+from nacreous.value import value_class
 
 __all__ = ["BOOTSTRAP", "LEVELS", "METHODS", "MODELS", "Settings"]
 
@@ -17,7 +17,7 @@ BOOTSTRAP = (100, 100_000)
 LEVELS = (0.5, 0.9999)
 
 
-@dataclass(frozen=True)
+@value_class
 class Settings:
     """How to fit, and what to say of it.
 
