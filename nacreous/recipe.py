@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 from nacreous import __version__, _core
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.ready import ready
+from nacreous.ready import Json, ready
 
 if TYPE_CHECKING:
     from nacreous.spec import Pearl, Scene
@@ -86,8 +86,13 @@ def _presets(pearl: object, scene: object) -> tuple[list[_Written], _Written] | 
     shown, around = ready()["pearl"].get(pearl), ready()["scene"].get(scene)
     if shown is None or around is None or around.get("pearls") != [None]:
         return None
-    first, second = (_Written(json.dumps(one["values"]), one["toml"]) for one in (shown, around))
+    first, second = (_Written(_compact(one["values"]), one["toml"]) for one in (shown, around))
     return [first], second
+
+
+def _compact(values: Json) -> str:
+    """As pydantic writes it."""
+    return json.dumps(values, ensure_ascii=False, separators=(",", ":"))
 
 
 def _read(
