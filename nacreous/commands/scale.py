@@ -195,6 +195,14 @@ def _told(found: Analysis, seconds: float) -> str:
     for at in found.order:
         low, high = doubt.intervals[at]
         lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
+    if doubt.samples:
+        lines.append(
+            f"{doubt.without_maximum} of {doubt.samples} samples had no scale of their own"
+        )
+    if doubt.too_few:
+        lines.append(
+            "these answers cannot tell how people differ; the intervals hold for these people alone"
+        )
     lines.append(found.goodness.verdict)
     return "\n".join(lines)
 
@@ -202,6 +210,6 @@ def _told(found: Analysis, seconds: float) -> str:
 _BY = {
     "people": "resampling people",
     "answers": "resampling answers",
-    "clusters": "the model, people as clusters",
+    "clusters": "people as clusters, Student's t",
     "information": "the model",
 }

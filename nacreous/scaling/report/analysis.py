@@ -21,7 +21,7 @@ from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.report.doubt import Doubt, Neighbours, doubt_of, neighbours_of
+from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, neighbours_of
 from nacreous.scaling.report.settings import MODELS, Settings
 
 __all__ = ["SUFFIXES", "Analysis", "analyse"]
@@ -44,7 +44,7 @@ class Analysis:
     answers: Answers | None
     fit: Scale
     doubt: Doubt
-    neighbours: tuple[Neighbours, ...]
+    neighbours: tuple[Pair, ...]
     goodness: Goodness
     consistency: Consistency
     groups: GroupComparison | None

@@ -63,7 +63,11 @@ def json_text(analysis: Analysis) -> str:
         "order_effect": fit.order_effect,
         "tie_threshold": fit.tie_threshold,
         "log_likelihood": fit.log_likelihood,
-        "resampled": {"by": analysis.doubt.by, "samples": analysis.doubt.samples},
+        "resampled": {
+            "by": analysis.doubt.by,
+            "samples": analysis.doubt.samples,
+            "without_maximum": analysis.doubt.without_maximum,
+        },
         "covariance": analysis.doubt.covariance,
         "neighbours": analysis.neighbours,
         "pairs": _pairs(analysis),

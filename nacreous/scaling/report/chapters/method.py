@@ -45,7 +45,8 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.prior", prior=f"{wanted.prior:g}"))
     if wanted.prior is None and wanted.method == "maximum-likelihood":
         found.append(words("method.exists"))
-    found.append(words("method.apart"))
+    over_people = analysis.doubt.errors.clusters is not None
+    found.append(words("method.apart_people" if over_people else "method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
     if analysis.goodness.mosteller is not None:
         found.append(words("method.mosteller"))
@@ -109,7 +110,8 @@ def _cited(analysis: Analysis) -> list[str]:
         "glenn": wanted.ties and wanted.model == "probit",
         "davidson": wanted.ties and wanted.model == "logit",
         "beaver": wanted.order and wanted.model == "logit",
-        "efron": wanted.bootstrap > 0,
+        "efron": analysis.doubt.samples > 0,
+        "bell": analysis.doubt.errors.clusters is not None,
         "nagata": analysis.example or wanted.method == "least-squares",
         "perez": analysis.fit.unit in ("JOD", "JND"),
         "mosteller": analysis.goodness.mosteller is not None,
