@@ -89,7 +89,11 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
         default="maximum-likelihood",
         help="least-squares: as in the paper of 1996 (maximum-likelihood)",
     )
-    model.add_argument("--ties", action="store_true", help="fit how near things are called equal")
+    model.add_argument(
+        "--ties",
+        action=argparse.BooleanOptionalAction,
+        help="fit how near things are called equal, or count ties half (where more than 5 %% are)",
+    )
     model.add_argument("--order", action="store_true", help="fit the advantage of the left one")
     model.add_argument("--prior", type=float, metavar="SPREAD", help="draw the places together")
     model.add_argument("--unit", choices=("z", "d'", "JOD", "JND", "logit"), help="of the scale")

@@ -137,7 +137,7 @@ def fit_attributes(
     model: str = "probit",
     *,
     standardise: bool = False,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     level: float = 0.95,
     stimulus: str = "stimulus",
@@ -188,7 +188,7 @@ def fit_attributes(
     )
 
 
-def _free(data: Any, model: str, ties: bool, order: bool) -> Estimate | None:
+def _free(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | None:
     """The scale of each stimulus by itself, if the answers hold one."""
     try:
         return estimate(data, model, ties=ties, order=order)
@@ -196,7 +196,7 @@ def _free(data: Any, model: str, ties: bool, order: bool) -> Estimate | None:
         return None
 
 
-def _held(data: Any, model: str, ties: bool, order: bool) -> Estimate | None:
+def _held(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | None:
     """The same, held by a weak prior: how far stimuli are off the line, if rather too far."""
     try:
         return estimate(data, model, ties=ties, order=order, prior=_WEAK)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
@@ -18,6 +19,7 @@ from nacreous.scaling.fit.clustering import personal
 from nacreous.scaling.fit.errors import errors_of
 from nacreous.scaling.fit.existence import REMEDY
 from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.fit.unit import check_model
 
 __all__ = [
@@ -58,7 +60,7 @@ def estimate(
     data: Any,
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     prior: float | None = None,
 ) -> Estimate:
@@ -108,10 +110,13 @@ def names_of(answers: Answers) -> tuple[str, ...]:
 
 
 def estimates(
-    groups: dict[str, Any], model: str, *, ties: bool = False, order: bool = False
+    groups: dict[str, Any], model: str, *, ties: bool | None = None, order: bool = False
 ) -> dict[str, Estimate]:
     """One estimate a group, all of the same stimuli; messages name the group."""
     found: dict[str, Estimate] = {}
+    check_model(model)
+    if ties is None:  # one answer for all groups, whose scales could not be compared otherwise
+        ties = fits_ties(None, [_counted(*group) for group in groups.items()], model, order)
     for name, data in groups.items():
         try:
             found[name] = estimate(data, model, ties=ties, order=order)
@@ -124,6 +129,13 @@ def estimates(
                 "allowed: the same stimuli in every group"
             )
     return found
+
+
+def _counted(name: str, data: Any) -> Comparisons:
+    try:
+        return comparisons_of(data)
+    except InputError as problem:
+        raise InputError(f"group {quoted(name)}: {problem}") from problem
 
 
 def hotelling(off: Array, covariance: Array, freedom: float) -> tuple[float, float] | None:

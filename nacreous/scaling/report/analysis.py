@@ -117,7 +117,7 @@ def analyse(
     # Without anyone to show to, resampling need not stop to say how far it is.
     watch = None if progress is None else lambda share: show(_RESAMPLING * share)
     doubt = doubt_of(fit, wanted, watch)
-    groups = _groups(answers, wanted)
+    groups = _groups(answers, wanted, fit.tie_threshold is not None)
     show(1.0)
     return Analysis(
         settings=wanted,
@@ -147,14 +147,14 @@ def _fitted(data: Any, wanted: Settings) -> Scale:
     return thurstone(data, wanted.method, ties=wanted.ties, order=wanted.order, prior=wanted.prior)
 
 
-def _groups(answers: Answers | None, wanted: Settings) -> GroupComparison | None:
+def _groups(answers: Answers | None, wanted: Settings, with_ties: bool) -> GroupComparison | None:
     if wanted.group is None or answers is None:
         return None
     parts = answers.split(wanted.group)
     return compare_groups(
         parts,
         wanted.model,
-        ties=wanted.ties,
+        ties=with_ties,
         order=wanted.order,
         same_people=None if _apart(parts) else True,
         level=wanted.level,
