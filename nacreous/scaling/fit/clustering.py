@@ -142,6 +142,7 @@ def clusters(
     observed, expected = inverse
     scores = np.asarray(model.scores(personal(answers), parameters))
     people, size = scores.shape
+    scores = scores - scores.mean(axis=0)  # 0 but for a prior, which pulls all people alike
     none = np.zeros((0, size, size))
     alike = not like[2] and _same_pairs(answers, people)
     if alike or people * size**3 > _MOST_WORK:

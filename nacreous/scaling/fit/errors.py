@@ -129,10 +129,10 @@ def _require_difference(fit: Scale, over_people: Array, expected: Array) -> None
         for table in (over_people, expected)
     )
     alike = (own <= _NOTHING * alone) & (alone > _NOTHING * alone.max())
+    alike |= np.diag(np.diag(over_people) <= _NOTHING * np.diag(expected))
     if alike.any():
-        first, second = (int(at) for at in np.argwhere(alike)[0])
+        about = dict.fromkeys(quoted(fit.stimuli[int(at)]) for at in np.argwhere(alike)[0])
         raise InputError(
-            f"all people answered alike about {quoted(fit.stimuli[first])} and "
-            f"{quoted(fit.stimuli[second])}, so that it is not known how people differ; allowed: "
-            f"people who differ, or {clustering.INSTEAD}"
+            f"all people answered alike about {' and '.join(about)}, so that it is not known how "
+            f"people differ; allowed: people who differ, or {clustering.INSTEAD}"
         )

@@ -21,12 +21,14 @@ from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, neighbours_of
+from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, neighbours_of, pairs_of
 from nacreous.scaling.report.settings import MODELS, Settings
 
 __all__ = ["SUFFIXES", "Analysis", "analyse"]
 
 SUFFIXES = (".html", ".csv", ".json")
+#: Beyond, there are more pairs than anybody reads, and each is tested against thousands.
+MOST_PAIRED = 60
 #: The share of the time that resampling takes.
 _RESAMPLING = 0.8
 
@@ -59,6 +61,13 @@ class Analysis:
     def ranking(self) -> list[str]:
         """Labels from the top of the scale."""
         return [self.fit.stimuli[at] for at in self.order]
+
+    @property
+    def differences(self) -> tuple[Pair, ...]:
+        """Each thing with all further down, p values by Holm over all; () beyond 60 things."""
+        if len(self.fit.stimuli) > MOST_PAIRED:
+            return ()
+        return pairs_of(self.fit, self.doubt, self.settings.level)
 
     def save(self, path: str | PathLike[str], language: str = "en") -> None:
         """Write a report (.html, in "en" or "ja"), the scale (.csv) or every number (.json).

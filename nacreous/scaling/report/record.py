@@ -70,6 +70,7 @@ def json_text(analysis: Analysis) -> str:
         },
         "covariance": analysis.doubt.covariance,
         "neighbours": analysis.neighbours,
+        "differences": analysis.differences,
         "pairs": _pairs(analysis),
         "goodness": analysis.goodness,
         "consistency": analysis.consistency,
