@@ -191,7 +191,8 @@ def _told(found: Analysis, seconds: float) -> str:
     """In a few lines what was found."""
     fit, doubt = found.fit, found.doubt
     width = max(len(label) for label in fit.stimuli)
-    lines = [
+    lines = _people_told(found)
+    lines += [
         f"{found.comparisons.total:g} answers on {len(fit.stimuli)} stimuli, {fit.model}, "
         f"{fit.method}, in {fit.unit}; {100 * found.settings.level:g} % intervals by "
         f"{_BY[doubt.by]}, {seconds:.1f} s"
@@ -207,8 +208,35 @@ def _told(found: Analysis, seconds: float) -> str:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
-    lines.append(found.goodness.verdict)
+    together = "all people together: " if found.people_differ else ""
+    lines.append(together + found.goodness.verdict)
     return "\n".join(lines)
+
+
+def _people_told(found: Analysis) -> list[str]:
+    """Before the scale, that it is not that of each of the people; nothing where it may be."""
+    people = found.people
+    if people is None or not people.differ:
+        return []
+    shared, risk = people.shared, 1 - found.settings.level
+    ways = ["other orders"] if shared.order_p_value < risk else []
+    ways += ["sharper, or the other way round"] if shared.sharper_p_value < risk else []
+    way = f" ({'; '.join(ways)})" if ways else ""
+    lines = [f"people do not share one scale, p {shared.p_value:.3g}{way}"]
+    described = people.population
+    if described is None:
+        return lines
+    if described.kind == "classes":
+        shares = ", ".join(f"{one.share:.2f}" for one in described.classes)
+        said = f"{len(described.classes)} classes of people: {shares}"
+        last = described.classes[1].correlation
+        said += f"; correlation {last:.2f}" if len(described.classes) == 2 else ""
+    elif described.kind == "spread":
+        own = "z" if described.model == "probit" else "logit"
+        said = f"values of their own, standard deviation {described.spread:.2f} {own}, no classes"
+    else:
+        said = "too slightly to describe how"
+    return [*lines, said]
 
 
 _BY = {

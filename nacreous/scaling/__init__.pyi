@@ -1,5 +1,7 @@
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
+from .check.covariate import Covariate as Covariate
+from .check.covariate import person_covariates as person_covariates
 from .check.kendall import Agreement as Agreement
 from .check.kendall import agreement as agreement
 from .check.misfit import Goodness as Goodness
@@ -7,11 +9,17 @@ from .check.misfit import Misfit as Misfit
 from .check.misfit import goodness as goodness
 from .check.person import PersonalTriads as PersonalTriads
 from .check.person import triads_by_person as triads_by_person
+from .check.population import Candidate as Candidate
+from .check.population import PersonClass as PersonClass
+from .check.population import Population as Population
+from .check.population import population as population
 from .check.repetition import Retest as Retest
 from .check.repetition import retest as retest
 from .check.response import ResponseTime as ResponseTime
 from .check.response import response_time as response_time
 from .check.share import Share as Share
+from .check.shared import SharedScale as SharedScale
+from .check.shared import shared_scale as shared_scale
 from .check.side import SideBias as SideBias
 from .check.side import side_bias as side_bias
 from .check.transitive import Transitivity as Transitivity

@@ -191,6 +191,7 @@ class ScaleTold(BaseModel):
     level: float
     verdict: Literal["describes", "misfits", "untested"]
     misfit: tuple[str, str] | None
+    people_differ: bool
 
 
 class TooFew(BaseModel):

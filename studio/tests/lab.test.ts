@@ -156,6 +156,7 @@ describe("the chart", () => {
     level: 0.95,
     verdict: "describes" as const,
     misfit: null,
+    people_differ: false,
     stimuli: [
       { label: "<b>", picture: "00", value: 0.5, low: 0.5, high: 0.5 },
       { label: "dull", picture: "11", value: -0.5, low: -0.5, high: -0.5 },

@@ -4,6 +4,7 @@ import json
 import re
 import shutil
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
@@ -167,9 +168,9 @@ class Site:
         """Somebody's own context."""
         return guarded(self.browser, self.url, **options)
 
-    def stored(self) -> tuple[Session, list[dict[str, Any]]]:
-        """The last session in the store, and its answers."""
-        return stored(self.folder)
+    def stored(self, at_least: int = 0) -> tuple[Session, list[dict[str, Any]]]:
+        """The last session in the store, and its answers, once there are so many."""
+        return stored(self.folder, at_least)
 
 
 @contextmanager
@@ -281,10 +282,18 @@ def violations(page: Page) -> list[str]:
     ]
 
 
-def stored(folder: Path) -> tuple[Session, list[dict[str, Any]]]:
-    """The last session in a study's store, and its answers."""
-    with Store.open(folder) as store:
-        study = store.study()
-        session = store.sessions(study)[-1]
-        rows = store.answers(study, session.id)
-    return session, [{**row, "flags": json.loads(row["flags"])} for row in rows]
+def stored(folder: Path, at_least: int = 0) -> tuple[Session, list[dict[str, Any]]]:
+    """The last session in a study's store, and its answers, once there are so many.
+
+    A page goes on before the server has said that it keeps the answer.
+    """
+    deadline = time.monotonic() + 30.0
+    while True:
+        with Store.open(folder) as store:
+            study = store.study()
+            session = store.sessions(study)[-1]
+            rows = store.answers(study, session.id)
+        if len(rows) >= at_least:
+            return session, [{**row, "flags": json.loads(row["flags"])} for row in rows]
+        assert time.monotonic() < deadline, f"{len(rows)} answers are stored, not {at_least}"
+        time.sleep(0.05)

@@ -87,6 +87,7 @@ def test_answers_left_behind_go_with_the_next_person(plain):
     with plain.visited(expected=FAILING) as guard:
         first = begun(guard)
         first.answer("left")
+        plain.stored(at_least=1)
         guard.context.route("**/api/answers/*", lambda route: route.abort())
         first.answer("right")
         first.answer("right")
@@ -180,8 +181,7 @@ def test_a_browser_that_keeps_nothing_is_served_all_the_same(plain, broken):
         for chosen in given:
             person.answer(chosen)
         person.until(PAIR)
-        while len(plain.stored()[1]) < len(given):
-            person.page.wait_for_timeout(50)
+        plain.stored(at_least=len(given))
         person.page.reload()
         given += person.trials(by_turns)
     answers = assert_all_there(plain, given)

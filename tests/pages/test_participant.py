@@ -155,7 +155,7 @@ def test_what_happens_around_an_answer_is_marked(browser, tmp_path):
         box = person.page.wait_for_selector(".picture img >> nth=1").bounding_box()
         assert box["x"] + box["width"] <= 400
         person.answer("left", settle_ms=450)
-    _, answers = stored(folder)
+        _, answers = stored(folder, at_least=4)
     flags = [row["flags"] for row in answers[:4]]
     assert flags[:2] == [{"early": 2}, {"away": 1}]
     assert flags[3]["shrunk"] == pytest.approx((376 - 12) / (2 * 60 * 96 / 25.4), abs=0.01)

@@ -77,7 +77,7 @@ def test_where_case_v_holds_the_statistics_are_chi_squared():
         assert kstest([getattr(each, name) for each in found], "uniform").pvalue > 1e-3
     adjusted = np.array([each.adjusted[np.triu_indices(6, 1)] for each in found])
     assert adjusted.std(axis=0) == pytest.approx(1, abs=0.2)
-    assert found[0].verdict == "nothing in these data speaks against case V"
+    assert found[0].verdict == "nothing in these counts speaks against case V"
     assert found[0].advice == ""
 
 

@@ -238,7 +238,7 @@ def test_equals_are_too_close_to_call_and_good_answers_fit():
     assert not any(pair.apart for pair in found.neighbours)
     said = told(found)
     assert "All neighbours in this order are too close to call" in said
-    assert "One scale describes the answers" in said
+    assert "stray from the scale no more than chance would make them" in said
 
 
 def test_all_pairs_are_told_with_one_correction_for_all(paper):

@@ -29,7 +29,7 @@ from tests.support.server_process import in_thread, prepare, small_study, some_p
 KNOWS_MORE = [positive_data_acceptance]
 
 FEW = settings(
-    max_examples=10,
+    max_examples=4,
     derandomize=True,
     database=None,
     deadline=None,

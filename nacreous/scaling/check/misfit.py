@@ -209,7 +209,7 @@ def _verdict(model: str, describes: bool | None, df: int, largest: Misfit) -> st
     if describes is None:
         return f"nothing to test: {model} has as many values as there are shares"
     if describes:
-        return f"nothing in these data speaks against {model}"
+        return f"nothing in these counts speaks against {model}"
     pair = f"{largest.first}-{largest.second}"
     return f"{model} does not describe these data; largest misfit {pair}"
 

@@ -22,6 +22,7 @@ from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, neighbours_of, pairs_of
+from nacreous.scaling.report.people import People, people_of
 from nacreous.scaling.report.settings import MODELS, Settings
 
 __all__ = ["SUFFIXES", "Analysis", "analyse"]
@@ -37,8 +38,9 @@ _RESAMPLING = 0.8
 class Analysis:
     """Answers and all that was found in them.
 
-    `answers` is None where only counts are known; `groups` where no column was named; `example`:
-    the data are the paper's, reconstructed from its table.
+    `answers` is None where only counts are known; `people` where who answered is not, or nothing
+    in which people could differ; `groups` where no column was named; `example`: the data are the
+    paper's, reconstructed from its table.
     """
 
     settings: Settings
@@ -49,8 +51,14 @@ class Analysis:
     neighbours: tuple[Pair, ...]
     goodness: Goodness
     consistency: Consistency
+    people: People | None
     groups: GroupComparison | None
     example: bool
+
+    @property
+    def people_differ(self) -> bool:
+        """Whether people were found not to share one scale."""
+        return self.people is not None and self.people.differ
 
     @property
     def order(self) -> list[int]:
@@ -126,6 +134,7 @@ def analyse(
     # Without anyone to show to, resampling need not stop to say how far it is.
     watch = None if progress is None else lambda share: show(_RESAMPLING * share)
     doubt = doubt_of(fit, wanted, watch)
+    people = people_of(answers, wanted)
     groups = _groups(answers, wanted, fit.tie_threshold is not None)
     show(1.0)
     return Analysis(
@@ -137,6 +146,7 @@ def analyse(
         neighbours=neighbours_of(fit, doubt, wanted.level),
         goodness=goodness(own, wanted.level),
         consistency=consistency(comparisons if answers is None else answers, own.scale),
+        people=people,
         groups=groups,
         example=example,
     )

@@ -14,6 +14,7 @@ from nacreous.scaling.report.chapters import (
     groups,
     method,
     neighbours,
+    people,
     scale,
     short,
 )
@@ -27,6 +28,7 @@ _CHAPTERS: dict[str, Callable[[Analysis, Words], Html]] = {
     "scale": scale.chapter,
     "neighbours": neighbours.chapter,
     "fit": fit.chapter,
+    "people": people.chapter,
     "groups": groups.chapter,
     "consistency": consistency.chapter,
     "method": method.chapter,
@@ -38,11 +40,7 @@ def html(analysis: Analysis, language: str = "en") -> str:
     words = Words(language)
     column = words.name(analysis.settings.group) if analysis.settings.group else ""
     title = {key: words(f"{key}.title", column=column) for key in _CHAPTERS}
-    used = {
-        key: write
-        for key, write in _CHAPTERS.items()
-        if key != "groups" or analysis.groups is not None
-    }
+    used = {key: _CHAPTERS[key] for key in _order(analysis)}
     chapters = "".join(
         f'<section id="{key}">\n<h2>{title[key]}</h2>\n{write(analysis, words)}</section>\n'
         for key, write in used.items()
@@ -72,6 +70,13 @@ def html(analysis: Analysis, language: str = "en") -> str:
 </body>
 </html>
 """
+
+
+def _order(analysis: Analysis) -> list[str]:
+    """The chapters; people come before the scale where it is not that of each of them."""
+    said = {"groups": analysis.groups is not None, "people": analysis.answers is not None}
+    keys = [key for key in _CHAPTERS if said.get(key, True)]
+    return sorted(keys, key=lambda key: key != "people") if analysis.people_differ else keys
 
 
 def _title(analysis: Analysis, words: Words) -> Html:

@@ -74,6 +74,7 @@ def json_text(analysis: Analysis) -> str:
         "pairs": _pairs(analysis),
         "goodness": analysis.goodness,
         "consistency": analysis.consistency,
+        "one_scale_for_all_people": _people(analysis),
         "groups": _groups(analysis),
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
@@ -85,6 +86,33 @@ def _pairs(analysis: Analysis) -> dict[str, Any]:
         "wins": analysis.comparisons.matrix,
         "ties": analysis.comparisons.tie_matrix,
         "fitted_shares": analysis.fit.proportions,
+    }
+
+
+def _people(analysis: Analysis) -> Any:
+    """The tests, and what describes the people; of their labels only how many there are."""
+    people = analysis.people
+    if people is None:
+        return None
+    found = people.population
+    return {
+        "test": asdict(people.shared) | {"reversed": len(people.shared.reversed)},
+        "differ": people.differ,
+        "columns": people.covariates,
+        "described_by": None if found is None else found.kind,
+        "spread_in_own_unit": None if found is None else found.spread,
+        "candidates": () if found is None else found.candidates,
+        "classes_in_own_unit": [
+            {
+                "share": one.share,
+                "people": len(one.people),
+                "correlation": one.correlation,
+                "scale": dict(zip(found.stimuli, one.scale, strict=True)),
+            }
+            for one in found.classes
+        ]
+        if found is not None
+        else None,
     }
 
 

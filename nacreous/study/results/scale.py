@@ -36,6 +36,7 @@ class ScaleSoFar:
     many count. unit, level: of the intervals, in which one person's answers hang together.
     verdict: whether one scale holds the answers: "describes", "misfits" or "untested". misfit: the
     two stimuli that it holds worst, the one chosen too often first; None unless "misfits".
+    people_differ: people were found not to share the scale, which holds their sums at best.
     """
 
     question: str
@@ -48,6 +49,7 @@ class ScaleSoFar:
     level: float
     verdict: str
     misfit: tuple[str, str] | None
+    people_differ: bool
 
 
 def scale_so_far(running: Running, question: str, simulated: bool = False) -> ScaleSoFar:
@@ -85,6 +87,7 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
         level=found.settings.level,
         verdict=verdict,
         misfit=(worst.first, worst.second) if verdict == "misfits" else None,
+        people_differ=found.people_differ,
     )
 
 

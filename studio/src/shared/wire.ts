@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 3809c3abcc1fa7f476ab25c99690b14c2bbddb5c2511cfb235defab00c3d7f3d
+ * 24835d5b8b377c43c0744f530cb46145a605122d2e833ec1ac52a52f3ca04b71
  */
 
 export type JsonValue = unknown;
@@ -350,6 +350,7 @@ export interface ScaleTold {
   level: number;
   verdict: "describes" | "misfits" | "untested";
   misfit: [string, string] | null;
+  people_differ: boolean;
 }
 /**
  * A stimulus on the scale, with its interval.

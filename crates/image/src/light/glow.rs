@@ -61,6 +61,21 @@ fn directions() -> impl Iterator<Item = (DVec3, f64)> {
     })
 }
 
+/// Rings of equal area, with so many points each, that stand for a ball's disc **(ours)**.
+const RINGS: usize = 4;
+const SPOKES: usize = 16;
+
+/// So many points stand for a ball's disc as seen from one direction.
+pub(crate) const DISC_POINTS: usize = RINGS * SPOKES;
+
+/// One of them, on a disc of radius 1.
+pub(crate) fn on_disc(point: usize) -> [f64; 2] {
+    let (ring, spoke) = (point / SPOKES, point % SPOKES);
+    let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
+    let (sin, cos) = libm::sincos(2.0 * PI * (spoke as f64 + 0.5) / SPOKES as f64);
+    [radius * cos, radius * sin]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

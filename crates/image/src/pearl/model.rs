@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::{
     grain::texture::Texture,
-    light::glow::Glow,
+    light::glow::{self, DISC_POINTS, Glow},
     pearl::{
         illuminant::IlluminantPearl, reflection_cache::ReflectionCache, shade::Shade, sight::Sight,
         transport::Transport,
@@ -100,17 +100,20 @@ impl Model {
             let y = (DVec3::Y - towards * towards.y).normalize_or(DVec3::X);
             let x = y.cross(towards);
             let mut sum = [0.0; 3];
-            for part in 0..RINGS * SPOKES {
-                let [across, up] = on_disc(part);
+            for part in 0..DISC_POINTS {
+                let [across, up] = glow::on_disc(part);
                 let cos_view = (1.0 - across * across - up * up).sqrt();
                 let normal = x * across + y * up + towards * cos_view;
                 let point = surroundings.balls[ball].centre + normal * radius_mm;
                 let hit = Hit { point, normal, cos_view, coverage: 1.0 };
                 let pixel_mm = 0.2 * radius_mm;
-                let sight = Sight { ball, hit, view: towards, pixel_mm, part, around: None };
+                let mut sight = Sight { ball, hit, view: towards, pixel_mm, part, around: None };
+                if let Self::Transport(model) = self {
+                    sight.around = Some(model.around_from_afar(surroundings, &sight));
+                }
                 let shade = self.shade(surroundings, &sight);
                 for light in [shade.interference, shade.diffuse, shade.mirror] {
-                    rgb::add(&mut sum, rgb::scaled(light, 1.0 / (RINGS * SPOKES) as f64));
+                    rgb::add(&mut sum, rgb::scaled(light, 1.0 / DISC_POINTS as f64));
                 }
             }
             sum
@@ -127,15 +130,4 @@ impl Pearl {
         });
         Shade { texture, ..self.model.shade(surroundings, sight) }
     }
-}
-
-/// Rings of equal area, with so many points each, that stand for the disc **(ours)**.
-const RINGS: usize = 4;
-const SPOKES: usize = 16;
-
-fn on_disc(point: usize) -> [f64; 2] {
-    let (ring, spoke) = (point / SPOKES, point % SPOKES);
-    let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
-    let (sin, cos) = libm::sincos(std::f64::consts::TAU * (spoke as f64 + 0.5) / SPOKES as f64);
-    [radius * cos, radius * sin]
 }

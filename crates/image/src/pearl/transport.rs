@@ -8,7 +8,7 @@ use std::{f64::consts::PI, sync::Arc};
 use nacreous_colour::{Matrix, matrix::apply};
 
 use crate::{
-    light::bands::Bands,
+    light::{bands::Bands, glow::DISC_POINTS},
     pearl::{
         reflection_cache::{Around, ReflectionCache},
         response::Response,
@@ -27,9 +27,12 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Transport {
     response: Arc<Response>,
-    /// Facets sampled once for all pixels, shared out among the samples along a pixel's side.
-    samples: Vec<FacetSample>,
-    facets_per_sample: usize,
+    samples_side: usize,
+    /// Sets of facets sampled once for all pixels, each twice as fine as the one before and shared out among
+    /// the samples along a pixel's side.
+    samples: Vec<Vec<FacetSample>>,
+    /// Facets for the pearl from afar, shared out among so many points of it.
+    far_samples: Vec<FacetSample>,
     lamps: Vec<Lamp>,
     subsurface: Subsurface,
 }
@@ -44,7 +47,6 @@ impl Transport {
         samples_side: usize,
     ) -> Self {
         let microfacets = response.microfacets();
-        let facets_per_sample = facets_per_sample(microfacets.spread_rad());
         let centre = surroundings.balls[ball].centre;
         let beam = |(lamp, power): (&Lamp, &Bands)| Beam {
             direction: lamp.toward(centre),
@@ -56,8 +58,10 @@ impl Transport {
         let subsurface = Subsurface::new(response.passage(), surroundings, ball, &beams);
         let lamps = surroundings.lamps.iter().map(|lamp| lamp.clone().resolved_for(microfacets));
         let lamps = lamps.collect();
-        let samples = microfacets.samples(samples_side * facets_per_sample);
-        Self { response, samples, facets_per_sample, lamps, subsurface }
+        let finest = facets_per_sample(microfacets.spread_rad()).ilog2();
+        let samples = (0..=finest).map(|set| microfacets.samples(samples_side << set)).collect();
+        let far_samples = microfacets.samples(DISC_POINTS * far_facets(microfacets.spread_rad()));
+        Self { response, samples_side, samples, far_samples, lamps, subsurface }
     }
 
     /// What goes from the point towards the eye, without the grain.
@@ -83,10 +87,34 @@ impl Transport {
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
     fn around(&self, surroundings: &Lit, sight: &Sight) -> Around {
-        let first = sight.part * self.facets_per_sample;
-        let all = self.samples.iter().cycle().skip(first % self.samples.len());
-        let some = all.take(self.facets_per_sample).copied();
-        self.gathered(surroundings, sight, some, (self.samples.len(), LOBE))
+        let (viewpoint, cone_rad) = (viewpoint(surroundings, sight), cone_rad(surroundings, sight));
+        let set = &self.samples[self.set_needed(&viewpoint, sight, cone_rad)];
+        let each = set.len() / self.samples_side;
+        let run = &set[sight.part % self.samples_side * each..][..each];
+        self.gathered(&viewpoint, sight, cone_rad, run, (set.len(), LOBE))
+    }
+
+    /// The same for one of the [`DISC_POINTS`] that stand for the pearl from afar.
+    pub(crate) fn around_from_afar(&self, surroundings: &Lit, sight: &Sight) -> Around {
+        let each = self.far_samples.len() / DISC_POINTS;
+        let run = &self.far_samples[sight.part * each..][..each];
+        let (viewpoint, cone_rad) = (viewpoint(surroundings, sight), cone_rad(surroundings, sight));
+        self.gathered(&viewpoint, sight, cone_rad, run, (self.far_samples.len(), LOBE))
+    }
+
+    /// Which set of samples shows what all facets do. The wider the cone is against the lobe, the fewer are needed,
+    /// unless the lobe may meet something bright with an edge.
+    fn set_needed(&self, viewpoint: &Viewpoint, sight: &Sight, cone_rad: f64) -> usize {
+        let finest = self.samples.len() - 1;
+        let (hit, spread_rad) = (&sight.hit, self.response.microfacets().spread_rad());
+        let mirrored = 2.0 * hit.cos_view * hit.normal - sight.view;
+        if viewpoint.may_meet_edge(mirrored, LOBE_REACH * 2.0 * spread_rad + cone_rad) {
+            return finest;
+        }
+        // A slanted surface widens the cone one way only.
+        let cos_view = hit.cos_view.max(0.02);
+        let share = (3.0 * spread_rad / (cone_rad * cos_view)).powi(2) / cos_view;
+        finest.saturating_sub(libm::log2(share.recip()) as usize)
     }
 
     /// The cache of what the facets show `camera`, if pixels are finer.
@@ -100,10 +128,12 @@ impl Transport {
         let microfacets = self.response.microfacets();
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
-        let facets = pixels * self.samples.len() as f64;
+        let facets = pixels * self.samples.last().map_or(0, Vec::len) as f64;
         ReflectionCache::new(place, camera, microfacets, facets, |hit, view, samples| {
             let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            self.gathered(surroundings, &sight, samples.iter().copied(), (samples.len(), KNOT_LOBE))
+            let (viewpoint, cone_rad) =
+                (viewpoint(surroundings, &sight), cone_rad(surroundings, &sight));
+            self.gathered(&viewpoint, &sight, cone_rad, samples, (samples.len(), KNOT_LOBE))
         })
     }
 
@@ -111,12 +141,13 @@ impl Transport {
     /// looked up with `lobe_width` of what it stands for.
     fn gathered(
         &self,
-        surroundings: &Lit,
+        viewpoint: &Viewpoint,
         sight: &Sight,
-        samples: impl Iterator<Item = FacetSample>,
+        cone_rad: f64,
+        samples: &[FacetSample],
         (count, lobe_width): (usize, f64),
     ) -> Around {
-        let Sight { ball, hit, view, pixel_mm, .. } = *sight;
+        let Sight { hit, view, .. } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
         // Straight from above, what is left of the view aside is rounding.
@@ -126,23 +157,28 @@ impl Transport {
             normal.any_orthonormal_vector()
         };
         let y = normal.cross(x);
-        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
-        // a slanted surface turns it faster.
-        let radius_mm = surroundings.balls[ball].radius_mm;
-        let pixel_rad = 2.0 * pixel_mm / radius_mm / cos_view.max(0.02);
         let (mut lobe, facets) = (Lobe::default(), self.response.microfacets().seen_at(cos_view));
-        let windows = &surroundings.windows;
-        let viewpoint = Viewpoint::new(surroundings, windows, hit.point, Some(ball));
         for sample in samples {
-            let Some(facet) = facets.facet(sample) else { continue };
+            let Some(facet) = facets.facet(*sample) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
             let share_rad2 = lobe_width / (facet.density * count as f64);
-            let spread_rad = (pixel_rad * pixel_rad + share_rad2).sqrt();
+            let spread_rad = (cone_rad * cone_rad + share_rad2).sqrt();
             let seen = viewpoint.seen(along, spread_rad);
             lobe.add(facet.weight, self.response.mirrored(facet.cos_half), seen.radiance);
         }
         lobe.around(self.response.mirrored_by_all(cos_view))
     }
+}
+
+fn viewpoint<'a>(surroundings: &'a Lit, sight: &Sight) -> Viewpoint<'a> {
+    Viewpoint::new(surroundings, &surroundings.windows, sight.hit.point, Some(sight.ball))
+}
+
+/// The angle that a pixel's cone has after one facet: its width on the ball turns the normal by that over the
+/// radius, and the ray by twice that; a slanted surface turns it faster.
+fn cone_rad(surroundings: &Lit, sight: &Sight) -> f64 {
+    let radius_mm = surroundings.balls[sight.ball].radius_mm;
+    2.0 * sight.pixel_mm / radius_mm / sight.hit.cos_view.max(0.02)
 }
 
 /// Some facets' view of the surroundings.
@@ -187,6 +223,16 @@ const LOBE: f64 = 4.0;
 
 /// The same for the knots of a cache, whose many samples need overlap less; by eye **(ours)**.
 const KNOT_LOBE: f64 = 2.0;
+
+/// Facets for a point that stands for a 64th of the pearl from afar. Its ray's cone is so wide that one shows what
+/// all of a lobe do, unless the lobe is wider.
+fn far_facets(spread_rad: f64) -> usize {
+    (libm::ceil((spread_rad / 0.1).powi(2)) as usize).min(16)
+}
+
+/// So many standard deviations of the facets' lean a lobe reaches, as far as the edge of a window shows in it: with
+/// fewer facets beyond, no 8-bit code of 70 small pictures moves by more than 1 **(ours)**.
+const LOBE_REACH: f64 = 3.0;
 
 /// A mirror needs few facets, satin more: few agree with the integral over all light to 2 %
 /// (`docs/transport.md`).

@@ -3,7 +3,7 @@
 //! A Gaussian cone against four straight edges.
 //! Left out: that a cone wider than a corner sees it sharp.
 
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use glam::DVec3;
 
@@ -49,6 +49,12 @@ impl Pane {
         let toward = -along.dot(self.facing);
         let distance_mm = if toward > 0.0 { self.in_front_mm / toward } else { f64::INFINITY };
         (share > 0.0).then_some((distance_mm.min(self.farthest_mm), share))
+    }
+
+    /// Whether any of it may lie within an angle of a direction.
+    pub(crate) fn is_within(&self, along: DVec3, within_rad: f64) -> bool {
+        let sine = libm::sin(within_rad.min(FRAC_PI_2));
+        self.inward.iter().all(|inward| inward.dot(along) >= -sine)
     }
 }
 

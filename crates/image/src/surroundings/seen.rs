@@ -41,7 +41,8 @@ impl Lit {
 
     /// What `ray` meets of windows, table, walls and sky.
     pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
-        Viewpoint::new(self, &self.windows, ray.from, None).scenery(ray.along, spread_rad)
+        let windows = self.windows.iter().filter(|window| !window.is_clear_of(ray, spread_rad));
+        Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, spread_rad)
     }
 }
 

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::{ground::Seen, lit::Lit, pane::Pane, window::Window},
+    surroundings::{ground::Seen, lit::Lit, pane::Pane, sky::Sky, window::Window},
     view::ray::Ray,
 };
 
@@ -35,11 +35,11 @@ impl<'a> Viewpoint<'a> {
     /// Among `surroundings` as if `windows` were theirs.
     pub(crate) fn new(
         surroundings: &'a Lit,
-        windows: &[Window],
+        windows: impl IntoIterator<Item = &'a Window>,
         point: DVec3,
         on: Option<usize>,
     ) -> Self {
-        let panes = windows.iter().filter_map(|window| window.before(point)).collect();
+        let panes = windows.into_iter().filter_map(|window| window.before(point)).collect();
         Self { surroundings, panes, point, on }
     }
 
@@ -49,30 +49,42 @@ impl<'a> Viewpoint<'a> {
             return self.scenery(along, spread_rad);
         }
         let ray = Ray { from: self.point, along };
+        let ground = self.surroundings.ground(&ray, spread_rad);
         let (neighbours, balls) = (&self.surroundings.neighbours, &self.surroundings.balls);
-        // Nothing is seen behind a ball that fills the cone.
-        let full_mm = Cell::new(f64::INFINITY);
+        // Nothing is seen behind the ground, nor behind a ball that fills the cone.
+        let end_mm = Cell::new(ground.distance_mm);
         let slices = neighbours.slices(&ray, 0.5 * spread_rad, self.on.is_some());
-        let slices = slices.take_while(|slice| slice.least_mm <= full_mm.get());
+        let slices = slices.take_while(|slice| slice.least_mm <= end_mm.get());
         let balls = slices.flat_map(|slice| slice.balls).filter_map(|&number| {
             if Some(number as usize) == self.on {
                 return None;
             }
             let ball = &balls[number as usize];
             let (distance_mm, share) = ball.stops(&ray, spread_rad)?;
+            if distance_mm >= ground.distance_mm {
+                return None;
+            }
             if share >= 1.0 {
-                full_mm.set(distance_mm.min(full_mm.get()));
+                end_mm.set(distance_mm.min(end_mm.get()));
             }
             let radiance = ball.glow.at((self.point - ball.centre).normalize());
             Some(Layer { distance_mm, share, radiance, fades: true })
         });
-        self.through(balls.chain(self.windows(along, spread_rad)), &ray, spread_rad)
+        through(balls.chain(self.windows(along, spread_rad)), ground)
+    }
+
+    /// Whether something bright with an edge, a window or what a panorama shows, may lie within an angle of
+    /// a direction, or the table's horizon within half of it, whose contrast is less.
+    pub(crate) fn may_meet_edge(&self, along: DVec3, within_rad: f64) -> bool {
+        matches!(self.surroundings.sky, Sky::Panorama { .. })
+            || (self.surroundings.table.is_some() && along.y.abs() < 0.5 * within_rad)
+            || self.panes.iter().any(|pane| pane.is_within(along, within_rad))
     }
 
     /// The same without the pearls.
     pub(crate) fn scenery(&self, along: DVec3, spread_rad: f64) -> Seen {
         let ray = Ray { from: self.point, along };
-        self.through(self.windows(along, spread_rad), &ray, spread_rad)
+        through(self.windows(along, spread_rad), self.surroundings.ground(&ray, spread_rad))
     }
 
     fn windows(&self, along: DVec3, spread_rad: f64) -> impl Iterator<Item = Layer> {
@@ -81,19 +93,18 @@ impl<'a> Viewpoint<'a> {
             Some(Layer { distance_mm, share, radiance: pane.radiance, fades: false })
         })
     }
+}
 
-    /// What is seen through layers in any order.
-    fn through(&self, mut layers: impl Iterator<Item = Layer>, ray: &Ray, spread_rad: f64) -> Seen {
-        let ground = self.surroundings.ground(ray, spread_rad);
-        // Hardly a ray meets more than one, and most of the time of a picture is spent here.
-        match (layers.next(), layers.next()) {
-            (None, _) => ground,
-            (Some(one), None) => before(&[one], ground),
-            (Some(one), Some(two)) => {
-                let mut all: Vec<Layer> = [one, two].into_iter().chain(layers).collect();
-                all.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
-                before(&all, ground)
-            }
+/// What is seen through layers in any order.
+fn through(mut layers: impl Iterator<Item = Layer>, ground: Seen) -> Seen {
+    // Hardly a ray meets more than one, and most of the time of a picture is spent here.
+    match (layers.next(), layers.next()) {
+        (None, _) => ground,
+        (Some(one), None) => before(&[one], ground),
+        (Some(one), Some(two)) => {
+            let mut all: Vec<Layer> = [one, two].into_iter().chain(layers).collect();
+            all.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
+            before(&all, ground)
         }
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::{rgb::Rgb, surroundings::pane::Pane};
+use crate::{rgb::Rgb, surroundings::pane::Pane, view::ray::Ray};
 
 /// A rectangle of even light: a window, a softbox, a lit plate. It gives light, and is seen, on one
 /// side only.
@@ -23,6 +23,9 @@ pub struct Window {
     /// Linear RGB.
     pub radiance: Rgb,
 }
+
+/// Beyond so many angles of a cone it sees nothing of a window: twice what its Gaussian reaches (`pane.rs`).
+const NEAR: f64 = 3.0;
 
 impl Window {
     /// `right` and `up`, in mm, go from the middle to two edges at right angles to each other, neither
@@ -66,6 +69,16 @@ impl Window {
             farthest_mm,
             radiance: self.radiance,
         })
+    }
+
+    /// Whether no part of it lies in a cone of light of full angle `spread_rad`, or near it. Far cheaper than
+    /// [`Self::before`].
+    pub(crate) fn is_clear_of(&self, ray: &Ray, spread_rad: f64) -> bool {
+        let middle = self.centre - ray.from;
+        let (square, ahead_mm) = (middle.length_squared(), middle.dot(ray.along));
+        let reach_mm = (self.right.length_squared() + self.up.length_squared()).sqrt()
+            + NEAR * spread_rad * square.sqrt();
+        ahead_mm < -reach_mm || square - ahead_mm * ahead_mm > reach_mm * reach_mm
     }
 
     /// The window's light on a matt surface at `point`: radiance of a white one over that of the window.

@@ -25,6 +25,8 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     untold = "few" if analysis.goodness.df else "none"
     verdict = {None: untold, True: "good", False: "bad"}[analysis.goodness.describes]
     parts = [words.paragraph(f"fit.{verdict}")]
+    if analysis.people_differ:
+        parts.append(words.paragraph("fit.people_differ"))
     if analysis.goodness.describes is False:
         parts.append(_largest(analysis, words))
     if len(analysis.fit.stimuli) <= MOST_SIDES:

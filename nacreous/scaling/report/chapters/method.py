@@ -49,6 +49,10 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
     over_people = analysis.doubt.errors.clusters is not None
     found.append(words("method.apart_people" if over_people else "method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
+    if analysis.people is not None:
+        found.append(words("method.people", samples=analysis.people.shared.permutations))
+    if analysis.people is not None and analysis.people.population is not None:
+        found.append(words("method.population"))
     if analysis.goodness.mosteller is not None:
         found.append(words("method.mosteller"))
     found.append(words("method.consistency"))
@@ -116,6 +120,8 @@ def _cited(analysis: Analysis) -> list[str]:
         "bell": analysis.doubt.errors.clusters is not None,
         "nagata": analysis.example or wanted.method == "least-squares",
         "perez": analysis.fit.unit in ("JOD", "JND"),
+        "schwarz": analysis.people is not None and analysis.people.population is not None,
+        "dempster": analysis.people is not None and analysis.people.population is not None,
         "mosteller": analysis.goodness.mosteller is not None,
     }
     return [text for key, text in texts.items() if used.get(key, True)]

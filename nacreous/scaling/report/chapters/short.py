@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.chapters.people import described
 from nacreous.scaling.report.translation import Html, Words, percent
 
 __all__ = ["chapter"]
@@ -10,7 +11,8 @@ __all__ = ["chapter"]
 
 def chapter(analysis: Analysis, words: Words) -> Html:
     """The findings, as a list."""
-    found = [_places(analysis, words), _apart(analysis, words), _fit(analysis, words)]
+    found = [_people(analysis, words)] if analysis.people_differ else []
+    found += [_places(analysis, words), _apart(analysis, words), _fit(analysis, words)]
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
     if analysis.groups is not None:
@@ -19,6 +21,14 @@ def chapter(analysis: Analysis, words: Words) -> Html:
         found.append(words(key, column=words.name(analysis.settings.group)))
     items = "".join(f"<li>{sentence}</li>\n" for sentence in found)
     return Html(f'<ul class="short">\n{items}</ul>\n')
+
+
+def _people(analysis: Analysis, words: Words) -> Html:
+    people = analysis.people
+    said = [words("short.people_differ")]
+    if people is not None and people.population is not None:
+        said.append(described(analysis, people.population, words))
+    return words.sentences(*said)
 
 
 def _places(analysis: Analysis, words: Words) -> Html:
@@ -60,7 +70,8 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes is None:
         return words("short.unfit_few" if analysis.goodness.df else "short.unfit")
     if analysis.goodness.describes:
-        return words("short.fits")
+        key = "fits_sums" if analysis.people_differ else "fits"
+        return words(f"short.{key}" if analysis.people is not None else "short.fits_counts")
     worst = analysis.goodness.largest
     return words(
         "short.misfits",

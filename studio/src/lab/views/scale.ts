@@ -116,6 +116,7 @@ class Drawing {
     this.node.replaceChildren(
       element("h3", {}, said(found.text, this.desk.speech.language)),
       ...(simulated ? [element("p", { class: "note" }, words.simulated_note)] : []),
+      ...(found.people_differ ? [element("p", { class: "note" }, words.people_differ)] : []),
       this.place,
       element(
         "p",
@@ -160,7 +161,8 @@ function verdict(found: Scale, words: ScaleWords): string {
     return fill(words.misfits_pair, { first, second });
   }
   if (found.verdict === "misfits") return words.misfits;
-  return found.verdict === "describes" ? words.describes : words.untested;
+  if (found.verdict === "untested") return words.untested;
+  return found.people_differ ? words.describes_sums : words.describes;
 }
 
 function table(found: Scale, words: ScaleWords): HTMLElement {

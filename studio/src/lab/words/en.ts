@@ -195,7 +195,11 @@ export const en = {
     from_simulated: "{answers} answers of {people} simulated observers.",
     interval:
       "Bars: {level} % intervals, one person’s answers taken together. The middle of the scale is 0.",
+    people_differ:
+      "People do not share one scale: they differ by more than chance. The report says in which way.",
     describes: "One scale describes these answers.",
+    describes_sums:
+      "The scale describes the answers of all together, but not those of each person.",
     misfits: "The scale is a summary: some answers stray from it by more than chance.",
     misfits_pair:
       "The scale is a summary: some answers stray from it by more than chance, most of all those on {first} and {second}.",

@@ -1,0 +1,178 @@
+"""What goes with the differences between people: age, training, any column that is of a person."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.number import seed_of, whole_of
+from nacreous.scaling.check.blocks import Array, Blocks, blocks_of
+from nacreous.scaling.check.person import known_people
+from nacreous.scaling.check.shared import MOST_STIMULI
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.uncertainty import holm
+
+__all__ = ["Covariate", "person_covariates"]
+
+#: A number splits people at up to so many places.
+_SPLITS = 25
+#: The smaller part of a split has at least this share of the people.
+_LEAST_PART = 0.05
+#: People whose column is filled in, below which nothing is tested.
+_LEAST_PEOPLE = 6
+#: Sums over people dealt at a time: 32 MB of them.
+_AT_ONCE = 1 << 22
+
+
+@dataclass(frozen=True)
+class Covariate:
+    """Whether people who differ in a column judge differently.
+
+    - `column`, `people`: its name, and for how many people it is filled in
+    - `kind`: "groups", its values as they are, or "number", above against below a split
+    - `split`: of a number, the value at which people differ most; the first part is up to it
+    - `statistic`, `p_value`: by dealing the column anew to the people; `p_adjusted`: Holm's over
+      all columns
+    """
+
+    column: str
+    people: int
+    kind: Literal["groups", "number"]
+    split: float | None
+    statistic: float
+    p_value: float
+    p_adjusted: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Sorted:
+    """People sorted by a column: their indices, where parts end, and the values there."""
+
+    kind: Literal["groups", "number"]
+    people: NDArray[np.int64]
+    ends: NDArray[np.int64]
+    values: tuple[float, ...]
+
+
+def person_covariates(
+    answers: Answers, permutations: int = 999, seed: int = 1
+) -> tuple[Covariate, ...]:
+    """Test every column that says one thing about each person: () where there is none.
+
+    A person's slopes against the shares of all people are summed over the people of each group;
+    the statistic is the sum over groups of S' M^-1 S (people / people of the group), with M from
+    how far the slopes vary between people. A column of three or more different numbers takes the
+    largest such statistic of up to 25 splits in two. The column is dealt anew to the people,
+    splits and all, so that choosing the largest costs nothing in honesty. Columns with more than
+    half as many values as people, unless numbers, say nothing and are left out.
+
+    permutations: 99 to 1 000 000. Raises `InputError` where people are unknown.
+
+    >>> import nacreous as nc
+    >>> person_covariates(nc.scaling.simulate([1.0, 0.0, -1.0], people=40))
+    ()
+    """
+    whole_of("permutations", permutations, 99, 1_000_000)
+    blocks = blocks_of(answers)
+    found = dict(_columns(answers, blocks)) if len(blocks.stimuli) <= MOST_STIMULI else {}
+    if not found:
+        return ()
+    slopes = _slopes(blocks)
+    tested = {
+        name: _tested(slopes, column, permutations, seed_of(seed)) for name, column in found.items()
+    }
+    adjusted = holm(np.array([p_value for _, p_value, _ in tested.values()]))
+    return tuple(
+        Covariate(name, len(found[name].people), found[name].kind, split, statistic, p_value, both)
+        for (name, (statistic, p_value, split)), both in zip(
+            tested.items(), adjusted.tolist(), strict=True
+        )
+    )
+
+
+def _columns(answers: Answers, blocks: Blocks) -> Iterator[tuple[str, _Sorted]]:
+    """Columns that are of a person, with people sorted by them."""
+    here, person = np.unique(known_people(answers), return_inverse=True)
+    for name, column in answers.groups.items():
+        own = np.full(len(here), -1, np.int64)
+        own[person] = column.code
+        if not np.array_equal(own[person], column.code):
+            continue  # of the answer, not of the person
+        known = np.flatnonzero(own >= 0)
+        used, code = np.unique(own[known], return_inverse=True)
+        if len(known) < _LEAST_PEOPLE or len(used) < 2:
+            continue
+        numbers = _numbers([column.levels[level] for level in used])
+        if numbers is not None and len(used) > 2:
+            yield from _by_number(name, known, numbers[code])
+        elif len(used) <= len(known) / 2:
+            order = np.argsort(code, kind="stable")
+            ends = np.cumsum(np.bincount(code))
+            yield name, _Sorted("groups", known[order], ends, ())
+
+
+def _numbers(levels: list[str]) -> Array | None:
+    try:
+        numbers = np.array([float(level) for level in levels])
+    except ValueError:
+        return None
+    return numbers if np.isfinite(numbers).all() else None
+
+
+def _by_number(name: str, known: NDArray[np.int64], value: Array) -> Iterator[tuple[str, _Sorted]]:
+    order = np.argsort(value, kind="stable")
+    value, count = value[order], len(value)
+    least = max(2, int(np.ceil(_LEAST_PART * count)))
+    ends = np.flatnonzero(np.diff(value)) + 1
+    ends = ends[(ends >= least) & (ends <= count - least)]
+    if len(ends) == 0:
+        return
+    ends = ends[np.unique(np.linspace(0, len(ends) - 1, _SPLITS).round().astype(np.int64))]
+    yield name, _Sorted("number", known[order], ends, tuple(value[ends - 1].tolist()))
+
+
+def _slopes(blocks: Blocks) -> Array:
+    """Each person's slopes in units of their errors, float64 [person, r]."""
+    metric = blocks.metric()
+    rows = metric[blocks.first[blocks.pair]] - metric[blocks.second[blocks.pair]]
+    weighed = rows * blocks.residual[:, None]
+    found = np.zeros((len(blocks.people), metric.shape[1]))
+    np.add.at(found, blocks.person, weighed)
+    return found
+
+
+def _tested(
+    slopes: Array, column: _Sorted, permutations: int, seed: int
+) -> tuple[float, float, float | None]:
+    """Statistic, p value, and the split of a number."""
+    own = slopes[column.people] - slopes[column.people].mean(axis=0)
+    # Half what people of one scale would vary by, half what these people do, so that few people
+    # do not make a metric in which every difference is as large as any other (ours).
+    values, vectors = np.linalg.eigh((own.T @ own + np.eye(own.shape[1])) / 2)
+    own = own @ (vectors / np.sqrt(values))
+    true = _parts(own[None], column)[0]
+    random = np.random.default_rng(seed)
+    at_once = max(1, _AT_ONCE // own.size)
+    as_far = 0
+    for start in range(0, permutations, at_once):
+        count = min(at_once, permutations - start)
+        dealt = np.argsort(random.random((count, len(own))), axis=1)
+        as_far += int((_parts(own[dealt], column).max(axis=1) >= true.max() * (1 - 1e-9)).sum())
+    split = column.values[int(true.argmax())] if column.kind == "number" else None
+    return float(true.max()), (1 + as_far) / (1 + permutations), split
+
+
+def _parts(own: Array, column: _Sorted) -> Array:
+    """Statistic of each split of a number, or the one of groups, float64 [deal, split]."""
+    count = own.shape[1]
+    sums = np.cumsum(own, axis=1)[:, column.ends - 1]
+    if column.kind == "number":
+        below = column.ends
+        return np.asarray((sums**2).sum(axis=2) * count / (below * (count - below)))
+    sizes = np.diff(column.ends, prepend=0)
+    groups = np.diff(sums, axis=1, prepend=0.0)
+    return np.asarray(((groups**2).sum(axis=2) * (1 / sizes)).sum(axis=1, keepdims=True))

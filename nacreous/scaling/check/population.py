@@ -1,0 +1,158 @@
+"""What people who differ are like: of one scale, of scales spread about one, or in classes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from nacreous.number import seed_of, whole_of
+from nacreous.problem import InputError
+from nacreous.scaling.check.blocks import Array, Blocks, blocks_of
+from nacreous.scaling.check.classes import Mixture, fit_classes
+from nacreous.scaling.check.own_values import OwnValues, fit_own_values
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.unit import check_model
+
+__all__ = ["Candidate", "PersonClass", "Population", "population"]
+
+#: People x stimuli² up to which the models are fitted, and people from which on.
+_MOST_NUMBERS = 2_000_000
+_LEAST_PEOPLE = 6
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One description of the people: `name` is "one scale", "spread", "2 classes" and so on.
+
+    `parameters`: free ones; `bic`: parameters x ln(people) - 2 log-likelihood, the smaller the
+    better.
+    """
+
+    name: str
+    parameters: int
+    log_likelihood: float
+    bic: float
+
+
+@dataclass(frozen=True, eq=False)
+class PersonClass:
+    """A class of people: its `share` of all, `people` who are most likely in it, its `scale`.
+
+    `scale`: float64 [stimulus], mean 0, in the model's own unit. `correlation`: with the scale of
+    the first, largest class.
+    """
+
+    share: float
+    people: tuple[str, ...]
+    scale: Array
+    correlation: float
+
+
+@dataclass(frozen=True, eq=False)
+class Population:
+    """The description of the people with the smallest BIC, and those it was chosen from.
+
+    - `kind`: "one scale", "spread" (everyone has values of their own, of which `spread` is the
+      standard deviation) or "classes"
+    - `spread`: in the model's own unit, whichever was chosen
+    - `classes`: the largest first; () unless they were chosen
+    - `candidates`: all that were fitted
+    """
+
+    model: str
+    stimuli: tuple[str, ...]
+    kind: Literal["one scale", "spread", "classes"]
+    spread: float
+    classes: tuple[PersonClass, ...]
+    candidates: tuple[Candidate, ...]
+
+
+def population(
+    answers: Answers, model: str = "probit", most: int = 4, starts: int = 20, seed: int = 1
+) -> Population:
+    """Choose between one scale, a continuous spread and 2 to `most` classes by BIC.
+
+    A spread looks like classes to any criterion that is not offered the spread as well, so it
+    always competes. BIC counts people, not answers, for people are what is drawn (G. Schwarz,
+    Annals of Statistics 6, 1978). Ties count half. starts: of EM, for each number of classes.
+
+    most: 2 to 10, starts: 1 to 1000. Raises `InputError` where people are unknown, with fewer than
+    6 of them, and where people x stimuli² is more than 2 000 000.
+
+    >>> import nacreous as nc
+    >>> spread = nc.scaling.simulate([0.8, 0.3, -0.3, -0.8], people=60, person_spread=0.8)
+    >>> population(spread).kind
+    'spread'
+    """
+    check_model(model)
+    whole_of("most", most, 2, 10)
+    whole_of("starts", starts, 1, 1000)
+    blocks = blocks_of(answers)
+    _require_size(blocks)
+    each = len(blocks.stimuli) - 1
+    spread = fit_own_values(blocks, model)
+    mixtures = [
+        fit_classes(blocks, count, model, starts, seed_of(seed)) for count in range(1, most + 1)
+    ]
+    found = [_candidate("spread", each + 1, spread.log_likelihood, blocks)]
+    for count, mixture in enumerate(mixtures, 1):
+        name = "one scale" if count == 1 else f"{count} classes"
+        free = count * each + count - 1
+        found.append(_candidate(name, free, mixture.log_likelihood, blocks))
+    best = min(range(len(found)), key=lambda at: found[at].bic)
+    return _described(blocks, model, best, spread, mixtures, found)
+
+
+def _require_size(blocks: Blocks) -> None:
+    people, stimuli = len(blocks.people), len(blocks.stimuli)
+    if people < _LEAST_PEOPLE:
+        raise InputError(f"{people} people; allowed: {_LEAST_PEOPLE} or more")
+    if people * stimuli**2 > _MOST_NUMBERS:
+        raise InputError(
+            f"{people} people with {stimuli} stimuli; "
+            f"allowed: people x stimuli² up to {_MOST_NUMBERS}"
+        )
+
+
+def _candidate(name: str, parameters: int, log_likelihood: float, blocks: Blocks) -> Candidate:
+    bic = parameters * float(np.log(len(blocks.people))) - 2 * log_likelihood
+    return Candidate(name, parameters, log_likelihood, bic)
+
+
+def _described(
+    blocks: Blocks,
+    model: str,
+    best: int,
+    spread: OwnValues,
+    mixtures: list[Mixture],
+    found: list[Candidate],
+) -> Population:
+    kinds: tuple[Literal["spread", "one scale", "classes"], ...] = ("spread", "one scale")
+    kind = kinds[best] if best < 2 else "classes"
+    return Population(
+        model=model,
+        stimuli=blocks.stimuli,
+        kind=kind,
+        spread=spread.spread,
+        classes=_classes(blocks, mixtures[best - 1]) if kind == "classes" else (),
+        candidates=tuple(found),
+    )
+
+
+def _classes(blocks: Blocks, mixture: Mixture) -> tuple[PersonClass, ...]:
+    likely = mixture.belonging.argmax(axis=1)
+    first = mixture.values[0]
+    found = []
+    for at, (share, scale) in enumerate(zip(mixture.shares, mixture.values, strict=True)):
+        size = float(np.linalg.norm(scale) * np.linalg.norm(first))
+        found.append(
+            PersonClass(
+                share=float(share),
+                people=tuple(blocks.people[index] for index in np.flatnonzero(likely == at)),
+                scale=scale,
+                correlation=float(scale @ first) / size if size > 0 else 0.0,
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,156 @@
+"""Whether people share one scale, in which way they differ, and what goes with it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nacreous.scaling.check.population import Population
+from nacreous.scaling.fit.unit import factor
+from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.people import People
+from nacreous.scaling.report.table import facts, table
+from nacreous.scaling.report.translation import Html, Words, chance, number, percent
+
+__all__ = ["chapter", "described"]
+
+_MOST_COVARIATES = 20
+#: Correlation of two classes' scales below which one is called near the reverse of the other.
+_OPPOSITE = -0.8
+
+
+def chapter(analysis: Analysis, words: Words) -> Html:
+    """Verdict, ways, description of the people, columns that go with it."""
+    people = analysis.people
+    if people is None:
+        return words.paragraph("people.untested")
+    p = words.equals(chance(people.shared.p_value))
+    if not people.differ:
+        parts = [words.paragraph("people.alike", p=p)]
+    else:
+        parts = [words.paragraph("people.differ", p=p), _ways(analysis, people, words)]
+        if people.population is not None:
+            parts.append(words.paragraph("people.chosen"))
+            parts.append(Html(f"<p>{described(analysis, people.population, words)}</p>\n"))
+            parts.append(_classes(people.population, words))
+            parts.append(_candidates(people.population, words))
+    parts.append(_covariates(analysis, people, words))
+    return Html("".join(parts))
+
+
+def described(analysis: Analysis, found: Population, words: Words) -> Html:
+    """The people in a sentence: one scale, a spread, or classes."""
+    if found.kind == "one scale":
+        return words("people.one")
+    if found.kind == "spread":
+        own = "z" if found.model == "probit" else "logit"
+        spread = found.spread * factor(own, analysis.fit.unit)
+        return words("people.spread", spread=number(spread))
+    shares = words.listed([percent(one.share) for one in found.classes])
+    said = [words("people.classes", count=len(found.classes), shares=shares)]
+    if len(found.classes) == 2:
+        opposite = found.classes[1].correlation < _OPPOSITE
+        key = "people.opposite" if opposite else "people.related"
+        said.append(words(key, r=number(found.classes[1].correlation)))
+    return words.sentences(*said)
+
+
+def _ways(analysis: Analysis, people: People, words: Words) -> Html:
+    """Other orders apart from sharper, or the other way round."""
+    shared, risk = people.shared, 1 - analysis.settings.level
+    said = []
+    if shared.order_p_value < risk:
+        said.append(words("people.order", p=words.equals(chance(shared.order_p_value))))
+    if shared.sharper_p_value < risk:
+        said.append(words("people.sharper", p=words.equals(chance(shared.sharper_p_value))))
+        # Of a sum of classes the direction means little, and the classes say more.
+        if shared.reversed and (people.population is None or not people.population.classes):
+            count = words.count("person", len(shared.reversed))
+            said.append(words("people.reversed", people=count))
+    if not said:
+        said.append(words("people.unclear"))
+    said.append(words("people.sides"))
+    return Html(f"<p>{words.sentences(*said)}</p>\n")
+
+
+def _classes(found: Population, words: Words) -> Html:
+    """A row a class, with its own order."""
+    rows = [
+        (
+            words("people.class", n=at + 1),
+            percent(one.share),
+            str(len(one.people)),
+            words.row([found.stimuli[k] for k in np.argsort(-one.scale, kind="stable")]),
+            number(one.correlation),
+        )
+        for at, one in enumerate(found.classes)
+    ]
+    if not rows:
+        return Html("")
+    heads = [
+        words("people.class_head"),
+        words("people.share"),
+        words("people.members"),
+        words("people.ranking"),
+        words("people.correlation"),
+    ]
+    scales = [
+        (
+            words.name(label),
+            *(number(one.scale[at]) for one in found.classes),
+        )
+        for at, label in enumerate(found.stimuli)
+    ]
+    columns = [words("people.class", n=at + 1) for at in range(len(rows))]
+    own = table([words("scale.stimulus"), *columns], scales, ["", *["n"] * len(rows)])
+    return Html(
+        table(heads, rows, ["", "n", "n", "", "n"])
+        + words.paragraph("people.scales", unit=words.unit(_own_unit(found)))
+        + own
+    )
+
+
+def _own_unit(found: Population) -> str:
+    return "z" if found.model == "probit" else "logit"
+
+
+def _candidates(found: Population, words: Words) -> Html:
+    items = [
+        (_called(one.name, words), words("people.bic", value=number(one.bic, 1)))
+        for one in found.candidates
+    ]
+    return Html(f'<p class="quiet">{words("people.candidates")}</p>\n' + facts(items))
+
+
+def _called(name: str, words: Words) -> Html:
+    if name == "one scale":
+        return words("people.candidate.one_scale")
+    if name == "spread":
+        return words("people.candidate.spread")
+    return words("people.candidate.classes", count=name.split()[0])
+
+
+def _covariates(analysis: Analysis, people: People, words: Words) -> Html:
+    if not people.covariates:
+        return Html("")
+    rows = []
+    for one in sorted(people.covariates, key=lambda each: each.p_adjusted)[:_MOST_COVARIATES]:
+        found = one.p_adjusted < 1 - analysis.settings.level
+        split = "" if one.split is None else words("people.up_to", value=f"{one.split:g}")
+        rows.append(
+            (
+                words.name(one.column),
+                words("people.goes" if found else "people.stays"),
+                split if found else "",
+                chance(one.p_value),
+                chance(one.p_adjusted),
+            )
+        )
+    heads = [
+        words("people.column"),
+        words("people.verdict"),
+        words("people.split"),
+        words("people.p_value"),
+        words("neighbours.p"),
+    ]
+    lead = words.paragraph("people.covariates")
+    return Html(lead + table(heads, rows, ["", "", "", "n", "n"]))

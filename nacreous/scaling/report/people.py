@@ -1,0 +1,60 @@
+"""How the people differ, as far as their answers tell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+from nacreous.problem import InputError
+from nacreous.scaling.check.covariate import Covariate, person_covariates
+from nacreous.scaling.check.population import Population, population
+from nacreous.scaling.check.shared import SharedScale, shared_scale
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.report.settings import Settings
+
+__all__ = ["People", "people_of"]
+
+#: Answers x permutations that nobody minds to wait for, some seconds.
+_MOST_DEALT = 50_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class People:
+    """The test whether people share one scale, and what follows where they do not.
+
+    `differ`: they do not, at the level asked for. `population`: what describes them; None where
+    they do not differ, and where they are too few or too many for that. `covariates`: columns of
+    people, tested in any case.
+    """
+
+    shared: SharedScale
+    differ: bool
+    population: Population | None
+    covariates: tuple[Covariate, ...]
+
+
+def people_of(answers: Answers | None, settings: Settings) -> People | None:
+    """None where people are unknown, or answered nothing in which they could differ."""
+    if answers is None or answers.person is None:
+        return None
+    permutations = _permutations(len(answers), settings.level)
+    try:
+        shared = shared_scale(answers, permutations, settings.seed)
+    except InputError:  # no pair was answered by two, or all agree
+        return None
+    differ = shared.differ(settings.level)
+    described = _population(answers, settings) if differ else None
+    covariates = person_covariates(answers, permutations, settings.seed)
+    return People(shared, differ, described, covariates)
+
+
+def _permutations(answers: int, level: float) -> int:
+    """999, fewer for very many answers; enough that p can be below 1 - level."""
+    return max(99, ceil(2 / (1 - level)), min(999, _MOST_DEALT // answers))
+
+
+def _population(answers: Answers, settings: Settings) -> Population | None:
+    try:
+        return population(answers, settings.model, seed=settings.seed)
+    except InputError:  # too few people, or too many numbers
+        return None

@@ -1,0 +1,112 @@
+"""The report and the command say before the scale that people do not share it, and only then."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nacreous as nc
+from nacreous.cli import main
+from nacreous.scaling.report.chapters import people
+from nacreous.scaling.report.translation import Words
+from tests.scaling.test_covariate import two_ages
+from tests.scaling.test_shared import TRUTH, together
+
+CAMPS = Path(__file__).with_name("camps.csv")
+
+
+@pytest.fixture(scope="module")
+def camps():
+    return nc.scaling.analyse(nc.scaling.Answers.read(CAMPS), bootstrap=100)
+
+
+@pytest.fixture(scope="module")
+def alike():
+    return nc.scaling.analyse(nc.scaling.simulate(TRUTH, 40, seed=1), bootstrap=0)
+
+
+def test_camps_are_said_before_the_scale(camps):
+    page = camps.text("report.html")
+    first = page.index("People do not share one scale")
+    assert page.index('<section id="short">') < first < page.index("first place is open")
+    assert "2 classes" in page
+    assert page.index('<section id="people">') < page.index('<section id="scale">')
+    assert "One scale describes the answers" not in page
+    assert "Taken together, the answers follow the scale" in page
+
+
+def test_camps_are_said_in_japanese(camps):
+    page = camps.text("report.html", "ja")
+    first = page.index("全員に共通する一つの尺度はありません")
+    assert first < page.index("最もよく選ばれたのは")
+    assert "人々は2つのクラスに分かれ" in page
+    assert "回答は一つの尺度でよく表せます" not in page
+
+
+def test_people_who_are_alike_come_after_the_scale(alike):
+    page = alike.text("report.html")
+    assert not alike.people_differ
+    assert page.index('<section id="people">') > page.index('<section id="scale">')
+    assert "People do not share one scale" not in page
+
+
+def test_counts_say_nothing_of_single_people():
+    counts = nc.scaling.simulate(TRUTH, 40, seed=1).comparisons()
+    page = nc.scaling.analyse(counts, bootstrap=0).text("report.html")
+    assert "Whether each person judges by it, they cannot tell" in page
+    assert 'id="people"' not in page
+
+
+def test_the_other_way_round_is_said_apart_from_other_orders():
+    words = Words("en")
+    few = together(
+        nc.scaling.simulate(TRUTH, 55, seed=1), nc.scaling.simulate(-1.5 * TRUTH, 5, seed=2)
+    )
+    said = people.chapter(nc.scaling.analyse(few, bootstrap=0), words)
+    assert "Sharper, or the other way round" in said
+    spread = nc.scaling.simulate(TRUTH, 104, person_spread=0.3, seed=2)
+    said = people.chapter(nc.scaling.analyse(spread, bootstrap=0), words)
+    assert "Other order" in said
+    assert "the other way round" not in said
+    assert "There are no classes" in said
+
+
+def test_a_column_of_people_that_goes_with_their_scales_is_named():
+    found = nc.scaling.analyse(two_ages(1), bootstrap=0)
+    said = people.chapter(found, Words("en"))
+    row = said[said.index('<b class="name">age</b>') :]
+    assert "yes" in row[: row.index("</tr>")]
+
+
+def test_the_record_has_the_test_and_the_classes_and_no_label_of_a_person(camps):
+    found = json.loads(camps.text("scale.json"))["one_scale_for_all_people"]
+    assert found["differ"] is True
+    assert found["test"]["p_value"] == 0.001
+    assert [one["people"] for one in found["classes_in_own_unit"]] == [30, 30]
+    assert '"p12"' not in json.dumps(found)
+
+
+def test_the_command_says_first_that_people_do_not_share_one_scale(tmp_path, capsys):
+    output = tmp_path / "scale.csv"
+    assert main(["scale", str(CAMPS), "-o", str(output), "--bootstrap", "0"]) == 0
+    first, second, third, *_ = capsys.readouterr().out.splitlines()
+    assert first.startswith("people do not share one scale, p 0.001")
+    assert second == "2 classes of people: 0.50, 0.50; correlation -1.00"
+    assert third.startswith("1260 answers")
+
+
+def test_camps_differ_at_a_strict_level_too():
+    found = nc.scaling.analyse(nc.scaling.Answers.read(CAMPS), bootstrap=0, level=0.999)
+    assert found.people_differ
+
+
+def test_spread_in_the_report_is_in_the_unit_of_the_scale():
+    study = nc.scaling.simulate(TRUTH, 60, person_spread=0.8, seed=4)
+    own = nc.scaling.analyse(study, bootstrap=0)
+    other = nc.scaling.analyse(study, bootstrap=0, unit="JOD")
+    spread = own.people.population.spread
+    for found, times in ((own, 1.0), (other, 1.4826)):
+        assert f"{np.round(spread * times, 2):.2f}" in people.chapter(found, Words("en"))
