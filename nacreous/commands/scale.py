@@ -202,7 +202,7 @@ def _told(found: Analysis, seconds: float) -> str:
         lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
     if doubt.samples:
         lines.append(
-            f"{doubt.without_maximum} of {doubt.samples} samples had no scale of their own"
+            f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
         )
     if doubt.too_few:
         lines.append(
