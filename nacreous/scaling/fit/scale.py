@@ -13,6 +13,7 @@ from nacreous._core import PairModel
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit import bootstrap, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
 from nacreous.scaling.fit.errors import errors_of, kind_of, parameter_covariance
@@ -283,6 +284,7 @@ class Scale:
         return self.tie_threshold * factor(self.unit, "z")
 
     def _index(self, label: str) -> int:
+        label = label_of(label) if isinstance(label, str) else label
         if label not in self.stimuli:
             raise InputError(f"there is no stimulus {label!r}; allowed: {listed(self.stimuli)}")
         return self.stimuli.index(label)
