@@ -102,7 +102,11 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
         default="maximum-likelihood",
         help="least-squares: as in the paper of 1996 (maximum-likelihood)",
     )
-    model.add_argument("--ties", action="store_true", help="fit how near things are called equal")
+    model.add_argument(
+        "--ties",
+        action=argparse.BooleanOptionalAction,
+        help="fit how near things are called equal, or count ties half (where more than 5 %% are)",
+    )
     model.add_argument("--order", action="store_true", help="fit the advantage of the left one")
     model.add_argument("--prior", type=float, metavar="SPREAD", help="draw the places together")
     model.add_argument("--unit", choices=("z", "d'", "JOD", "JND", "logit"), help="of the scale")
@@ -234,6 +238,14 @@ def _told(found: Analysis, seconds: float) -> str:
     for at in found.order:
         low, high = doubt.intervals[at]
         lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
+    if doubt.samples:
+        lines.append(
+            f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
+        )
+    if doubt.too_few:
+        lines.append(
+            "these answers cannot tell how people differ; the intervals hold for these people alone"
+        )
     together = "all people together: " if found.people_differ else ""
     lines.append(together + found.goodness.verdict)
     return "\n".join(lines)
@@ -268,6 +280,6 @@ def _people_told(found: Analysis) -> list[str]:
 _BY = {
     "people": "resampling people",
     "answers": "resampling answers",
-    "clusters": "the model, people as clusters",
+    "clusters": "people as clusters, Student's t",
     "information": "the model",
 }

@@ -124,7 +124,7 @@ def compare_groups(
     groups: Mapping[str, Any],
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
     permutations: int = 1999,
@@ -159,7 +159,8 @@ def compare_groups(
     found = estimates(named, model, ties=ties, order=order)
     same = shared_people(found, same_people)
     clustered = all(one.people for one in found.values())
-    shared = fit_of(pooled(named, same), model, ties=ties, order=order)
+    fitted_ties = next(iter(found.values())).fit.tie_threshold is not None
+    shared = fit_of(pooled(named, same), model, ties=fitted_ties, order=order)
     ratio = _likelihood_ratio(found, shared)
     joint = spread_over(found, same)
     freedom = _freedom(found, same) if clustered else np.inf

@@ -84,7 +84,7 @@ def cluster_ratio(
     second: Sequence[object],
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     level: float = 0.95,
 ) -> ClusterRatio:
@@ -118,7 +118,7 @@ def compare_ratios(
     second: Sequence[object],
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
     level: float = 0.95,

@@ -106,7 +106,7 @@ def compare_sets(
     second: Any,
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
     level: float = 0.95,

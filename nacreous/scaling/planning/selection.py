@@ -179,7 +179,7 @@ def _posterior(
     """Mean and covariance of the values; the prior's own before there are answers."""
     if comparisons is None:
         return np.zeros(len(labels)), prior**2 * np.eye(len(labels))
-    fit: Scale = fit_of(comparisons.unsided(), model, prior=prior)
+    fit: Scale = fit_of(comparisons.unsided(), model, ties=False, prior=prior)
     return fit.scale, fit.parameter_covariance("expected")[: len(labels), : len(labels)]
 
 
