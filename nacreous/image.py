@@ -11,7 +11,7 @@ from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import Recipe, recipe
-from nacreous.value import Unchanging, keep, key_of, released
+from nacreous.unchanging import Unchanging, keep, key_of, released
 
 if TYPE_CHECKING:
     import numpy as np

@@ -12,7 +12,8 @@ from nacreous.deprecation import keep_former_names
 from nacreous.nacre import LayerStack
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
-from nacreous.value import released, value_class
+from nacreous.unchanging import released
+from nacreous.value import value_class
 
 __all__ = ["ByAngle", "exact", "illuminant_model"]
 

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous import _core
 from nacreous.number import index_of, row_of, said
 from nacreous.problem import InputError
-from nacreous.value import keep, value_class
+from nacreous.unchanging import keep
+from nacreous.value import value_class
 
 __all__ = ["NAMES", "IndexTable", "Medium"]
 

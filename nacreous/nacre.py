@@ -14,7 +14,8 @@ from nacreous import _core
 from nacreous.medium import Medium, medium_of, sampled
 from nacreous.number import number_of, row_of, said, within
 from nacreous.problem import InputError
-from nacreous.value import keep, value_class
+from nacreous.unchanging import keep
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.spec import Growth, Layers, Pearl

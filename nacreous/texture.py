@@ -24,7 +24,8 @@ from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
 from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
-from nacreous.value import Unchanging, keep, key_of, value_class
+from nacreous.unchanging import Unchanging, keep, key_of
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.spec import Pearl

@@ -10,7 +10,8 @@ from nacreous.nacre import LayerStack
 from nacreous.number import number_of, row_of, said
 from nacreous.optics import coherence
 from nacreous.problem import InputError
-from nacreous.value import released, value_class
+from nacreous.unchanging import released
+from nacreous.value import value_class
 
 
 @value_class

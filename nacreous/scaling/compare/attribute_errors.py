@@ -15,21 +15,20 @@ stimuli - terms - 1 degrees of freedom. Both together by Satterthwaite (1946).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.fit.errors import clusters_of, parameter_covariance
 from nacreous.scaling.fit.existence import pair_model
 from nacreous.scaling.fit.scale import Scale
+from nacreous.value import value_class
 
 __all__ = ["WeightErrors", "weight_errors"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class WeightErrors:
     """Of weights, one a column of the fit's design.
 

@@ -19,7 +19,8 @@ from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.pairs import codes_of_pairs
 from nacreous.scaling.data.roles import Names, check_names, wanted_of
 from nacreous.scaling.data.table import read_table, table_of
-from nacreous.value import ReadOnlyMapping, value_class
+from nacreous.unchanging import ReadOnlyMapping
+from nacreous.value import value_class
 
 
 @value_class

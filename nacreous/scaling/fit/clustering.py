@@ -10,7 +10,6 @@ with C - 1.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +20,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.existence import pair_model
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.data.answers import Answers
@@ -37,7 +37,7 @@ _ALONE = 1e-7
 INSTEAD = 'kind="expected" or counts, which take answers as independent'
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Clusters:
     """How far each person moved the parameters of a fit.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +13,7 @@ from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit import clustering, row_means, uncertainty
 from nacreous.scaling.fit.clustering import Clusters
 from nacreous.scaling.fit.unit import factor
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
@@ -27,7 +27,7 @@ KINDS = ("expected", "observed", "people")
 _NOTHING = 1e-12
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Errors:
     """Of the values of a scale, in its unit.
 
