@@ -15,7 +15,7 @@ pub(crate) enum Detail {
     Edges,
 }
 
-/// Samples are alike whose light differs by this share of it, and of some more in the dark: their mean is then
+/// Samples are alike whose exposed light differs by this share of it, and of some more in the dark: their mean is then
 /// that of all to less than half a step between 8-bit codes (8 pearls in all scenes).
 pub(crate) const ALIKE: f64 = 0.02;
 pub(crate) const DARK: f64 = 0.02;

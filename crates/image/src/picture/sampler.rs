@@ -32,6 +32,8 @@ pub struct Sampler {
     camera: Camera,
     offsets: Vec<f64>,
     size_px: usize,
+    /// Factor on the light in the finished picture.
+    exposure: f64,
     /// Width of a pixel at each ball.
     pixel_mm: Vec<f64>,
     reflections: Arc<Reflections>,
@@ -71,7 +73,15 @@ impl Sampler {
     ) -> Self {
         let pixel_mm = pixels_mm(&surroundings, &camera, size_px);
         let offsets = tent(samples_side);
-        Self { pearls, surroundings, camera, offsets, size_px, pixel_mm, reflections }
+        let exposure = 1.0;
+        Self { pearls, surroundings, camera, offsets, size_px, exposure, pixel_mm, reflections }
+    }
+
+    /// Says what factor, above 0, the finished picture has on the light of the rows: grain goes by lightness, and
+    /// samples are alike if they look so. The rows themselves are not multiplied by it.
+    #[must_use]
+    pub fn exposed(self, exposure: f64) -> Self {
+        Self { exposure, ..self }
     }
 
     /// Some rows from the top: linear light, [`CHANNELS`] numbers a pixel. `None` once `progress` says to
@@ -146,7 +156,7 @@ impl Sampler {
         }
         let mut pixel = Pixel::of_surroundings(view.behind);
         for (part, &ball) in view.parts.iter_mut().zip(&view.balls) {
-            part.lay_texture(&self.pearls[ball]);
+            part.lay_texture(&self.pearls[ball], self.exposure);
             pixel.join(part);
         }
         pixel
@@ -168,7 +178,8 @@ impl Sampler {
                 most[channel] = most[channel].max(light[channel]);
             }
         }
-        (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + DARK))
+        let dark = DARK / self.exposure;
+        (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + dark))
     }
 
     /// All samples.
