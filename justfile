@@ -139,10 +139,11 @@ pages: _node-tools
         echo "$sources" >node_modules/built-from
     fi
 
-# Make the pages' types of the wire, of pearl and of scene files again from their schemas
+# Make again what the declarations of keys are copied to: ranges, complete presets, the pages' types
 [group("build")]
 types: _node-tools setup
     python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
+    nacreous presets --json >nacreous/presets/complete.json
     python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js

@@ -3,43 +3,44 @@
 from __future__ import annotations
 
 import json
-import platform
 from collections.abc import Callable, Mapping, Sequence
-from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.rows import Filled, fill
-from nacreous.spec import Growth, Pearl, Scene
-from nacreous.spec.row import MOST_PEARLS
+from nacreous.recipe import Recipe, recipe
+from nacreous.unchanging import Unchanging, keep, key_of, released
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from nacreous.recipe import Given
+    from nacreous.spec import Scene
     from nacreous.texture import Grain
 
-__all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render"]
+__all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render", "render_recipe"]
 
 #: The kinds of picture file that can be written.
 SUFFIXES = (".png", ".exr")
 
-Spec = TypeVar("Spec", Pearl, Scene)
-Given: TypeAlias = str | Path | Pearl
 
-
-class Image:
+class Image(Unchanging):
     """A picture in linear light, and the recipe that it can be made from again.
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
     leave 0..1. layers: of a rendered picture, the parts "interference", "diffuse", "mirror" and
     "surroundings", which add up to linear, and "texture" (hue, value, chroma) and "coverage" (of
     all pearls). recipe: texts "pearl" (of several different pearls "pearl.0", "pearl.1" and so on),
-    "scene" and others.
+    "scene" and others. A picture never changes; it compares, hashes, copies and pickles as its
+    numbers and its recipe.
     """
+
+    _arrays: _Arrays | None
+    _picture: _core.Picture | None
+    recipe: Mapping[str, str]
 
     def __init__(
         self,
@@ -47,15 +48,13 @@ class Image:
         layers: Mapping[str, NDArray[np.float32]],
         recipe: Mapping[str, str] | None = None,
     ) -> None:
-        self._arrays: _Arrays | None = (linear, layers)
-        self._picture: _core.Picture | None = None
-        self.recipe: Mapping[str, str] = recipe or {}
+        keep(self, _arrays=(linear, layers), _picture=None, recipe=recipe or {})
 
     @classmethod
     def _rendered(cls, picture: _core.Picture, recipe: Mapping[str, str]) -> Image:
         """A picture whose arrays, and NumPy with them, are loaded when they are first asked for."""
         image = cls.__new__(cls)
-        image._arrays, image._picture, image.recipe = None, picture, recipe
+        keep(image, _arrays=None, _picture=picture, recipe=recipe)
         return image
 
     def __repr__(self) -> str:
@@ -65,6 +64,17 @@ class Image:
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
         return type(self), (self.linear, dict(self.layers), dict(self.recipe))
+
+    def __eq__(self, other: object) -> bool:
+        """Same light, same parts, same recipe."""
+        return self._key() == other._key() if isinstance(other, Image) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Equal pictures have equal hashes."""
+        return hash(self._key())
+
+    def _key(self) -> object:
+        return key_of((self.linear, self.layers, self.recipe))
 
     @property
     def linear(self) -> NDArray[np.float32]:
@@ -81,9 +91,12 @@ class Image:
             if self._picture is None:
                 raise TypeError("an image has neither arrays nor a picture")
             pixels, parts = self._picture.parts()
+            released(pixels)
             layers = {name: pixels[..., first:end] for name, first, end in parts}
             first_four = list(layers.values())[:4]
-            self._arrays = sum(first_four[1:], first_four[0]), layers
+            linear = released(sum(first_four[1:], first_four[0]))
+            keep(self, _arrays=(linear, layers))
+            return linear, layers
         return self._arrays
 
     def develop(
@@ -165,19 +178,26 @@ def render(
     >>> bool(abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
     True
     """
-    filled = fill(_given(pearl), _loaded(Scene, scene))
-    size, samples = _whole("size", size), _whole("samples", samples)
-    report = None if progress is None else lambda rows: progress(rows / size)
-    recipe = _json(filled, size, samples)
-    spectra, panoramas, photographed = _core.files_needed(recipe)
+    return render_recipe(recipe(pearl, scene, size, samples), progress)
+
+
+def render_recipe(made: Recipe, progress: Callable[[float], None] | None = None) -> Image:
+    """Render a recipe; `progress`, and what it costs, as for `render`.
+
+    >>> from nacreous.recipe import recipe
+    >>> render_recipe(recipe("paper", "paper", 8, 4)).linear.shape
+    (8, 8, 3)
+    """
+    report = None if progress is None else lambda rows: progress(rows / made.size)
+    spectra, panoramas, photographed = _core.files_needed(made.json)
     picture = _core.render(
-        recipe,
+        made.json,
         _spectra(spectra),
         [(path, file.read_panorama(path)) for path in panoramas],
-        _measured_grains({number: filled.pearls[number] for number in photographed}),
+        _measured_grains(made.json, photographed),
         report,
     )
-    return Image._rendered(picture, _recipe(filled, size, samples))
+    return Image._rendered(picture, made.texts)
 
 
 def recipe_json(
@@ -196,8 +216,7 @@ def recipe_json(
     >>> sorted(json.loads(recipe_json("akoya-rg", "booth", size=64)))
     ['pearls', 'samples', 'scene', 'size']
     """
-    filled = fill(_given(pearl), _loaded(Scene, scene))
-    return _json(filled, _whole("size", size), _whole("samples", samples))
+    return recipe(pearl, scene, size, samples).json
 
 
 def field_mm(
@@ -213,43 +232,6 @@ def field_mm(
     return _core.field_mm(recipe_json(pearl, scene, 1, 1))
 
 
-def _json(filled: Filled, size: int, samples: int) -> str:
-    pearls = ", ".join(pearl.model_dump_json() for pearl in filled.pearls)
-    scene = filled.scene.model_dump_json()
-    return f'{{"pearls": [{pearls}], "scene": {scene}, "size": {size}, "samples": {samples}}}'
-
-
-def _given(pearl: Given | Sequence[Given]) -> list[Pearl]:
-    if isinstance(pearl, str | Path | Pearl) or not isinstance(pearl, Sequence):
-        return [_loaded(Pearl, pearl)]
-    if not 1 <= len(pearl) <= MOST_PEARLS:
-        raise InputError(f"pearl is a list of {len(pearl)}; allowed: 1 to {MOST_PEARLS} pearls")
-    return [_loaded(Pearl, one) for one in pearl]
-
-
-def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
-    if isinstance(given, model):
-        return given
-    if isinstance(given, str | Path):
-        return model.load(given)
-    kind = model.preset_kind
-    raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
-
-
-def _whole(name: str, value: int) -> int:
-    """A whole number within its range; that samples is a square is for the renderer to see."""
-    most, allowed = _COUNTS[name]
-    if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
-        return int(value)
-    raise InputError(f"{name} is {said(value)}; allowed: {allowed}")
-
-
-_COUNTS = {
-    "size": (_core.MAX_SIZE_PX, f"a whole number from 1 to {_core.MAX_SIZE_PX}"),
-    "samples": (_core.MAX_SAMPLES, f"a square number from 1 to {_core.MAX_SAMPLES}, such as 16"),
-}
-
-
 def _spectra(names: list[str]) -> list[tuple[str, list[float]]]:
     """The measured lights in files."""
     if not names:
@@ -259,35 +241,18 @@ def _spectra(names: list[str]) -> list[tuple[str, list[float]]]:
     return [(name, spectrum_from_csv(name).tolist()) for name in names]
 
 
-def _measured_grains(photographed: Mapping[int, Pearl]) -> list[tuple[int, Grain]]:
+def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, Grain]]:
     """The grain on the photograph of each pearl, by its number."""
     if not photographed:
         return []
+    from nacreous.spec import Pearl
     from nacreous.texture import measured_grain
 
-    return [(number, measured_grain(pearl)) for number, pearl in photographed.items()]
-
-
-def _recipe(filled: Filled, size: int, samples: int) -> dict[str, str]:
-    """Everything that makes the picture again, as texts for its file."""
-    from nacreous import __version__
-
-    pearls = filled.pearls
-    seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
-    texture_seeds = [_core.texture_seed(p.model_dump_json()) for p in pearls]
-    one = len(pearls) == 1
-    settings = {
-        "size": size,
-        "samples": samples,
-        "seed": seeds[0] if one else seeds,
-        "texture_seed": texture_seeds[0] if one else texture_seeds,
-    }
-    return {
-        **{"pearl" if one else f"pearl.{i}": p.to_toml() for i, p in enumerate(pearls)},
-        "scene": filled.scene.to_toml(),
-        "settings": json.dumps(settings),
-        "versions": json.dumps({"nacreous": __version__, "python": platform.python_version()}),
-    }
+    pearls = json.loads(made)["pearls"]
+    return [
+        (number, measured_grain(Pearl.model_validate_json(json.dumps(pearls[number]))))
+        for number in photographed
+    ]
 
 
 def _check_bits(bits: int) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import json
 import time
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from nacreous.spec import Pearl, Scene
+    from nacreous.recipe import Recipe
 
 _EXAMPLES = """\
 examples:
@@ -72,34 +73,45 @@ def run(args: argparse.Namespace) -> int:
     """Check everything, render, write, say what was made."""
     from nacreous import file, image
     from nacreous.commands.progress import bar
-    from nacreous.spec import Pearl, Scene
-    from nacreous.spec.load import shared_out
 
-    of_pearl, of_scene = shared_out(args.set)
-    pearls = [Pearl.load(pearl, of_pearl) for pearl in args.pearl]
-    scene = Scene.load(args.scene, of_scene)
+    made = _recipe(args)
     file.check_output(args.output, image.SUFFIXES)
     begin = time.monotonic()
     with bar("rendering") as show:
-        picture = image.render(pearls, scene, args.size, args.samples, show)
+        picture = image.render_recipe(made, show)
     outside = picture.save(args.output, args.bits, args.space, args.gamut)
-    print(_report(args, pearls, scene, time.monotonic() - begin, outside))
+    print(_report(args, made, time.monotonic() - begin, outside))
     return 0
 
 
-def _report(
-    args: argparse.Namespace, pearls: list[Pearl], scene: Scene, seconds: float, outside: float
-) -> str:
+def _recipe(args: argparse.Namespace) -> Recipe:
+    """Pearls and scene, with single keys changed."""
+    from nacreous.recipe import recipe
+
+    pearls, scene = args.pearl, args.scene
+    if args.set:
+        from nacreous.spec import Pearl, Scene
+        from nacreous.spec.load import shared_out
+
+        of_pearl, of_scene = shared_out(args.set)
+        pearls = [Pearl.load(pearl, of_pearl) for pearl in pearls]
+        scene = Scene.load(scene, of_scene)
+    return recipe(pearls[0] if len(pearls) == 1 else pearls, scene, args.size, args.samples)
+
+
+def _report(args: argparse.Namespace, made: Recipe, seconds: float, outside: float) -> str:
     """One line: what was made, where, and how far the screen falls short of it."""
     from nacreous import _core
 
-    shown = f"{len(pearls)} pearls"
-    if len(pearls) == 1:
-        stack, _ = _core.stack_of_nacre(pearls[0].nacre.model_dump_json())
+    values = json.loads(made.json)
+    pearl, *others = values["pearls"]
+    shown = f"{1 + len(others)} different pearls"
+    if not others:
+        stack, _ = _core.stack_of_nacre(json.dumps(pearl["nacre"]))
         nacre = f"{len(stack)} layers, {stack.total_um():.0f} um of nacre"
-        shown = f"pearl {pearls[0].name} ({nacre})"
+        shown = f"pearl {pearl['name']} ({nacre})"
     line = (
-        f"{args.output}: {shown} in scene {scene.name}, "
+        f"{args.output}: {shown} in scene {values['scene']['name']}, "
         f"{args.size} x {args.size}, {args.samples} samples a pixel, {seconds:.1f} s"
     )
     if outside:
