@@ -1,7 +1,8 @@
-"""At a pearl's rim mirrored light changes without end within a pixel: a picture shows the mean of a finer one.
+"""At a rim mirrored light changes without end within a pixel: a picture is the mean of a finer one.
 
-A pixel's filter is a tent two pixels wide (docs/picture.md). A finer picture is laid under the same filter: its pixels, tents
-themselves, get the weights that together make the wide tent. Without grain, which is finer the finer the pixels are.
+A pixel's filter is a tent two pixels wide (docs/picture.md). A finer picture is laid under the same
+filter: its pixels, tents themselves, get the weights that together make the wide tent. Without
+grain, which is finer the finer the pixels are.
 """
 
 from __future__ import annotations
@@ -33,12 +34,14 @@ FINER = 4
 
 
 def weights() -> Array:
-    """Of fine pixels under a coarse one: their tents' weighted sum is nearest to its tent in the square."""
+    """Of fine pixels under a coarse one: the least squares of its tent by a sum of theirs."""
     middle = (np.arange(2 * FINER) + 0.5) / FINER - 1.0
     x = np.linspace(-1.5, 1.5, 3001)
     fine = np.maximum(0.0, 1.0 - np.abs(x[:, np.newaxis] - middle) * FINER)
-    found = np.linalg.lstsq(fine, np.maximum(0.0, 1.0 - np.abs(x)), rcond=None)[0]
-    return found / found.sum()
+    coarse = np.maximum(0.0, 1.0 - np.abs(x))
+    found: Array = np.linalg.lstsq(fine, coarse, rcond=None)[0]
+    total: float = found.sum()
+    return np.asarray(found / total, float)
 
 
 def filtered(fine: Array) -> Array:
@@ -46,7 +49,7 @@ def filtered(fine: Array) -> Array:
     for _ in range(2):
         rows = np.pad(fine, [(FINER // 2, FINER // 2), (0, 0), (0, 0)], mode="edge")
         taps = (weight * rows[i:][: fine.shape[0] : FINER] for i, weight in enumerate(weights()))
-        fine = np.swapaxes(sum(taps), 0, 1)
+        fine = np.swapaxes(np.sum(list(taps), axis=0), 0, 1)
     return fine
 
 
