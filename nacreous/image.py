@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import json
-import platform
 from collections.abc import Callable, Mapping, Sequence
 from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
+from nacreous.recipe import PREFIX, SUFFIXES, Bits, recipe_texts
 from nacreous.rows import Filled, fill
-from nacreous.spec import Growth, Pearl, Scene
+from nacreous.spec import Pearl, Scene
 from nacreous.spec.row import MOST_PEARLS
 
 if TYPE_CHECKING:
@@ -24,9 +24,6 @@ if TYPE_CHECKING:
 
 __all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render"]
 
-#: The kinds of picture file that can be written.
-SUFFIXES = (".png", ".exr")
-
 Spec = TypeVar("Spec", Pearl, Scene)
 Given: TypeAlias = str | Path | Pearl
 
@@ -36,9 +33,9 @@ class Image:
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
     leave 0..1. layers: of a rendered picture, the parts "interference", "diffuse", "mirror" and
-    "surroundings", which add up to linear, and "texture" (hue, value, chroma) and "coverage" (of
-    all pearls). recipe: texts "pearl" (of several different pearls "pearl.0", "pearl.1" and so on),
-    "scene" and others.
+    "surroundings", which add up to linear, and "texture" (hue, value, chroma), "coverage" (of all
+    pearls) and "shadow" (the share of its light that the table lacks for the pearls). recipe: texts
+    "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others.
     """
 
     def __init__(
@@ -59,8 +56,13 @@ class Image:
         return image
 
     def __repr__(self) -> str:
-        """Its size and what is in it."""
-        return f"Image(linear {self.linear.shape}, layers: {', '.join(self.layers) or 'none'})"
+        """Its size and what is in it, on one line."""
+        height, width = self.linear.shape[:2]
+        return f"Image({width} x {height} pixels, layers: {', '.join(self.layers) or 'none'})"
+
+    def _repr_png_(self) -> bytes:
+        """The picture as notebooks show it, in sRGB."""
+        return _core.png_bytes(self.develop()[0], "srgb", self._texts())
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
@@ -88,59 +90,77 @@ class Image:
 
     def develop(
         self,
-        bits: Literal[8, 16] = 8,
+        bits: Bits = 8,
         space: str = "srgb",
         gamut: str = "soft",
+        alpha: bool = False,
     ) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]:
         """Codes [row, column, rgb] for a screen, and the share of pixels that were out of gamut.
 
         space: "srgb" or "display-p3". gamut: "soft" keeps hue and bends saturation and highlights,
-        "clip" cuts each channel (formulas: `nacreous.colour`).
+        "clip" cuts each channel (formulas: `nacreous.colour`). alpha: the pearls alone, as codes
+        [row, column, rgba], colours not multiplied by how much of the pixel the pearls cover.
 
-        >>> codes, outside = render("paper", size=8, samples=1).develop()
+        >>> codes, outside = render("paper", size=8, samples=1).develop(alpha=True)
         >>> codes.dtype, codes.shape
-        (dtype('uint8'), (8, 8, 3))
+        (dtype('uint8'), (8, 8, 4))
         """
         _check_bits(bits)
-        return _core.develop(self.linear, str(space), str(gamut), bits)
+        if not alpha:
+            return _core.develop(self.linear, str(space), str(gamut), bits)
+        from nacreous.alpha import codes_with_alpha, pearls_alone
+
+        return codes_with_alpha(pearls_alone(self.layers), bits, str(space), str(gamut))
 
     def save(
         self,
         path: str | Path,
-        bits: Literal[8, 16] = 8,
+        bits: Bits = 8,
         space: str = "srgb",
         gamut: str = "soft",
+        alpha: bool = False,
     ) -> float:
         """Write the picture; the ending decides. Returns the share of pixels out of gamut.
 
         .png: developed, with its colour profile. .exr: linear, with all layers; nothing is clipped
-        and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. The file
-        is whole or not there. Raises `InputError` for an ending or a place that cannot be.
+        and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. alpha: the
+        pearls alone, cut out (docs/picture.md); without it a PNG has no alpha and an EXR's is 1.
+        The file is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
         _check_bits(bits)
         outside = 0.0
         with file.atomic(path) as temporary:
-            if self._picture is None or self._arrays is not None:
-                outside = self._save_arrays(temporary, suffix, (bits, str(space), str(gamut)))
+            if self._picture is None or self._arrays is not None or alpha:
+                outside = self._save_arrays(
+                    temporary, suffix, (bits, str(space), str(gamut), alpha)
+                )
             elif suffix == ".exr":
                 self._picture.save_exr(temporary, self._texts())
             else:
-                texts = self._texts()
+                texts = self._texts(bits, space, gamut, alpha)
                 outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
         return outside
 
-    def _save_arrays(self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str]) -> float:
+    def _save_arrays(self, path: Path, suffix: str, how: tuple[Bits, str, str, bool]) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
-            _core.write_exr(path, [("", self.linear), *self.layers.items()], self._texts())
+            from nacreous.alpha import opaque, pearls_alone
+
+            rgba = pearls_alone(self.layers) if how[3] else opaque(self.linear)
+            _core.write_exr(path, [("", rgba), *self.layers.items()], self._texts())
             return 0.0
         codes, outside = self.develop(*how)
-        _core.write_png(path, codes, how[1], self._texts())
+        _core.write_png(path, codes, how[1], self._texts(*how))
         return outside
 
-    def _texts(self) -> list[tuple[str, str]]:
-        return [(f"nacreous:{name}", text) for name, text in self.recipe.items()]
+    def _texts(self, *how: object) -> list[tuple[str, str]]:
+        """The recipe, and of a PNG how it was developed."""
+        texts = dict(self.recipe)
+        if how and texts:
+            names = ("bits", "space", "gamut", "alpha")
+            texts["developed"] = json.dumps(dict(zip(names, how, strict=True)))
+        return [(PREFIX + name, text) for name, text in texts.items()]
 
 
 def render(
@@ -177,7 +197,7 @@ def render(
         _measured_grains({number: filled.pearls[number] for number in photographed}),
         report,
     )
-    return Image._rendered(picture, _recipe(filled, size, samples))
+    return Image._rendered(picture, recipe_texts(filled, size, samples))
 
 
 def recipe_json(
@@ -208,7 +228,7 @@ def field_mm(
     Arguments, and `InputError`, as for `render`.
 
     >>> field_mm("paper", "paper")
-    11.5
+    12.0
     """
     return _core.field_mm(recipe_json(pearl, scene, 1, 1))
 
@@ -266,28 +286,6 @@ def _measured_grains(photographed: Mapping[int, Pearl]) -> list[tuple[int, Grain
     from nacreous.texture import measured_grain
 
     return [(number, measured_grain(pearl)) for number, pearl in photographed.items()]
-
-
-def _recipe(filled: Filled, size: int, samples: int) -> dict[str, str]:
-    """Everything that makes the picture again, as texts for its file."""
-    from nacreous import __version__
-
-    pearls = filled.pearls
-    seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
-    texture_seeds = [_core.texture_seed(p.model_dump_json()) for p in pearls]
-    one = len(pearls) == 1
-    settings = {
-        "size": size,
-        "samples": samples,
-        "seed": seeds[0] if one else seeds,
-        "texture_seed": texture_seeds[0] if one else texture_seeds,
-    }
-    return {
-        **{"pearl" if one else f"pearl.{i}": p.to_toml() for i, p in enumerate(pearls)},
-        "scene": filled.scene.to_toml(),
-        "settings": json.dumps(settings),
-        "versions": json.dumps({"nacreous": __version__, "python": platform.python_version()}),
-    }
 
 
 def _check_bits(bits: int) -> None:

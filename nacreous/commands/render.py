@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import argparse
 import time
+from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nacreous.problem import InputError
+
 if TYPE_CHECKING:
-    from nacreous.spec import Pearl, Scene
+    from nacreous.recipe import Recipe
 
 _EXAMPLES = """\
 examples:
@@ -16,6 +20,8 @@ examples:
   nacreous render a.toml b.toml --scene tray.toml  two pearls in the rows of a scene
   nacreous render my.toml --scene booth --size 1024  your pearl in another scene
   nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
+  nacreous render pearl.png --size 2048            a picture again, larger, as pearl-again.png
+  nacreous render paper --alpha -o cut-out.png     the pearl alone
 """
 
 
@@ -32,31 +38,33 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument(
         "pearl",
         nargs="+",
-        help="a pearl file, or a preset's name; several take the scene's places in turn",
+        help="a pearl file, or a preset's name; several take the scene's places in turn; or one "
+        "picture of ours, .png or .exr, which is made again",
     )
-    parser.add_argument("--scene", default="paper", help="a scene file, or a preset's name (paper)")
-    parser.add_argument("--size", type=_whole, default=512, help="pixels a side, 1 to 8192 (512)")
+    parser.add_argument("--scene", help="a scene file, or a preset's name (paper)")
+    parser.add_argument("--size", type=_whole, help="pixels a side, 1 to 8192 (512)")
     parser.add_argument(
         "--samples",
         type=_whole,
-        default=16,
         help="samples a pixel at most, a square number up to 1024 (16); alike ones are spared",
     )
-    parser.add_argument("-o", "--output", default="pearl.png", help=".png or .exr (pearl.png)")
+    parser.add_argument("-o", "--output", help=".png or .exr (pearl.png)")
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
     )
+    parser.add_argument("--bits", type=_whole, choices=(8, 16), help="a channel in PNG (8)")
     parser.add_argument(
-        "--bits", type=_whole, choices=(8, 16), default=8, help="a channel in PNG (8)"
-    )
-    parser.add_argument(
-        "--space", choices=("srgb", "display-p3"), default="srgb", help="colour space of PNG (srgb)"
+        "--space", choices=("srgb", "display-p3"), help="colour space of PNG (srgb)"
     )
     parser.add_argument(
         "--gamut",
         choices=("soft", "clip"),
-        default="soft",
         help="colours that the screen cannot show: bent softly, or cut (soft)",
+    )
+    parser.add_argument(
+        "--alpha",
+        action=argparse.BooleanOptionalAction,
+        help="the pearls alone, cut out by the share of each pixel that they cover (no)",
     )
     parser.set_defaults(run=run)
 
@@ -72,38 +80,83 @@ def run(args: argparse.Namespace) -> int:
     """Check everything, render, write, say what was made."""
     from nacreous import file, image
     from nacreous.commands.progress import bar
+
+    recipe = _recipe(args)
+    output = _output(args)
+    file.check_output(output, image.SUFFIXES)
+    begin = time.monotonic()
+    with bar("rendering") as show:
+        picture = image.render(recipe.pearls, recipe.scene, recipe.size, recipe.samples, show)
+    how = recipe.developed
+    outside = picture.save(output, how.bits, how.space, how.gamut, how.alpha)
+    print(_report(output, recipe, time.monotonic() - begin, outside))
+    return 0
+
+
+def _recipe(args: argparse.Namespace) -> Recipe:
+    """What to make: a picture's own recipe, or pearls and a scene, with what the caller changes."""
+    from nacreous import __version__
+    from nacreous.recipe import Developed, Recipe, read_recipe
     from nacreous.spec import Pearl, Scene
     from nacreous.spec.load import shared_out
 
     of_pearl, of_scene = shared_out(args.set)
-    pearls = [Pearl.load(pearl, of_pearl) for pearl in args.pearl]
-    scene = Scene.load(args.scene, of_scene)
-    file.check_output(args.output, image.SUFFIXES)
-    begin = time.monotonic()
-    with bar("rendering") as show:
-        picture = image.render(pearls, scene, args.size, args.samples, show)
-    outside = picture.save(args.output, args.bits, args.space, args.gamut)
-    print(_report(args, pearls, scene, time.monotonic() - begin, outside))
-    return 0
+    if _is_picture(args.pearl[0]):
+        given_scene = None if args.scene is None else Scene.load(args.scene, of_scene)
+        kept = of_scene if given_scene is None else ()
+        recipe = read_recipe(args.pearl[0], of_pearl, kept)
+        if given_scene is not None:
+            recipe = recipe._replace(scene=given_scene)
+    else:
+        pearls = [Pearl.load(pearl, of_pearl) for pearl in args.pearl]
+        scene = Scene.load(args.scene or "paper", of_scene)
+        recipe = Recipe(pearls, scene, 512, 16, Developed(), __version__)
+    names = ("bits", "space", "gamut", "alpha")
+    given = {name: value for name in names if (value := getattr(args, name)) is not None}
+    return recipe._replace(
+        size=recipe.size if args.size is None else args.size,
+        samples=recipe.samples if args.samples is None else args.samples,
+        developed=replace(recipe.developed, **given),
+    )
 
 
-def _report(
-    args: argparse.Namespace, pearls: list[Pearl], scene: Scene, seconds: float, outside: float
-) -> str:
+def _is_picture(name: str) -> bool:
+    from nacreous.recipe import SUFFIXES
+
+    return Path(name).suffix.lower() in SUFFIXES
+
+
+def _output(args: argparse.Namespace) -> str:
+    """Where the picture goes: beside the one whose recipe it is made from, never over it."""
+    if len(args.pearl) > 1 and any(map(_is_picture, args.pearl)):
+        raise InputError("pearl is a picture among others; allowed: one picture, or pearls")
+    if args.output is not None:
+        return str(args.output)
+    if not _is_picture(args.pearl[0]):
+        return "pearl.png"
+    picture = Path(args.pearl[0])
+    return f"{picture.stem}-again{picture.suffix}"
+
+
+def _report(output: str, recipe: Recipe, seconds: float, outside: float) -> str:
     """One line: what was made, where, and how far the screen falls short of it."""
-    from nacreous import _core
+    from nacreous import __version__, _core
 
+    pearls = recipe.pearls
     shown = f"{len(pearls)} pearls"
     if len(pearls) == 1:
         stack, _ = _core.stack_of_nacre(pearls[0].nacre.model_dump_json())
         nacre = f"{len(stack)} layers, {stack.total_um():.0f} um of nacre"
         shown = f"pearl {pearls[0].name} ({nacre})"
     line = (
-        f"{args.output}: {shown} in scene {scene.name}, "
-        f"{args.size} x {args.size}, {args.samples} samples a pixel, {seconds:.1f} s"
+        f"{output}: {shown} in scene {recipe.scene.name}, {recipe.size} x {recipe.size}, "
+        f"{recipe.samples} samples a pixel, {seconds:.1f} s"
     )
+    if recipe.version != __version__:
+        line += f"; the picture was first made by nacreous {recipe.version}, this is {__version__}"
     if outside:
-        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[args.gamut]}"
+        handled = _HANDLED[recipe.developed.gamut]
+        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {handled}"
     return line
 
 

@@ -1,0 +1,139 @@
+"""The recipe in a picture file: what makes the picture again."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, NamedTuple, TypeAlias, TypeVar
+
+from pydantic import TypeAdapter, ValidationError
+
+from nacreous import _core, file
+from nacreous.problem import InputError
+from nacreous.rows import Filled
+from nacreous.spec import Growth, Pearl, Scene, document
+from nacreous.spec.complaint import shown
+from nacreous.spec.override import Override
+
+__all__ = ["PREFIX", "SUFFIXES", "Developed", "Recipe", "read_recipe", "recipe_texts"]
+
+#: The kinds of picture file that are written, and that a recipe is read from.
+SUFFIXES = (".png", ".exr")
+
+#: What the keywords of a recipe's texts begin with in a file.
+PREFIX = "nacreous:"
+
+Bits: TypeAlias = Literal[8, 16]
+Parsed = TypeVar("Parsed")
+
+
+@dataclass(frozen=True)
+class Developed:
+    """How light became the codes of a PNG; arguments as of `Image.save`."""
+
+    bits: Bits = 8
+    space: Literal["srgb", "display-p3"] = "srgb"
+    gamut: Literal["soft", "clip"] = "soft"
+    alpha: bool = False
+
+
+class Recipe(NamedTuple):
+    """Everything that makes a picture file again.
+
+    developed: of a PNG that says so. version: of the Nacreous that made it, "" where not said.
+    """
+
+    pearls: list[Pearl]
+    scene: Scene
+    size: int
+    samples: int
+    developed: Developed
+    version: str
+
+
+@dataclass(frozen=True)
+class _Settings:
+    size: int
+    samples: int
+
+
+def recipe_texts(filled: Filled, size: int, samples: int) -> dict[str, str]:
+    """The recipe as texts for a file, by keyword without `PREFIX`."""
+    from nacreous import __version__
+
+    pearls = filled.pearls
+    seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
+    texture_seeds = [_core.texture_seed(p.model_dump_json()) for p in pearls]
+    one = len(pearls) == 1
+    settings = {
+        "size": size,
+        "samples": samples,
+        "seed": seeds[0] if one else seeds,
+        "texture_seed": texture_seeds[0] if one else texture_seeds,
+    }
+    return {
+        **{"pearl" if one else f"pearl.{i}": p.to_toml() for i, p in enumerate(pearls)},
+        "scene": filled.scene.to_toml(),
+        "settings": json.dumps(settings),
+        "versions": json.dumps({"nacreous": __version__, "python": platform.python_version()}),
+    }
+
+
+def read_recipe(
+    path: str | Path,
+    of_pearl: Iterable[Override] = (),
+    of_scene: Iterable[Override] = (),
+) -> Recipe:
+    """The recipe in a picture that `nacreous render` or `Image.save` made, .png or .exr.
+
+    of_pearl, of_scene: single keys changed, as in `Pearl.load`; of several pearls, in each. Paths
+    in the recipe are relative to where the program runs. Raises `InputError` for a file without a
+    whole recipe.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> from nacreous.image import render
+    >>> with TemporaryDirectory() as folder:
+    ...     _ = render("akoya-rg", "booth", size=8, samples=1).save(f"{folder}/a.png", bits=16)
+    ...     recipe = read_recipe(f"{folder}/a.png")
+    >>> recipe.pearls[0].name, recipe.scene.name, recipe.size, recipe.developed.bits
+    ('akoya-rg', 'booth', 8, 16)
+    """
+    where = document.label(Path(path))
+    found = _texts(path)
+    names = ["pearl"] if "pearl" in found else _numbered(found)
+    if not names or not {"scene", "settings"} <= found.keys():
+        raise InputError(
+            f"{where}: has no recipe; allowed: a picture that nacreous render made, unchanged"
+        )
+    changes, folder = list(of_pearl), Path()
+    keys = {name: document.parse(found[name], f"{where}: {name}") for name in (*names, "scene")}
+    pearls = [Pearl.check(keys[name], f"{where}: {name}", folder, changes) for name in names]
+    scene = Scene.check(keys["scene"], f"{where}: scene", folder, of_scene)
+    settings = _json(_Settings, found["settings"], where)
+    developed = _json(Developed, found.get("developed", "{}"), where)
+    version = _json(dict[str, str], found.get("versions", "{}"), where).get("nacreous", "")
+    return Recipe(pearls, scene, settings.size, settings.samples, developed, version)
+
+
+def _texts(path: str | Path) -> dict[str, str]:
+    """The recipe's texts in a file, by keyword without `PREFIX`."""
+    exr = Path(path).suffix.lower() == ".exr"
+    texts = dict(_core.read_exr_text(path)) if exr else file.read_png_text(path)
+    return {k.removeprefix(PREFIX): text for k, text in texts.items() if k.startswith(PREFIX)}
+
+
+def _numbered(found: Mapping[str, str]) -> list[str]:
+    """The keywords of several pearls, in their order; none where one is missing."""
+    count = sum(name.startswith("pearl.") for name in found)
+    names = [f"pearl.{number}" for number in range(count)]
+    return names if all(name in found for name in names) else []
+
+
+def _json(kind: type[Parsed], text: str, where: str) -> Parsed:
+    try:
+        return TypeAdapter(kind).validate_json(text)
+    except ValidationError:
+        raise InputError(f"{where}: its recipe is damaged: {shown(text, 60)}") from None
