@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import platform
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, NamedTuple, TypeAlias, TypeVar
 
@@ -27,11 +26,11 @@ SUFFIXES = (".png", ".exr")
 PREFIX = "nacreous:"
 
 Bits: TypeAlias = Literal[8, 16]
+Seeds: TypeAlias = int | list[int | None] | None
 Parsed = TypeVar("Parsed")
 
 
-@dataclass(frozen=True)
-class Developed:
+class Developed(NamedTuple):
     """How light became the codes of a PNG; arguments as of `Image.save`."""
 
     bits: Bits = 8
@@ -54,10 +53,11 @@ class Recipe(NamedTuple):
     version: str
 
 
-@dataclass(frozen=True)
-class _Settings:
+class _Settings(NamedTuple):
     size: int
     samples: int
+    seed: Seeds = None
+    texture_seed: Seeds = None
 
 
 def recipe_texts(filled: Filled, size: int, samples: int) -> dict[str, str]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import time
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -116,7 +115,7 @@ def _recipe(args: argparse.Namespace) -> Recipe:
     return recipe._replace(
         size=recipe.size if args.size is None else args.size,
         samples=recipe.samples if args.samples is None else args.samples,
-        developed=replace(recipe.developed, **given),
+        developed=recipe.developed._replace(**given),
     )
 
 
