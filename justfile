@@ -69,22 +69,27 @@ check: _rust-tools setup
     echo nacreous._core.__all__ | stubtest nacreous._core --allowlist /dev/stdin
     lint-imports --no-logo
 
-# Run the tests of optics, and the fingerprints, as on other processors, by Debian's qemu-user and gcc-aarch64-linux-gnu
+# Run the tests of optics as on other processors, by Debian's qemu-user and gcc-aarch64-linux-gnu, and the fingerprints by AVX2
 [group("trust")]
 [script]
 test-processors:
     tests="cargo test --release --package nacreous-optics --lib --tests"
-    pictures="cargo test --release --package nacreous-render --test fingerprint"
     for processor in Nehalem Haswell; do # without and with AVX2; neither has AVX-512
         echo "As on $processor"
         export CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="qemu-x86_64 -cpu $processor"
         $tests --target x86_64-unknown-linux-gnu
-        $pictures --target x86_64-unknown-linux-gnu
     done
     echo "As on AArch64 (rustup target add aarch64-unknown-linux-gnu)"
     CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc \
         CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu" \
         $tests --target aarch64-unknown-linux-gnu
+    echo "Pictures by AVX2, without the code for AVX-512"
+    copy=$(mktemp -d)
+    trap 'rm -rf "$copy"' EXIT
+    cp -r Cargo.* crates data tests "$copy"
+    sed -i '/x86_64+avx512f/d' "$copy"/crates/optics/src/*.rs
+    cargo test --release --manifest-path "$copy/Cargo.toml" --target-dir target/avx2 \
+        --package nacreous-render --test fingerprint
 
 # Write the fingerprints of pictures anew, tests/golden/pictures.csv, after a change that is meant
 [group("trust")]
@@ -139,10 +144,11 @@ pages: _node-tools
         echo "$sources" >node_modules/built-from
     fi
 
-# Make the pages' types of the wire, of pearl and of scene files again from their schemas
+# Make again what the declarations of keys are copied to: ranges, complete presets, the pages' types
 [group("build")]
 types: _node-tools setup
     python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
+    nacreous presets --json >nacreous/presets/complete.json
     python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js

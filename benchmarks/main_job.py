@@ -27,8 +27,8 @@ STOPWATCH = Path(__file__).with_name("stopwatch.py")
 
 STAGES = {
     "interpreter": "Python itself",
-    "imports": "imports of the command and pydantic",
-    "reading": "reading pearl and scene",
+    "imports": "imports",
+    "reading": "the recipe",
     "rendering": "rendering",
     "writing": "development, PNG",
     "rest": "command line, the line printed",

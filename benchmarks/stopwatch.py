@@ -42,12 +42,11 @@ def run(begin_s: float, output: str, record: str) -> None:
     """The main job in this process, whose start was at `begin_s`; the times go into `record`."""
     stopwatch = Stopwatch(begin_s)
     stopwatch.lap("interpreter")
-    from nacreous import cli, image, spec
+    from nacreous import cli, image, recipe
 
     stopwatch.lap("imports")
-    stopwatch.watch(spec.Pearl, "load", "reading")
-    stopwatch.watch(spec.Scene, "load", "reading")
-    stopwatch.watch(image, "render", "rendering")
+    stopwatch.watch(recipe, "recipe", "reading")
+    stopwatch.watch(image, "render_recipe", "rendering")
     stopwatch.watch(image.Image, "save", "writing")
     sys.argv = ["nacreous", "render", "paper", "-o", output]
     code = cli.run_program()

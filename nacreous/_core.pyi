@@ -125,6 +125,12 @@ def illuminant(
     threshold: float,
     diffuse_loss: float,
 ) -> NDArray[np.float64]: ...
+def resonances(
+    stack: Stack,
+    angle_rad: NDArray[np.float64],
+    wavelength_nm: NDArray[np.float64],
+    polarisation: str,
+) -> tuple[NDArray[np.uint64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
 
 # iridescence
 def iridescence(
@@ -198,6 +204,19 @@ class PairModel:
         prior: float | None,
         design: NDArray[np.float64] | None,
     ) -> PairModel: ...
+    def __getnewargs__(
+        self,
+    ) -> tuple[
+        str,
+        int,
+        NDArray[np.int64],
+        NDArray[np.int64],
+        NDArray[np.float64],
+        bool,
+        bool,
+        float | None,
+        NDArray[np.float64] | None,
+    ]: ...
     def components(self) -> NDArray[np.uint32]: ...
     def existence(self) -> str: ...
     def fit(self) -> tuple[NDArray[np.float64], NDArray[np.float64], float, int]: ...

@@ -22,6 +22,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import NoReturn
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 #: Modules of `nacreous.commands`, in the order of the help page.
@@ -47,7 +48,7 @@ class _Parser(argparse.ArgumentParser):
     """argparse, with problems said as the rest of the command line says them."""
 
     def error(self, message: str) -> NoReturn:
-        raise InputError(f"{message}\ntry: {self.prog} --help")
+        raise InputError(f"{message}; try: {self.prog} --help")
 
 
 def build_parser(commands: Sequence[str]) -> argparse.ArgumentParser:
@@ -109,7 +110,7 @@ def _run(arguments: list[str]) -> int:
         print(f"nacreous {_version()}")
         return 0
     if args.command is None:
-        raise InputError("wanted: a command\n" + parser.format_usage().strip())
+        raise InputError(f"wanted: a command, such as {COMMANDS[0]}; try: {parser.prog} --help")
     return int(args.run(args))
 
 
@@ -134,7 +135,7 @@ def _complain(lines: str, code: int) -> int:
     """Each line on stderr under the program's name."""
     if sys.stderr is not None:
         for line in lines.splitlines():
-            print(f"nacreous: {line}", file=sys.stderr)
+            print(f"nacreous: {printable(line)}", file=sys.stderr)
     return code
 
 

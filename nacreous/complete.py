@@ -7,31 +7,19 @@ key is there, with null where it is left out and the renderer finds its value.
 from __future__ import annotations
 
 import json
-from typing import Literal, NotRequired, TypeAlias, TypedDict
+from collections.abc import Sequence
+from typing import Literal, TypeAlias
 
+from nacreous.ready import Complete, Json
 from nacreous.rows import fill
 from nacreous.spec import Growth, Pearl, Scene, preset
 
-__all__ = ["KINDS", "Complete", "Json", "Kind", "complete"]
+__all__ = ["KINDS", "Kind", "complete", "presets"]
 
 Kind: TypeAlias = Literal["pearl", "scene", "nacre"]
 
 #: What a picture is made from; a study is not.
 KINDS: tuple[Kind, ...] = ("pearl", "scene", "nacre")
-
-Json: TypeAlias = bool | int | float | str | list["Json"] | dict[str, "Json"] | None
-
-
-class Complete(TypedDict):
-    """A preset: what it is, in one line, and all its keys.
-
-    values: of a scene, its rows name pearls by number. pearls: of a scene, the pearls of those
-    numbers, null for the pearl that is shown.
-    """
-
-    summary: str
-    values: Json
-    pearls: NotRequired[list[Json]]
 
 
 def complete(kind: Kind, name: str) -> Complete:
@@ -48,9 +36,21 @@ def complete(kind: Kind, name: str) -> Complete:
         shown = Pearl(name=_SHOWN)
         filled = fill([shown], Scene.load(name))
         pearls = [None if pearl is shown else _json(pearl) for pearl in filled.pearls]
-        return {"summary": summary, "values": _json(filled.scene), "pearls": pearls}
-    made = Pearl.load(name) if kind == "pearl" else Growth(preset=name)
-    return {"summary": summary, "values": _json(made)}
+        made, toml = _json(filled.scene), filled.scene.to_toml()
+        return {"summary": summary, "values": made, "toml": toml, "pearls": pearls}
+    if kind == "pearl":
+        pearl = Pearl.load(name)
+        return {"summary": summary, "values": _json(pearl), "toml": pearl.to_toml()}
+    return {"summary": summary, "values": _json(Growth(preset=name))}
+
+
+def presets(kinds: Sequence[Kind] = KINDS) -> dict[str, dict[str, Complete]]:
+    """All presets of some kinds, by kind and name.
+
+    >>> list(presets(["scene"])["scene"])
+    ['aurora', 'booth', 'north-window-black', 'north-window-white', 'paper', 'two-tier']
+    """
+    return {kind: {name: complete(kind, name) for name in preset.names(kind)} for kind in kinds}
 
 
 #: No preset has this name, so no pearl of a row equals it.

@@ -4,39 +4,44 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.recipe import PREFIX, SUFFIXES, Bits, recipe_texts
-from nacreous.rows import Filled, fill
-from nacreous.spec import Pearl, Scene
-from nacreous.spec.row import MOST_PEARLS
+from nacreous.recipe import PREFIX, Recipe, recipe
+from nacreous.unchanging import Unchanging, keep, key_of, released
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from nacreous.recipe import Given
+    from nacreous.spec import Scene
     from nacreous.texture import Grain
 
-__all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render"]
+__all__ = ["SUFFIXES", "Image", "field_mm", "recipe_json", "render", "render_recipe"]
 
-Spec = TypeVar("Spec", Pearl, Scene)
-Given: TypeAlias = str | Path | Pearl
+#: The kinds of picture file that can be written.
+SUFFIXES = (".png", ".exr")
 
 
-class Image:
+class Image(Unchanging):
     """A picture in linear light, and the recipe that it can be made from again.
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
     leave 0..1. layers: of a rendered picture, the parts "interference", "diffuse", "mirror" and
     "surroundings", which add up to linear, and "texture" (hue, value, chroma), "coverage" (of all
     pearls) and "shadow" (the share of its light that the table lacks for the pearls). recipe: texts
-    "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others.
+    "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others. A
+    picture never changes; it compares, hashes, copies and pickles as its
+    numbers and its recipe.
     """
+
+    _arrays: _Arrays | None
+    _picture: _core.Picture | None
+    recipe: Mapping[str, str]
 
     def __init__(
         self,
@@ -44,15 +49,13 @@ class Image:
         layers: Mapping[str, NDArray[np.float32]],
         recipe: Mapping[str, str] | None = None,
     ) -> None:
-        self._arrays: _Arrays | None = (linear, layers)
-        self._picture: _core.Picture | None = None
-        self.recipe: Mapping[str, str] = recipe or {}
+        keep(self, _arrays=(linear, layers), _picture=None, recipe=recipe or {})
 
     @classmethod
     def _rendered(cls, picture: _core.Picture, recipe: Mapping[str, str]) -> Image:
         """A picture whose arrays, and NumPy with them, are loaded when they are first asked for."""
         image = cls.__new__(cls)
-        image._arrays, image._picture, image.recipe = None, picture, recipe
+        keep(image, _arrays=None, _picture=picture, recipe=recipe)
         return image
 
     def __repr__(self) -> str:
@@ -67,6 +70,17 @@ class Image:
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
         return type(self), (self.linear, dict(self.layers), dict(self.recipe))
+
+    def __eq__(self, other: object) -> bool:
+        """Same light, same parts, same recipe."""
+        return self._key() == other._key() if isinstance(other, Image) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Equal pictures have equal hashes."""
+        return hash(self._key())
+
+    def _key(self) -> object:
+        return key_of((self.linear, self.layers, self.recipe))
 
     @property
     def linear(self) -> NDArray[np.float32]:
@@ -83,14 +97,17 @@ class Image:
             if self._picture is None:
                 raise TypeError("an image has neither arrays nor a picture")
             pixels, parts = self._picture.parts()
+            released(pixels)
             layers = {name: pixels[..., first:end] for name, first, end in parts}
             first_four = list(layers.values())[:4]
-            self._arrays = sum(first_four[1:], first_four[0]), layers
+            linear = released(sum(first_four[1:], first_four[0]))
+            keep(self, _arrays=(linear, layers))
+            return linear, layers
         return self._arrays
 
     def develop(
         self,
-        bits: Bits = 8,
+        bits: Literal[8, 16] = 8,
         space: str = "srgb",
         gamut: str = "soft",
         alpha: bool = False,
@@ -115,7 +132,7 @@ class Image:
     def save(
         self,
         path: str | Path,
-        bits: Bits = 8,
+        bits: Literal[8, 16] = 8,
         space: str = "srgb",
         gamut: str = "soft",
         alpha: bool = False,
@@ -142,7 +159,9 @@ class Image:
                 outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
         return outside
 
-    def _save_arrays(self, path: Path, suffix: str, how: tuple[Bits, str, str, bool]) -> float:
+    def _save_arrays(
+        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool]
+    ) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
             from nacreous.alpha import opaque, pearls_alone
@@ -177,27 +196,34 @@ def render(
     number, 1 to 1024; where the first are alike, it takes fewer. progress: called with the finished
     share, 0 to 1, now and then; what it raises stops the render, as Ctrl-C does.
 
-    Same pearl, scene, size and samples: same bytes. Memory: 76 bytes a pixel, some 60 MB, and up to
-    25 MB for each different grain (24 different pearls in 1024 x 1024: 460 MB).
+    Same pearl, scene, size and samples: same bytes. Memory: some 90 bytes a pixel with a PNG of
+    it, 300 with an OpenEXR file, 50 MB (docs/picture.md has the measurement), and up to 25 MB for each different grain (24 different pearls in 1024 x 1024: 460 MB).
 
     >>> image = render("paper", size=16, samples=4)
     >>> parts = ("interference", "diffuse", "mirror", "surroundings")
     >>> bool(abs(sum(image.layers[part] for part in parts) - image.linear).max() < 1e-6)
     True
     """
-    filled = fill(_given(pearl), _loaded(Scene, scene))
-    size, samples = _whole("size", size), _whole("samples", samples)
-    report = None if progress is None else lambda rows: progress(rows / size)
-    recipe = _json(filled, size, samples)
-    spectra, panoramas, photographed = _core.files_needed(recipe)
+    return render_recipe(recipe(pearl, scene, size, samples), progress)
+
+
+def render_recipe(made: Recipe, progress: Callable[[float], None] | None = None) -> Image:
+    """Render a recipe; `progress`, and what it costs, as for `render`.
+
+    >>> from nacreous.recipe import recipe
+    >>> render_recipe(recipe("paper", "paper", 8, 4)).linear.shape
+    (8, 8, 3)
+    """
+    report = None if progress is None else lambda rows: progress(rows / made.size)
+    spectra, panoramas, photographed = _core.files_needed(made.json)
     picture = _core.render(
-        recipe,
+        made.json,
         _spectra(spectra),
         [(path, file.read_panorama(path)) for path in panoramas],
-        _measured_grains({number: filled.pearls[number] for number in photographed}),
+        _measured_grains(made.json, photographed),
         report,
     )
-    return Image._rendered(picture, recipe_texts(filled, size, samples))
+    return Image._rendered(picture, made.texts)
 
 
 def recipe_json(
@@ -216,8 +242,7 @@ def recipe_json(
     >>> sorted(json.loads(recipe_json("akoya-rg", "booth", size=64)))
     ['pearls', 'samples', 'scene', 'size']
     """
-    filled = fill(_given(pearl), _loaded(Scene, scene))
-    return _json(filled, _whole("size", size), _whole("samples", samples))
+    return recipe(pearl, scene, size, samples).json
 
 
 def field_mm(
@@ -233,43 +258,6 @@ def field_mm(
     return _core.field_mm(recipe_json(pearl, scene, 1, 1))
 
 
-def _json(filled: Filled, size: int, samples: int) -> str:
-    pearls = ", ".join(pearl.model_dump_json() for pearl in filled.pearls)
-    scene = filled.scene.model_dump_json()
-    return f'{{"pearls": [{pearls}], "scene": {scene}, "size": {size}, "samples": {samples}}}'
-
-
-def _given(pearl: Given | Sequence[Given]) -> list[Pearl]:
-    if isinstance(pearl, str | Path | Pearl) or not isinstance(pearl, Sequence):
-        return [_loaded(Pearl, pearl)]
-    if not 1 <= len(pearl) <= MOST_PEARLS:
-        raise InputError(f"pearl is a list of {len(pearl)}; allowed: 1 to {MOST_PEARLS} pearls")
-    return [_loaded(Pearl, one) for one in pearl]
-
-
-def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
-    if isinstance(given, model):
-        return given
-    if isinstance(given, str | Path):
-        return model.load(given)
-    kind = model.preset_kind
-    raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
-
-
-def _whole(name: str, value: int) -> int:
-    """A whole number within its range; that samples is a square is for the renderer to see."""
-    most, allowed = _COUNTS[name]
-    if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
-        return int(value)
-    raise InputError(f"{name} is {said(value)}; allowed: {allowed}")
-
-
-_COUNTS = {
-    "size": (_core.MAX_SIZE_PX, f"a whole number from 1 to {_core.MAX_SIZE_PX}"),
-    "samples": (_core.MAX_SAMPLES, f"a square number from 1 to {_core.MAX_SAMPLES}, such as 16"),
-}
-
-
 def _spectra(names: list[str]) -> list[tuple[str, list[float]]]:
     """The measured lights in files."""
     if not names:
@@ -279,13 +267,18 @@ def _spectra(names: list[str]) -> list[tuple[str, list[float]]]:
     return [(name, spectrum_from_csv(name).tolist()) for name in names]
 
 
-def _measured_grains(photographed: Mapping[int, Pearl]) -> list[tuple[int, Grain]]:
+def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, Grain]]:
     """The grain on the photograph of each pearl, by its number."""
     if not photographed:
         return []
+    from nacreous.spec import Pearl
     from nacreous.texture import measured_grain
 
-    return [(number, measured_grain(pearl)) for number, pearl in photographed.items()]
+    pearls = json.loads(made)["pearls"]
+    return [
+        (number, measured_grain(Pearl.model_validate_json(json.dumps(pearls[number]))))
+        for number in photographed
+    ]
 
 
 def _check_bits(bits: int) -> None:

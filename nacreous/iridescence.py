@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,11 +12,13 @@ from nacreous.deprecation import keep_former_names
 from nacreous.nacre import LayerStack
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
+from nacreous.unchanging import released
+from nacreous.value import value_class
 
 __all__ = ["ByAngle", "exact", "illuminant_model"]
 
 
-@dataclass(frozen=True)
+@value_class
 class ByAngle:
     """Colours by angle, on a grid so fine that straight lines between its nodes will do.
 
@@ -53,10 +55,14 @@ def exact(
 
     light: a name for `nc.colour.illuminant` or a spectrum [401]. Exact R and T, in steps of 1 nm or
     less: thick stacks have fringes finer than that, which would beat with the steps in colours that
-    are not there. The grid of angles is halved until straight lines between its nodes stay within
-    CIEDE2000 0.2, from 129 angles to 4097. Ctrl-C interrupts.
+    are not there. Where light resonates between two mirrors, as it does near grazing in a flake
+    with the same medium on either side, steps are finer than the lines in which it does; beyond
+    89.9 degrees, where lines narrow without end, colours are a straight line to what is known at
+    grazing: everything comes back. The grid of angles is halved until straight lines between its
+    nodes stay within CIEDE2000 0.2, from 129 angles to 4097. Ctrl-C interrupts.
 
-    Raises `InputError` for what is out of range.
+    Raises `InputError` for what is out of range, and for a stack that 4097 angles do not show to
+    CIEDE2000 0.2.
 
     >>> nacre = LayerStack([380.0] * 50, 20.0, "aragonite", "chitin", 1.0, "aragonite")
     >>> reflected, transmitted = exact(nacre)
@@ -66,7 +72,9 @@ def exact(
     """
     known, spectrum = _checked(stack, light)
     found = _core.iridescence(known, spectrum, str(observer), str(polarisation))
-    reflected, transmitted = map(ByAngle, found)
+    fine = _Fine(stack, spectrum, str(observer), str(polarisation))
+    reflected, transmitted = (ByAngle(released(table)) for table in fine.resolved(found))
+    fine.check(reflected, transmitted)
     return reflected, transmitted
 
 
@@ -95,6 +103,112 @@ def illuminant_model(
         number_of("diffuse_loss", diffuse_loss),
     )
     return ByAngle(_core.interference_iridescence(known, spectrum, str(observer), *numbers))
+
+
+#: Of the grid of angles that `_core.iridescence` refines.
+_MOST_ROWS = 4097
+#: The largest CIEDE2000 that straight lines may make.
+_TOLERANCE = 0.2
+#: Cosine below which colours go straight to grazing: at twice the angle from grazing T is not yet
+#: bent by more than a fiftieth of itself.
+_GRAZING = 0.002
+#: Cosines at which lines are looked for.
+_PROBES = np.geomspace(_GRAZING, 1.0, 16)
+#: What lines narrower than a step may hold, beside the lesser of R and T.
+_UNRESOLVED = 0.02
+#: Steps to half the width of a line; the rule of equal steps then misses 1e-4 of it.
+_STEPS_TO_HALF_WIDTH = 1.5
+#: Where what the eye sees of fringes begins.
+_FIRST_NM = 400.0
+#: Values of a table that is worked out in one piece.
+_AT_ONCE = 1 << 20
+
+
+class _Fine:
+    """Colours of a stack by steps in wavelength finer than its lines."""
+
+    def __init__(
+        self, stack: LayerStack, light: NDArray[np.float64], observer: str, polarisation: str
+    ) -> None:
+        self.stack, self.polarisation = stack, polarisation
+        each_nm = np.eye(len(colour.WAVELENGTH_NM))
+        self.weights = _core.xyz_from_spectrum(each_nm, light, observer)
+
+    def resolved(self, found: tuple[NDArray[np.float64], ...]) -> list[NDArray[np.float64]]:
+        """Tables of R and T, rows where lines are narrower than the steps worked out again."""
+        tables = [table.copy() for table in found]
+        cosine = np.linspace(0.0, 1.0, len(tables[0]))
+        white_y = self.weights[:, 1].sum()
+        least = np.min([np.interp(_PROBES, cosine, table[:, 1]) for table in found], axis=0)
+        logs = [self._log_per_nm(*probe) for probe in zip(_PROBES, least / white_y, strict=True)]
+        per_nm = np.exp2(np.interp(cosine, _PROBES, logs))
+        again = (per_nm > self.sampled_per_nm) & (cosine >= _GRAZING)
+        if not again.any():
+            return tables
+        for row in np.flatnonzero(again):
+            for table, xyz in zip(tables, self.at(float(cosine[row]), per_nm[row]), strict=True):
+                table[row] = xyz
+        first = int(np.searchsorted(cosine, _GRAZING))
+        for table in tables:
+            table[1:first] = table[0] + cosine[1:first, None] / cosine[first] * (
+                table[first] - table[0]
+            )
+        return tables
+
+    @property
+    def sampled_per_nm(self) -> float:
+        """What the compiled room takes: 5 samples a fringe of the whole stack at 400 nm."""
+        return max(1.0, 5 * 2 * 1.6e3 * self.stack.total_um / _FIRST_NM**2)
+
+    def at(self, cosine: float, per_nm: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """XYZ of R and T with so many samples a nm."""
+        nm = colour.WAVELENGTH_NM
+        fine_nm = np.linspace(nm[0], nm[-1], math.ceil(per_nm * (nm.size - 1)) + 1)
+        weights = np.stack([np.interp(fine_nm, nm, column) for column in self.weights.T], axis=1)
+        weights *= self.weights.sum(axis=0) / weights.sum(axis=0)
+        sums = np.zeros((2, 3))
+        for start in range(0, fine_nm.size, _AT_ONCE):
+            part = slice(start, start + _AT_ONCE)
+            stack, angle = self.stack.at(fine_nm[part]), np.array([np.arccos(cosine)])
+            shares = _core.energies(stack, angle, fine_nm[part], self.polarisation, "double")
+            sums += shares[:2, 0] @ weights[part]
+        return sums[0], sums[1]
+
+    def check(self, *tables: ByAngle) -> None:
+        """The finest grid is fine enough half-way between some of its nodes."""
+        if len(tables[0].xyz) < _MOST_ROWS:
+            return
+        white = self.weights.sum(axis=0)
+        for cosine in (np.linspace(0.02, 0.99, 24) * (_MOST_ROWS - 1)).round() + 0.5:
+            place = float(cosine / (_MOST_ROWS - 1))
+            per_nm = max(32.0, 2.0 ** self._log_per_nm(place, 1.0))
+            for table, xyz in zip(tables, self.at(place, per_nm), strict=True):
+                seen = table.at(np.arccos(place))
+                labs = (colour.lab_from_xyz(each.clip(0), white) for each in (seen, xyz))
+                if float(colour.delta_e_2000(*labs)) > _TOLERANCE:
+                    raise InputError(
+                        f"stack has {len(self.stack)} layers whose colours change too fast with "
+                        f"the angle; allowed: what {_MOST_ROWS} angles show to CIEDE2000 0.2"
+                    )
+
+    def _log_per_nm(self, cosine: float, least: float) -> float:
+        """Samples a nm that resolve the lines at an angle, as a power of 2; 0 where none matter.
+
+        least: the lesser of R and T there.
+        """
+        nm = colour.WAVELENGTH_NM
+        step = 1 / (8 * 2 * 1e3 * self.stack.total_um)
+        wavenumber = np.arange(1 / nm[-1], 1 / _FIRST_NM, step)
+        at_nm = 1 / wavenumber
+        stack, angle = self.stack.at(at_nm), np.array([np.arccos(cosine)])
+        _, _, width, height = _core.resonances(stack, angle, at_nm, self.polarisation)
+        held = np.pi * width * height / np.ptp(wavenumber)
+        order = np.argsort(width)
+        counts = np.cumsum(held[order]) > _UNRESOLVED * least
+        if not counts.any():
+            return 0.0
+        narrowest = float(width[order[counts.argmax()]])
+        return max(0.0, math.log2(_STEPS_TO_HALF_WIDTH / (narrowest * _FIRST_NM**2)))
 
 
 def _checked(stack: LayerStack, light: str | ArrayLike) -> tuple[_core.Stack, NDArray[np.float64]]:

@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous import _core
 from nacreous.number import index_of, row_of, said
 from nacreous.problem import InputError
+from nacreous.unchanging import keep
+from nacreous.value import value_class
 
 __all__ = ["NAMES", "IndexTable", "Medium"]
 
@@ -19,6 +21,7 @@ __all__ = ["NAMES", "IndexTable", "Medium"]
 NAMES: tuple[str, ...] = tuple(_core.media())
 
 
+@value_class
 class IndexTable:
     """A medium measured at some wavelengths; straight lines between them, nothing beyond.
 
@@ -31,7 +34,9 @@ class IndexTable:
     LayerStack(100 layers, 44.000 um)
     """
 
-    __slots__ = ("extraordinary", "ordinary", "wavelength_nm")
+    wavelength_nm: NDArray[np.float64]
+    ordinary: NDArray[np.complex128]
+    extraordinary: NDArray[np.complex128]
 
     def __init__(
         self,
@@ -39,29 +44,15 @@ class IndexTable:
         ordinary: ArrayLike,
         extraordinary: ArrayLike | None = None,
     ) -> None:
-        self.wavelength_nm: NDArray[np.float64] = row_of("wavelength_nm", wavelength_nm).copy()
-        self.ordinary: NDArray[np.complex128] = _indices("ordinary", ordinary)
-        self.extraordinary: NDArray[np.complex128] = (
-            self.ordinary if extraordinary is None else _indices("extraordinary", extraordinary)
-        )
-        for column in self._columns():
-            column.flags.writeable = False
+        along = _indices("ordinary", ordinary)
+        across = along if extraordinary is None else _indices("extraordinary", extraordinary)
+        nm = row_of("wavelength_nm", wavelength_nm)
+        keep(self, wavelength_nm=nm, ordinary=along, extraordinary=across)
 
     def _columns(
         self,
     ) -> tuple[NDArray[np.float64], NDArray[np.complex128], NDArray[np.complex128]]:
         return self.wavelength_nm, self.ordinary, self.extraordinary
-
-    def __eq__(self, other: object) -> bool:
-        """Same indices at the same wavelengths."""
-        if not isinstance(other, IndexTable):
-            return NotImplemented
-        pairs = zip(self._columns(), other._columns(), strict=True)
-        return all(np.array_equal(ours, theirs) for ours, theirs in pairs)
-
-    def __hash__(self) -> int:
-        """Equal tables have equal hashes."""
-        return hash(tuple(column.tobytes() for column in self._columns()))
 
     def __repr__(self) -> str:
         """Range, not every row."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
-from dataclasses import dataclass
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,8 @@ from nacreous import _core
 from nacreous.medium import Medium, medium_of, sampled
 from nacreous.number import number_of, row_of, said, within
 from nacreous.problem import InputError
+from nacreous.unchanging import keep
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.spec import Growth, Layers, Pearl
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["Diary", "LayerStack", "columns_of", "diary", "grow", "stack_of"]
 
 
+@value_class
 class LayerStack:
     """Aragonite layers, surface first, each followed by a protein layer, then the substrate.
 
@@ -33,6 +36,10 @@ class LayerStack:
     takes wavelengths in nm, a float64 array, and returns indices or such a pair; or a name that
     `nc.medium.NAMES` lists, such as "aragonite".
 
+    A stack never changes: assigning to a field is refused, and `dataclasses.replace` makes another.
+    It compares, hashes, copies and pickles as its numbers; a medium that is a function must pickle
+    itself, as one of a module does and a lambda does not.
+
     Defaults are the paper's (section 3.2). Raises `InputError` that names the bad quantity.
 
     >>> stack = LayerStack([410.0, 395.0])
@@ -43,15 +50,13 @@ class LayerStack:
     nacreous.problem.InputError: thickness_nm[1] is -1; allowed: above 0, up to 1000000 nm
     """
 
-    __slots__ = (
-        "_core",
-        "ambient",
-        "aragonite",
-        "protein",
-        "protein_nm",
-        "substrate",
-        "thickness_nm",
-    )
+    thickness_nm: NDArray[np.float64]
+    protein_nm: float
+    aragonite: Medium
+    protein: Medium
+    ambient: Medium
+    substrate: Medium
+    _compiled: _core.Stack = field(init=False, compare=False, repr=False)
 
     def __init__(
         self,
@@ -62,15 +67,12 @@ class LayerStack:
         ambient: Medium = 1.0,
         substrate: Medium = 1.53,
     ) -> None:
-        self.protein_nm = number_of("protein_nm", protein_nm)
-        self.aragonite, self.protein = aragonite, protein
-        self.ambient, self.substrate = ambient, substrate
+        nm = number_of("protein_nm", protein_nm)
+        given = dict(zip(_MEDIA, (aragonite, protein, ambient, substrate), strict=True))
         layers = row_of("thickness_nm", thickness_nm)
-        media = (medium_of(name, getattr(self, name)) for name in _MEDIA)
-        self._core = _core.Stack(layers, self.protein_nm, *media)
+        core = _core.Stack(layers, nm, *(medium_of(name, given[name]) for name in _MEDIA))
         # Copied only now that it is known to be short enough.
-        self.thickness_nm: NDArray[np.float64] = layers.copy()
-        self.thickness_nm.flags.writeable = False
+        keep(self, thickness_nm=layers, protein_nm=nm, **given, _compiled=core)
 
     def __repr__(self) -> str:
         """Layers and thickness, not every layer."""
@@ -80,29 +82,18 @@ class LayerStack:
         """How many aragonite layers."""
         return len(self.thickness_nm)
 
-    def __eq__(self, other: object) -> bool:
-        """Same layers of the same media."""
-        if not isinstance(other, LayerStack):
-            return NotImplemented
-        same = all(getattr(self, name) == getattr(other, name) for name in ("protein_nm", *_MEDIA))
-        return same and np.array_equal(self.thickness_nm, other.thickness_nm)
-
-    def __hash__(self) -> int:
-        """Equal stacks have equal hashes."""
-        return hash((self.thickness_nm.tobytes(), self.protein_nm, self.aragonite, self.protein))
-
     def at(self, wavelength_nm: NDArray[np.float64]) -> _core.Stack:
         """The compiled stack, with the media that are functions known at these wavelengths."""
         media = [getattr(self, name) for name in _MEDIA]
         if wavelength_nm.size == 0 or not any(callable(medium) for medium in media):
-            return self._core
+            return self._compiled
         known = (sampled(name, getattr(self, name), wavelength_nm) for name in _MEDIA)
         return _core.Stack(self.thickness_nm, self.protein_nm, *known)
 
     @property
     def total_um(self) -> float:
         """Thickness of the whole nacre in um, protein included."""
-        return self._core.total_um()
+        return self._compiled.total_um()
 
     def outer(self, depth_um: float) -> tuple[int, float, float]:
         """Count, mean and spread (standard deviation, nm) of the layers within `depth_um`.
@@ -116,20 +107,20 @@ class LayerStack:
         depth = number_of("depth_um", depth_um)
         if not depth >= 0:
             raise InputError(f"depth_um is {depth:g}; allowed: 0 or more um")
-        return self._core.outer(depth)
+        return self._compiled.outer(depth)
 
 
 _MEDIA = ("aragonite", "protein", "ambient", "substrate")
 
 
-@dataclass(frozen=True)
+@value_class
 class Diary:
     """What grew on which day, in the order of growth: from the nucleus outward.
 
     date: one calendar day for each layer; thickness_nm: float64, aragonite.
     """
 
-    date: list[dt.date]
+    date: tuple[dt.date, ...]
     thickness_nm: NDArray[np.float64]
 
 
@@ -143,7 +134,7 @@ def diary(growth: Growth) -> Diary:
     """
     day, thickness_nm = _core.grow(growth.model_dump_json())
     seeding = growth.seeding_date
-    return Diary([seeding + dt.timedelta(days=int(days)) for days in day], thickness_nm)
+    return Diary(tuple(seeding + dt.timedelta(days=int(days)) for days in day), thickness_nm)
 
 
 def grow(growth: str | Growth = "paper", **parameters: Any) -> LayerStack:

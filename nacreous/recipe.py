@@ -1,139 +1,144 @@
-"""The recipe in a picture file: what makes the picture again."""
+"""Everything that makes a picture: JSON for the renderer, and texts for the picture's file."""
 
 from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Iterable, Mapping
+from collections.abc import Sequence
+from numbers import Integral
 from pathlib import Path
-from typing import Literal, NamedTuple, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
-from pydantic import TypeAdapter, ValidationError
-
-from nacreous import _core, file
+from nacreous import __version__, _core
+from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.rows import Filled
-from nacreous.spec import Growth, Pearl, Scene, document
-from nacreous.spec.complaint import shown
-from nacreous.spec.override import Override
+from nacreous.ready import Json, ready
 
-__all__ = ["PREFIX", "SUFFIXES", "Developed", "Recipe", "read_recipe", "recipe_texts"]
+if TYPE_CHECKING:
+    from nacreous.spec import Pearl, Scene
 
-#: The kinds of picture file that are written, and that a recipe is read from.
-SUFFIXES = (".png", ".exr")
+    Spec = TypeVar("Spec", Pearl, Scene)
+    Given: TypeAlias = str | Path | Pearl
 
-#: What the keywords of a recipe's texts begin with in a file.
+__all__ = ["PREFIX", "Recipe", "recipe"]
+
+#: What the keywords of a recipe's texts begin with in a picture file.
 PREFIX = "nacreous:"
-
-Bits: TypeAlias = Literal[8, 16]
-Seeds: TypeAlias = int | list[int | None] | None
-Parsed = TypeVar("Parsed")
-
-
-class Developed(NamedTuple):
-    """How light became the codes of a PNG; arguments as of `Image.save`."""
-
-    bits: Bits = 8
-    space: Literal["srgb", "display-p3"] = "srgb"
-    gamut: Literal["soft", "clip"] = "soft"
-    alpha: bool = False
 
 
 class Recipe(NamedTuple):
-    """Everything that makes a picture file again.
+    """What a picture is made from.
 
-    developed: of a PNG that says so. version: of the Nacreous that made it, "" where not said.
+    json: all of it, complete, as every renderer of ours takes it: each key of the pearls and of the
+    scene, with null where it is left out and the renderer finds its value; rows name pearls by
+    number. texts: what the picture's file keeps: "pearl" (of several different pearls "pearl.0",
+    "pearl.1" and so on) and "scene" as TOML, "settings" and "versions" as JSON. size: pixels
+    a side.
     """
 
-    pearls: list[Pearl]
-    scene: Scene
+    json: str
+    texts: dict[str, str]
     size: int
-    samples: int
-    developed: Developed
-    version: str
 
 
-class _Settings(NamedTuple):
-    size: int
-    samples: int
-    seed: Seeds = None
-    texture_seed: Seeds = None
+class _Written(NamedTuple):
+    """A pearl or a scene, complete, in both its spellings."""
+
+    json: str
+    toml: str
 
 
-def recipe_texts(filled: Filled, size: int, samples: int) -> dict[str, str]:
-    """The recipe as texts for a file, by keyword without `PREFIX`."""
-    from nacreous import __version__
+def recipe(
+    pearl: Given | Sequence[Given], scene: str | Path | Scene, size: int, samples: int
+) -> Recipe:
+    """The recipe of a picture; arguments, and `InputError`, as for `nacreous.image.render`.
 
-    pearls = filled.pearls
-    seeds = [p.nacre.seed if isinstance(p.nacre, Growth) else None for p in pearls]
-    texture_seeds = [_core.texture_seed(p.model_dump_json()) for p in pearls]
+    >>> sorted(json.loads(recipe("akoya-rg", "booth", 64, 16).json))
+    ['pearls', 'samples', 'scene', 'size']
+    """
+    pearls, written = _presets(pearl, scene) or _read(pearl, scene)
+    size, samples = _whole("size", size), _whole("samples", samples)
+    listed = ", ".join(one.json for one in pearls)
+    together = (
+        f'{{"pearls": [{listed}], "scene": {written.json}, "size": {size}, "samples": {samples}}}'
+    )
     one = len(pearls) == 1
+    seeds = [json.loads(pearl.json)["nacre"].get("seed") for pearl in pearls]
+    texture_seeds = [_core.texture_seed(pearl.json) for pearl in pearls]
     settings = {
         "size": size,
         "samples": samples,
         "seed": seeds[0] if one else seeds,
         "texture_seed": texture_seeds[0] if one else texture_seeds,
     }
-    return {
-        **{"pearl" if one else f"pearl.{i}": p.to_toml() for i, p in enumerate(pearls)},
-        "scene": filled.scene.to_toml(),
+    texts = {
+        **{"pearl" if one else f"pearl.{i}": pearl.toml for i, pearl in enumerate(pearls)},
+        "scene": written.toml,
         "settings": json.dumps(settings),
         "versions": json.dumps({"nacreous": __version__, "python": platform.python_version()}),
     }
+    return Recipe(together, texts, size)
 
 
-def read_recipe(
-    path: str | Path,
-    of_pearl: Iterable[Override] = (),
-    of_scene: Iterable[Override] = (),
-) -> Recipe:
-    """The recipe in a picture that `nacreous render` or `Image.save` made, .png or .exr.
-
-    of_pearl, of_scene: single keys changed, as in `Pearl.load`; of several pearls, in each. Paths
-    in the recipe are relative to where the program runs. Raises `InputError` for a file without a
-    whole recipe.
-
-    >>> from tempfile import TemporaryDirectory
-    >>> from nacreous.image import render
-    >>> with TemporaryDirectory() as folder:
-    ...     _ = render("akoya-rg", "booth", size=8, samples=1).save(f"{folder}/a.png", bits=16)
-    ...     recipe = read_recipe(f"{folder}/a.png")
-    >>> recipe.pearls[0].name, recipe.scene.name, recipe.size, recipe.developed.bits
-    ('akoya-rg', 'booth', 8, 16)
-    """
-    where = document.label(Path(path))
-    found = _texts(path)
-    names = ["pearl"] if "pearl" in found else _numbered(found)
-    if not names or not {"scene", "settings"} <= found.keys():
-        raise InputError(
-            f"{where}: has no recipe; allowed: a picture that nacreous render made, unchanged"
-        )
-    changes, folder = list(of_pearl), Path()
-    keys = {name: document.parse(found[name], f"{where}: {name}") for name in (*names, "scene")}
-    pearls = [Pearl.check(keys[name], f"{where}: {name}", folder, changes) for name in names]
-    scene = Scene.check(keys["scene"], f"{where}: scene", folder, of_scene)
-    settings = _json(_Settings, found["settings"], where)
-    developed = _json(Developed, found.get("developed", "{}"), where)
-    version = _json(dict[str, str], found.get("versions", "{}"), where).get("nacreous", "")
-    return Recipe(pearls, scene, settings.size, settings.samples, developed, version)
+def _presets(pearl: object, scene: object) -> tuple[list[_Written], _Written] | None:
+    """One preset in the only place of another, as they are; no key need be checked for it."""
+    if not isinstance(pearl, str) or not isinstance(scene, str):
+        return None
+    if Path(pearl).is_file() or Path(scene).is_file():
+        return None  # which wins over a preset of that name
+    shown, around = ready()["pearl"].get(pearl), ready()["scene"].get(scene)
+    if shown is None or around is None or around.get("pearls") != [None]:
+        return None
+    first, second = (_Written(_compact(one["values"]), one["toml"]) for one in (shown, around))
+    return [first], second
 
 
-def _texts(path: str | Path) -> dict[str, str]:
-    """The recipe's texts in a file, by keyword without `PREFIX`."""
-    exr = Path(path).suffix.lower() == ".exr"
-    texts = dict(_core.read_exr_text(path)) if exr else file.read_png_text(path)
-    return {k.removeprefix(PREFIX): text for k, text in texts.items() if k.startswith(PREFIX)}
+def _compact(values: Json) -> str:
+    """As pydantic writes it."""
+    return json.dumps(values, ensure_ascii=False, separators=(",", ":"))
 
 
-def _numbered(found: Mapping[str, str]) -> list[str]:
-    """The keywords of several pearls, in their order; none where one is missing."""
-    count = sum(name.startswith("pearl.") for name in found)
-    names = [f"pearl.{number}" for number in range(count)]
-    return names if all(name in found for name in names) else []
+def _read(
+    pearl: Given | Sequence[Given], scene: str | Path | Scene
+) -> tuple[list[_Written], _Written]:
+    """Models, files and presets in rows."""
+    from nacreous.rows import fill
+    from nacreous.spec import Scene
+
+    filled = fill(_given(pearl), _loaded(Scene, scene))
+    pearls = [_Written(one.model_dump_json(), one.to_toml()) for one in filled.pearls]
+    return pearls, _Written(filled.scene.model_dump_json(), filled.scene.to_toml())
 
 
-def _json(kind: type[Parsed], text: str, where: str) -> Parsed:
-    try:
-        return TypeAdapter(kind).validate_json(text)
-    except ValidationError:
-        raise InputError(f"{where}: its recipe is damaged: {shown(text, 60)}") from None
+def _given(pearl: Given | Sequence[Given]) -> list[Pearl]:
+    from nacreous.spec import Pearl
+    from nacreous.spec.row import MOST_PEARLS
+
+    if isinstance(pearl, str | Path | Pearl) or not isinstance(pearl, Sequence):
+        return [_loaded(Pearl, pearl)]
+    if not 1 <= len(pearl) <= MOST_PEARLS:
+        raise InputError(f"pearl is a list of {len(pearl)}; allowed: 1 to {MOST_PEARLS} pearls")
+    return [_loaded(Pearl, one) for one in pearl]
+
+
+def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
+    if isinstance(given, model):
+        return given
+    if isinstance(given, str | Path):
+        return model.load(given)
+    kind = model.preset_kind
+    raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
+
+
+def _whole(name: str, value: int) -> int:
+    """A whole number within its range; that samples is a square is for the renderer to see."""
+    most, allowed = _COUNTS[name]
+    if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
+        return int(value)
+    raise InputError(f"{name} is {said(value)}; allowed: {allowed}")
+
+
+_COUNTS = {
+    "size": (_core.MAX_SIZE_PX, f"a whole number from 1 to {_core.MAX_SIZE_PX}"),
+    "samples": (_core.MAX_SAMPLES, f"a square number from 1 to {_core.MAX_SAMPLES}, such as 16"),
+}

@@ -11,19 +11,21 @@ spatial frequency; `synthesise` draws from it a texture that covers a pearl with
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous._core import Texture, limited_grain, procedural_grain, synthesise_texture
+from nacreous._core import limited_grain, procedural_grain
 from nacreous.colour import hvc_from_rgb
 from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
 from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
+from nacreous.unchanging import Unchanging, keep, key_of
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.spec import Pearl
@@ -38,7 +40,7 @@ _GREY_CHROMA = 0.2
 """Below this mean chroma a patch counts as grey **(ours)**: relative deviations would be noise."""
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class GrainSpectrum:
     """How strongly hue, value and chroma vary over a pearl, and how finely.
 
@@ -59,11 +61,9 @@ class GrainSpectrum:
     """Where it comes from, for captions: `photograph`, `procedural` ..."""
 
     def __post_init__(self) -> None:
-        """Keeps arrays that nobody else can change."""
-        for name in ("cycles_per_mm", "density", "correlation"):
-            array = np.array(getattr(self, name), dtype=np.float64, order="C")
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+        """Arrays of float64, as the renderer takes them."""
+        names = ("cycles_per_mm", "density", "correlation")
+        keep(self, **{name: np.ascontiguousarray(getattr(self, name), float) for name in names})
 
     @classmethod
     def procedural(cls) -> Self:
@@ -96,7 +96,69 @@ class GrainSpectrum:
         return np.asarray(np.trapezoid(self.density, self.cycles_per_mm, axis=1))
 
 
-@dataclass(frozen=True, eq=False)
+class Texture(Unchanging):
+    """Hue, value and chroma over a sphere, without seam or pole, as `synthesise` makes it.
+
+    It never changes; it compares and hashes as its numbers, and copies and pickles as what it was
+    made from, which gives the same bytes.
+
+    >>> texture = synthesise(GrainSpectrum([1, 2, 3], np.ones((3, 3))), radius_mm=4.0)
+    >>> texture.grid().shape[2]
+    3
+    """
+
+    __slots__ = ("_compiled", "_made_from")
+
+    _compiled: _core.Texture
+    _made_from: tuple[str, tuple[object, ...]]
+
+    @classmethod
+    def _made(cls, maker: str, *arguments: object) -> Self:
+        texture = cls.__new__(cls)
+        compiled = getattr(_core, maker)(*arguments)
+        keep(texture, _compiled=compiled, _made_from=(maker, arguments))
+        return texture
+
+    def __repr__(self) -> str:
+        """How fine it is."""
+        return f"Texture(band_limit={self.band_limit})"
+
+    def __reduce__(self) -> tuple[object, tuple[object, ...]]:
+        """By what it was made from."""
+        maker, arguments = self._made_from
+        return type(self)._made, (maker, *arguments)
+
+    def __eq__(self, other: object) -> bool:
+        """Same numbers everywhere."""
+        return self._key() == other._key() if isinstance(other, Texture) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Equal textures have equal hashes."""
+        return hash(self._key())
+
+    def _key(self) -> object:
+        return key_of((self.band_limit, self.lost_variance, self.grid()))
+
+    @property
+    def band_limit(self) -> int:
+        """The highest degree of its spherical harmonics."""
+        return self._compiled.band_limit
+
+    @property
+    def lost_variance(self) -> list[float]:
+        """Variance of hue, value and chroma that the spectrum has and the texture has not."""
+        return self._compiled.lost_variance
+
+    def at(self, directions: NDArray[np.float64], footprint_rad: float) -> NDArray[np.float32]:
+        """Float32 [n, channel] towards float64 [n, xyz], for samples so far apart, an angle."""
+        return self._compiled.at(directions, footprint_rad)
+
+    def grid(self) -> NDArray[np.float32]:
+        """The finest grid [row, column, channel], from pole to pole and once round."""
+        return self._compiled.grid()
+
+
+@value_class
 class Analysis:
     """What `analyse` finds in a photograph."""
 
@@ -104,7 +166,7 @@ class Analysis:
     """Mean over the patches, ready for `synthesise`."""
     textures: Array
     """The paper's texture images [patch, row, column, channel] (figure 13), fading at the edges."""
-    corners: list[Corner]
+    corners: tuple[Corner, ...]
     """(row, column) of each patch's first pixel."""
 
 
@@ -153,7 +215,7 @@ def analyse(
     frequency = np.arange(density.shape[1]) / patch_mm
     source = "photograph" if mm_per_pixel is not None else "photograph, patch taken as 1 mm"
     spectrum = GrainSpectrum(frequency, density, _correlation(waves), source)
-    return Analysis(spectrum, np.fft.ifft2(waves, axes=(1, 2)).real, chosen)
+    return Analysis(spectrum, np.fft.ifft2(waves, axes=(1, 2)).real, tuple(chosen))
 
 
 def synthesise(
@@ -180,7 +242,7 @@ def synthesise(
     if spectrum.cycles_per_mm.ndim != 1 or spectrum.density.ndim != 2:
         shapes = spectrum.cycles_per_mm.shape, spectrum.density.shape
         raise InputError(f"grain spectrum: shapes are {shapes}; allowed: (k,) and (3, k)")
-    return synthesise_texture(spectrum.numbers, radius_mm, seed, footprint_rad)
+    return Texture._made("synthesise_texture", spectrum.numbers, radius_mm, seed, footprint_rad)
 
 
 def texture_of(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
@@ -194,7 +256,7 @@ def texture_of(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
     """
     photographed = pearl.texture.source != "procedural"
     measured = measured_grain(pearl) if photographed else None
-    return _core.texture_of(pearl.model_dump_json(), measured, footprint_rad)
+    return Texture._made("texture_of", pearl.model_dump_json(), measured, footprint_rad)
 
 
 def measured_grain(pearl: Pearl) -> Grain:

@@ -57,14 +57,12 @@ def _json(kind: str | None, name: str | None) -> str:
     """Presets by kind and name, or one of them."""
     import json
 
-    from nacreous.complete import KINDS, complete
+    from nacreous.complete import KINDS, complete, presets
     from nacreous.problem import InputError
-    from nacreous.spec import preset
 
     kinds = [one for one in KINDS if kind in (None, one)]
     if not kinds:
         raise InputError(f"{kind} presets have no JSON; allowed: {', '.join(KINDS)}")
     if name:
         return json.dumps(complete(kinds[0], name), ensure_ascii=False)
-    all_ = {one: {name: complete(one, name) for name in preset.names(one)} for one in kinds}
-    return json.dumps(all_, ensure_ascii=False)
+    return json.dumps(presets(kinds), ensure_ascii=False)

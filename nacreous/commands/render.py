@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import argparse
+import json
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
     from nacreous.recipe import Recipe
+
+Value = TypeVar("Value")
 
 _EXAMPLES = """\
 examples:
@@ -80,47 +83,76 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file, image
     from nacreous.commands.progress import bar
 
-    recipe = _recipe(args)
+    job = _again(args) if _is_picture(args.pearl[0]) else _first(args)
     output = _output(args)
     file.check_output(output, image.SUFFIXES)
     begin = time.monotonic()
     with bar("rendering") as show:
-        picture = image.render(recipe.pearls, recipe.scene, recipe.size, recipe.samples, show)
-    how = recipe.developed
-    outside = picture.save(output, how.bits, how.space, how.gamut, how.alpha)
-    print(_report(output, recipe, time.monotonic() - begin, outside))
+        picture = image.render_recipe(job.made, show)
+    outside = picture.save(output, job.bits, job.space, job.gamut, job.alpha)
+    print(_report(output, job, time.monotonic() - begin, outside))
     return 0
 
 
-def _recipe(args: argparse.Namespace) -> Recipe:
-    """What to make: a picture's own recipe, or pearls and a scene, with what the caller changes."""
+class _Job(NamedTuple):
+    """What to make, how to write it, and which version made it first; arguments of `Image.save`."""
+
+    made: Recipe
+    bits: Literal[8, 16]
+    space: str
+    gamut: str
+    alpha: bool
+    version: str | None = None
+
+
+def _first(args: argparse.Namespace) -> _Job:
+    """Pearls and scene, with single keys changed."""
+    from nacreous.recipe import recipe
+
+    pearls, scene = args.pearl, args.scene or "paper"
+    if args.set:
+        from nacreous.spec import Pearl, Scene
+        from nacreous.spec.load import shared_out
+
+        of_pearl, of_scene = shared_out(args.set)
+        pearls = [Pearl.load(pearl, of_pearl) for pearl in pearls]
+        scene = Scene.load(scene, of_scene)
+    size, samples = _either(args.size, 512), _either(args.samples, 16)
+    made = recipe(pearls[0] if len(pearls) == 1 else pearls, scene, size, samples)
+    bits, space, gamut = args.bits or 8, args.space or "srgb", args.gamut or "soft"
+    return _Job(made, bits, space, gamut, bool(args.alpha))
+
+
+def _again(args: argparse.Namespace) -> _Job:
+    """A picture's own recipe, with what the caller changes."""
     from nacreous import __version__
-    from nacreous.recipe import Developed, Recipe, read_recipe
-    from nacreous.spec import Pearl, Scene
+    from nacreous.embedded import read_embedded
+    from nacreous.recipe import recipe
+    from nacreous.spec import Scene
     from nacreous.spec.load import shared_out
 
     of_pearl, of_scene = shared_out(args.set)
-    if _is_picture(args.pearl[0]):
-        given_scene = None if args.scene is None else Scene.load(args.scene, of_scene)
-        kept = of_scene if given_scene is None else ()
-        recipe = read_recipe(args.pearl[0], of_pearl, kept)
-        if given_scene is not None:
-            recipe = recipe._replace(scene=given_scene)
-    else:
-        pearls = [Pearl.load(pearl, of_pearl) for pearl in args.pearl]
-        scene = Scene.load(args.scene or "paper", of_scene)
-        recipe = Recipe(pearls, scene, 512, 16, Developed(), __version__)
-    names = ("bits", "space", "gamut", "alpha")
-    given = {name: value for name in names if (value := getattr(args, name)) is not None}
-    return recipe._replace(
-        size=recipe.size if args.size is None else args.size,
-        samples=recipe.samples if args.samples is None else args.samples,
-        developed=recipe.developed._replace(**given),
+    scene = None if args.scene is None else Scene.load(args.scene, of_scene)
+    kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else ())
+    size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)
+    made = recipe(kept.pearls, scene or kept.scene, size, samples)
+    bits, space, gamut, alpha = kept.developed
+    return _Job(
+        made,
+        args.bits or bits,
+        args.space or space,
+        args.gamut or gamut,
+        _either(args.alpha, alpha),
+        None if kept.version == __version__ else kept.version,
     )
 
 
+def _either(given: Value | None, otherwise: Value) -> Value:
+    return otherwise if given is None else given
+
+
 def _is_picture(name: str) -> bool:
-    from nacreous.recipe import SUFFIXES
+    from nacreous.image import SUFFIXES
 
     return Path(name).suffix.lower() in SUFFIXES
 
@@ -137,25 +169,25 @@ def _output(args: argparse.Namespace) -> str:
     return f"{picture.stem}-again{picture.suffix}"
 
 
-def _report(output: str, recipe: Recipe, seconds: float, outside: float) -> str:
+def _report(output: str, job: _Job, seconds: float, outside: float) -> str:
     """One line: what was made, where, and how far the screen falls short of it."""
     from nacreous import __version__, _core
 
-    pearls = recipe.pearls
-    shown = f"{len(pearls)} pearls"
-    if len(pearls) == 1:
-        stack, _ = _core.stack_of_nacre(pearls[0].nacre.model_dump_json())
+    values = json.loads(job.made.json)
+    pearl, *others = values["pearls"]
+    shown = f"{1 + len(others)} different pearls"
+    if not others:
+        stack, _ = _core.stack_of_nacre(json.dumps(pearl["nacre"]))
         nacre = f"{len(stack)} layers, {stack.total_um():.0f} um of nacre"
-        shown = f"pearl {pearls[0].name} ({nacre})"
+        shown = f"pearl {pearl['name']} ({nacre})"
     line = (
-        f"{output}: {shown} in scene {recipe.scene.name}, {recipe.size} x {recipe.size}, "
-        f"{recipe.samples} samples a pixel, {seconds:.1f} s"
+        f"{output}: {shown} in scene {values['scene']['name']}, {values['size']} x "
+        f"{values['size']}, {values['samples']} samples a pixel, {seconds:.1f} s"
     )
-    if recipe.version != __version__:
-        line += f"; the picture was first made by nacreous {recipe.version}, this is {__version__}"
+    if job.version is not None:
+        line += f"; first made by nacreous {job.version}, this is {__version__}"
     if outside:
-        handled = _HANDLED[recipe.developed.gamut]
-        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {handled}"
+        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[job.gamut]}"
     return line
 
 

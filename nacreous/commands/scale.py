@@ -29,13 +29,14 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "scale",
         help="turn choices between two things into a scale, with a report",
         description="Turn answers to 'which of these two ...?' into a scale, and write a report "
-        "that reads without statistics. Answers are a .csv or .parquet file, a row an answer, with "
-        "the columns left, right and chosen, and where known person, time, response_s and groups. "
+        "that reads without statistics. Answers are a .csv, .tsv, .txt or .parquet file, "
+        "a row an answer, with the columns left, right and chosen (or winner and loser), and where "
+        "known person, time, response_s and groups. Qualtrics's wide tables are read too. "
         "Of a file by 'nacreous study export' what counts is taken, as in the study's own report.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("answers", help=f"a .csv or .parquet file, or {PAPER}")
+    parser.add_argument("answers", help=f"a file of answers, or {PAPER}")
     parser.add_argument(
         "-o",
         "--output",
@@ -62,9 +63,21 @@ def _add_data(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="ROLE=NAME",
-        help="left, right, chosen, person, time, trial, response_s, response_ms by another name",
+        help="left, right, chosen (or winner, loser), person, time, trial, response_s, response_ms "
+        "by another name",
     )
+    data.add_argument("--left", metavar="WORD", help="what chosen holds where the left one was")
+    data.add_argument("--right", metavar="WORD", help="what chosen holds where the right one was")
     data.add_argument("--tie", metavar="WORD", help="what chosen holds where neither was (tie)")
+    data.add_argument(
+        "--skip-rows", type=int, metavar="N", help="leave out the first rows, above the names"
+    )
+    data.add_argument(
+        "--skip-unanswered", action="store_true", help="leave out rows whose chosen is empty"
+    )
+    data.add_argument(
+        "--encoding", metavar="NAME", help="of a text file, such as shift-jis or windows-1252"
+    )
     data.add_argument(
         "--no-sides", action="store_true", help="left and right were no places before the eye"
     )
@@ -89,7 +102,11 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
         default="maximum-likelihood",
         help="least-squares: as in the paper of 1996 (maximum-likelihood)",
     )
-    model.add_argument("--ties", action="store_true", help="fit how near things are called equal")
+    model.add_argument(
+        "--ties",
+        action=argparse.BooleanOptionalAction,
+        help="fit how near things are called equal, or count ties half (where more than 5 %% are)",
+    )
     model.add_argument("--order", action="store_true", help="fit the advantage of the left one")
     model.add_argument("--prior", type=float, metavar="SPREAD", help="draw the places together")
     model.add_argument("--unit", choices=("z", "d'", "JOD", "JND", "logit"), help="of the scale")
@@ -115,6 +132,8 @@ def run(args: argparse.Namespace) -> int:
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
     print(_told(found, time.monotonic() - begin))
+    if getattr(data, "left_out", 0):
+        print(f"{data.left_out} rows left out, which hold no pair or no answer")
     for output in outputs:
         print(f"{output}: written")
     return 0
@@ -131,12 +150,9 @@ def _data(args: argparse.Namespace) -> Any:
     from nacreous.scaling import Answers, Comparisons, paper
 
     names = _columns(args)
-    unneeded = [
-        f"--{name}" for name in ("column", "tie", "no_sides", "repeats") if getattr(args, name)
-    ]
+    unneeded = [f"--{name.replace('_', '-')}" for name in _OF_ANSWERS if _is_given(args, name)]
     if (args.counts or args.answers == PAPER) and unneeded:
-        given = unneeded[0].replace("_", "-")
-        raise InputError(f"{given} is given with counts; allowed: with a table of answers")
+        raise InputError(f"{unneeded[0]} is given with counts; allowed: with a table of answers")
     if args.answers == PAPER:
         return paper()
     if args.counts:
@@ -145,24 +161,50 @@ def _data(args: argparse.Namespace) -> Any:
 
     exported = exported_answers(args.answers, args.question, simulated=args.simulated)
     if exported is not None and unneeded:
-        given = unneeded[0].replace("_", "-")
         raise InputError(
-            f"{given} is given with an export of a study, whose columns and repeats are known; "
-            "allowed: with another table of answers"
+            f"{unneeded[0]} is given with an export of a study, whose columns and repeats are "
+            "known; allowed: with another table of answers"
         )
     if exported is not None:
         return exported
-    return Answers.read(args.answers, repeats=args.repeats, sided=not args.no_sides, **names)
+    return Answers.read(
+        args.answers,
+        repeats=args.repeats,
+        sided=not args.no_sides,
+        skip_unanswered=args.skip_unanswered,
+        skip_rows=args.skip_rows or 0,
+        encoding=args.encoding,
+        **names,
+    )
+
+
+#: Options about a table of answers, which counts and exports of a study do not need.
+_OF_ANSWERS = (
+    "column",
+    "left",
+    "right",
+    "tie",
+    "no_sides",
+    "repeats",
+    "skip_rows",
+    "skip_unanswered",
+    "encoding",
+)
+
+
+def _is_given(args: argparse.Namespace, name: str) -> bool:
+    return getattr(args, name) not in (None, False, [])
 
 
 def _columns(args: argparse.Namespace) -> dict[str, Any]:
     """The columns' names by role."""
     from nacreous.problem import InputError
 
-    names: dict[str, Any] = {} if args.tie is None else {"tie": args.tie}
+    words = {"tie": args.tie, "left_word": args.left, "right_word": args.right}
+    names: dict[str, Any] = {role: word for role, word in words.items() if word is not None}
     for setting in args.column:
         role, equals, name = setting.partition("=")
-        if not equals or not role or not name or role == "tie":
+        if not equals or not role or not name or role in words:
             raise InputError(f'--column "{setting}": wanted: role=name, such as left=first')
         if role in names:
             raise InputError(f"--column {role} is given twice; allowed: once")
@@ -196,6 +238,14 @@ def _told(found: Analysis, seconds: float) -> str:
     for at in found.order:
         low, high = doubt.intervals[at]
         lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
+    if doubt.samples:
+        lines.append(
+            f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
+        )
+    if doubt.too_few:
+        lines.append(
+            "these answers cannot tell how people differ; the intervals hold for these people alone"
+        )
     together = "all people together: " if found.people_differ else ""
     lines.append(together + found.goodness.verdict)
     return "\n".join(lines)
@@ -230,6 +280,6 @@ def _people_told(found: Analysis) -> list[str]:
 _BY = {
     "people": "resampling people",
     "answers": "resampling answers",
-    "clusters": "the model, people as clusters",
+    "clusters": "people as clusters, Student's t",
     "information": "the model",
 }

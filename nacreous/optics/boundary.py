@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
 from nacreous.number import array_of, index_of
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True)
+@value_class
 class Fresnel:
     """What one smooth boundary does to a plane wave; every field has the shape of the angle.
 

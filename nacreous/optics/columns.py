@@ -14,6 +14,7 @@ from nacreous.nacre import LayerStack, grow
 from nacreous.number import number_of, row_of, said, whole_of
 from nacreous.optics.transfer import energies
 from nacreous.problem import InputError
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.spec import Growth
@@ -25,7 +26,7 @@ MAX_COLUMNS = 10_000
 AT_ONCE = 64
 
 
-@dataclass(frozen=True)
+@value_class
 class Ensemble:
     """What an eye sees of many columns of tablets side by side, each float64 [angle, wavelength].
 

@@ -24,5 +24,8 @@ _FORMER = {
 
 def __getattr__(name: str) -> Any:
     if name in _FORMER:
-        return getattr(import_module(f"nacreous.scaling.{_FORMER[name]}"), name)
+        found = getattr(import_module(f"nacreous.scaling.{_FORMER[name]}"), name)
+        # `from nacreous.scaling import study` asks twice, and one warning is enough.
+        globals()[name] = found
+        return found
     return _public(name)

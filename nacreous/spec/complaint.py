@@ -15,6 +15,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
+from nacreous.printable import printable
 from nacreous.spec.key import alternatives, every_key, is_list, sections_in
 
 #: A list of 5000 bad numbers is one mistake, not 5000.
@@ -86,21 +87,17 @@ def shown(value: Any, longest: int = 60) -> str:
         return "true" if value else "false"
     if isinstance(value, str):
         value = value if len(value) <= longest else value[: longest - 3] + "..."
-        return _printable(json.dumps(value, ensure_ascii=False))
+        return printable(json.dumps(value, ensure_ascii=False))
     try:
         text = str(value)
     except ValueError:  # a whole number of more digits than Python agrees to print
         return "a number of thousands of digits"
-    return _printable(text if len(text) <= longest else text[: longest - 3] + "...")
+    return printable(text if len(text) <= longest else text[: longest - 3] + "...")
 
 
 def shown_key(key: str) -> str:
     """A key as it would stand in the file: bare where it can be."""
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else shown(key)
-
-
-def _printable(text: str) -> str:
-    return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
 
 
 class _Place(NamedTuple):

@@ -77,7 +77,8 @@ def test_bad_arguments_end_with_code_2(capsys: Any, arguments: list[str], said: 
     captured = capsys.readouterr()
     assert captured.out == ""
     assert said in captured.err
-    assert all(line.startswith("nacreous: ") for line in captured.err.splitlines())
+    (line,) = captured.err.splitlines()
+    assert line.startswith("nacreous: ")
 
 
 def test_every_command_explains_itself_with_examples(capsys: Any) -> None:

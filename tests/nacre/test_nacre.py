@@ -212,7 +212,7 @@ def test_the_second_cipher_gives_the_published_stream() -> None:
 def test_growth_is_bell_curves_plus_uniform_noise(growth: Growth) -> None:
     grown = diary(growth)
     dates, thickness_nm = grown_by_the_book(growth)
-    assert grown.date == dates
+    assert list(grown.date) == dates
     np.testing.assert_allclose(grown.thickness_nm, thickness_nm, rtol=1e-12, atol=0)
 
 

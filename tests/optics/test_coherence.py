@@ -120,6 +120,52 @@ def test_ensembles_take_a_coherence_length():
     np.testing.assert_allclose(mean.R, np.mean(alone, axis=0), rtol=0, atol=1e-9)
 
 
+def plain_quadrature(stack: nc.LayerStack, nm: float, length: float) -> Any:
+    """T by a million equal steps, more than any line here needs."""
+    sigma = 1 / nm + np.linspace(-1.9, 1.9, 1_000_001) / length
+    weight = np.exp(-2 * np.pi * ((sigma - 1 / nm) * length) ** 2)
+    return energies(stack, 0.0, 1 / sigma).T[0] @ weight / weight.sum()
+
+
+def cavity(pairs: int, gap_nm: float, n: float) -> nc.LayerStack:
+    """Two quarter-wave mirrors for 550 nm and a gap between them."""
+    mirror = [550 / 4 / 1.45] * pairs
+    return nc.LayerStack([*mirror, gap_nm, *mirror], 55.0, 1.45, n, 1.0, 1.45)
+
+
+def test_a_cavity_whose_lines_are_narrower_than_first_steps_is_resolved():
+    light = energies(cavity(4, 20_000.0, 2.5), 0.0, 550.0, coherence_nm=5000.0)
+    assert light.T[0, 0] == pytest.approx(0.01475, abs=5e-6)
+
+
+@pytest.mark.parametrize("pairs", [2, 3, 5])
+@pytest.mark.parametrize(("gap_nm", "n"), [(5000.0, 2.5), (31_234.0, 2.5), (60_000.0, 2.2)])
+def test_no_cavity_converges_to_a_wrong_answer(pairs, gap_nm, n):
+    stack = cavity(pairs, gap_nm, n)
+    for length in (3000.0, 2e4):
+        found = energies(stack, 0.0, 550.0, coherence_nm=length).T[0, 0]
+        assert found == pytest.approx(plain_quadrature(stack, 550.0, length), abs=1e-4)
+
+
+def test_tables_worked_out_in_pieces_are_those_of_one_piece(monkeypatch):
+    stack, angle = nc.LayerStack([420.0] * 30, 20.0, "aragonite", "chitin"), [0.0, 0.5, 1.2]
+    whole = energies(stack, angle, NM, coherence_nm=2e4)
+    monkeypatch.setattr(nc.optics.coherence, "_AT_ONCE", 100)
+    pieces = energies(stack, angle, NM, coherence_nm=2e4)
+    for one, other in ((whole.R, pieces.R), (whole.T, pieces.T)):
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-12)
+
+
+def test_a_line_that_reaches_beyond_a_table_is_named_for_what_it_is():
+    """The wavelength asked for is known; the coherence length is what asks for more."""
+    stack = nc.LayerStack([420.0] * 10, 20.0, nc.medium.IndexTable([400.0, 700.0], [1.6, 1.5]))
+    message = refusal(lambda: energies(stack, 0.0, [500.0, 690.0], coherence_nm=5000.0))
+    assert message.startswith("coherence_nm is 5000, whose line around 690 nm reaches to 90")
+    assert message.endswith("allowed with this aragonite: 400 to 700 nm")
+    beyond = refusal(lambda: energies(stack, 0.0, 710.0, coherence_nm=5000.0))
+    assert beyond.startswith("wavelength_nm is 710")
+
+
 def test_what_cannot_be_is_refused():
     stack = nc.LayerStack([420.0] * 10, 20.0, "aragonite")
     for bad in (0.0, -1.0, math.nan, math.inf, 2e9):

@@ -266,6 +266,40 @@ def test_thousands_of_strongly_absorbing_layers_are_finite() -> None:
     assert np.all(light.T == 0)
 
 
+def test_single_precision_of_a_free_flake_errs_as_stated_by_angle() -> None:
+    """Near grazing its lines narrow with the cosine, and a phase's rounding counts the more."""
+    layers = np.random.default_rng(5).normal(450, 40, 400)
+    stack = nc.LayerStack(layers, 20.0, (1.683, 1.53), 1.43, 1.0, 1.0)
+    for degrees in (0, 60, 80, 85, 88, 89, 89.5, 89.9, 89.99):
+        angle = math.radians(degrees)
+        allowed = 2e-4 if degrees <= 85 else max(2e-4, 2e-5 / math.cos(angle))
+        double = reflectance(stack, angle, NM)
+        single = reflectance(stack, angle, NM, precision="single")
+        assert np.abs(single - double).max() < allowed, degrees
+
+
+@pytest.mark.parametrize("wavelengths", [1, 2, 3, 5, 7, 16])
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_few_wavelengths_beside_many_angles_give_what_each_angle_gives_alone(
+    wavelengths: int, precision: str
+) -> None:
+    """Lanes hold points of several angles then; media of every kind."""
+    angle, nm = np.linspace(0, math.pi / 2, 41), np.linspace(400, 700, wavelengths)
+    for media in (
+        (1.53, 1.43, 1.0, 1.53),
+        ("aragonite", "chitin", 1.0, "aragonite"),
+        (1.5 + 0.01j, 1.3, 1.0, 0.2 + 3j),
+        ((1.683, 1.53), 1.0, 1.7, 1.0),
+    ):
+        stack = nc.LayerStack([380.0, 420.0, 400.0], 60.0, *media)
+        table = nc.optics.energies(stack, angle, nm, precision=precision)
+        alone = [nc.optics.energies(stack, each, nm, precision=precision) for each in angle]
+        tolerance = 1e-12 if precision == "double" else 1e-5
+        for share in "RTA":
+            rows = [getattr(light, share)[0] for light in alone]
+            np.testing.assert_allclose(getattr(table, share), rows, rtol=0, atol=tolerance)
+
+
 def test_single_precision_is_right_to_1e_4_and_1e_5_rms() -> None:
     """At 400 bilayers, isotropic and uniaxial."""
     layers = np.random.default_rng(5).normal(450, 40, 400)

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import pty
-import select
-import signal
 import subprocess
 import sys
 import time
@@ -15,9 +11,8 @@ import pytest
 
 import nacreous as nc
 from nacreous.spec import Pearl, Scene
-from tests.picture.stage import (
-    pearl,
-)
+from tests.picture.stage import pearl
+from tests.support.terminal import at_terminal
 
 
 def test_progress_rises_from_0_to_1() -> None:
@@ -60,34 +55,14 @@ def test_hundreds_of_pearls_need_not_be_lit_before_the_render_stops() -> None:
     assert time.monotonic() - asked[0] < 1.5
 
 
-def terminal_shows(reader: int, words: bytes, patience_s: float = 30) -> bytes:
-    """What a program writes to its terminal, until the words appear."""
-    shown = b""
-    end = time.monotonic() + patience_s
-    while words not in shown and time.monotonic() < end:
-        if select.select([reader], [], [], 0.1)[0]:
-            shown += os.read(reader, 4096)
-    return shown
-
-
 def test_ctrl_c_ends_a_big_render_at_once_and_leaves_nothing(tmp_path: Path) -> None:
-    reader, writer = pty.openpty()
     command = [sys.executable, "-m", "nacreous", "render", "paper", "--size", "4096"]
-    try:
-        with subprocess.Popen(
-            [*command, "--samples", "64", "-o", "x.png"], cwd=tmp_path, stderr=writer
-        ) as program:
-            shown = terminal_shows(reader, b"rendering [")
-            assert b"rendering [" in shown
-            begin = time.monotonic()
-            program.send_signal(signal.SIGINT)
-            assert program.wait(20) == 130
-            assert time.monotonic() - begin < 2
-        shown = terminal_shows(reader, b"nothing was written")
+    with at_terminal([*command, "--samples", "64", "-o", "x.png"], tmp_path) as watched:
+        watched.shows(b"rendering [")
+        code, seconds = watched.interrupted()
+        assert (code, seconds < 2) == (130, True), seconds
+        shown = watched.shows(b"nothing was written")
         assert shown.endswith(b"nacreous: interrupted; nothing was written\r\n")
-    finally:
-        os.close(writer)
-        os.close(reader)
     assert not list(tmp_path.iterdir())
 
 

@@ -74,6 +74,23 @@ def test_the_illuminant_models_lines_stay_below_what_can_be_seen_between_its_jum
     assert apart.max() < 0.7
 
 
+@pytest.mark.parametrize("layers", [1, 5, 20])
+@pytest.mark.parametrize(("aragonite", "protein"), [((1.683, 1.53), 1.43), (2.2, 1.43)])
+def test_a_free_flake_keeps_its_colours_up_to_grazing(layers, aragonite, protein):
+    """Two mirrors near grazing, whose lines narrow without end."""
+    stack = nc.LayerStack([380.0] * layers, 20.0, aragonite, protein, 1.0, 1.0)
+    tables = iridescence.exact(stack)
+    nm = 380 + np.arange(400 * 1000 + 1) / 1000
+    each_nm = nc.colour.xyz_from_spectrum(np.eye(401), "D65")
+    weights = np.stack([np.interp(nm, nc.colour.WAVELENGTH_NM, c) for c in each_nm.T], axis=1)
+    weights *= WHITE / weights.sum(axis=0)
+    for degrees in (60.0, 80.0, 86.0, 88.3, 89.1, 89.5, 89.8, 89.95):
+        angle = math.radians(degrees)
+        light = nc.optics.energies(stack, angle, nm)
+        for table, share in zip(tables, (light.R, light.T), strict=True):
+            assert difference(table.at([angle]), share @ weights) < 0.2
+
+
 def test_reflected_and_transmitted_light_add_up_to_white():
     reflected, transmitted = iridescence.exact(nacre(100, "aragonite", 15.0))
     assert np.abs(reflected.xyz + transmitted.xyz - WHITE).max() < 1e-4

@@ -5,10 +5,11 @@ import pandas as pd
 import pytest
 from scipy.optimize import minimize
 from scipy.special import log_expit, log_ndtr
-from scipy.stats import chi2
+from scipy.stats import chi2, norm
 
 from nacreous.problem import InputError
-from nacreous.scaling import comparisons_of, thurstone
+from nacreous.scaling import Comparisons, comparisons_of, thurstone
+from nacreous.scaling.compare.attribute_errors import weight_errors
 from nacreous.scaling.compare.attributes import fit_attributes
 from nacreous.scaling.planning.simulation import simulate
 
@@ -69,17 +70,67 @@ def test_as_many_attributes_as_can_be_are_the_free_scale(answers):
     assert found.misfit is None
 
 
-def test_without_people_models_are_compared_by_likelihood(answers):
+def test_a_model_that_leaves_no_stimulus_free_is_compared_by_likelihood(answers):
+    table = {label: {str(j): float(i == j) for j in range(7)} for i, label in enumerate(LABELS)}
     counts = answers.comparisons()
-    both, lustre = fit_attributes(counts, TABLE), fit_attributes(counts, TABLE, ["lustre"])
-    test = both.against(lustre)
-    ratio = 2 * (both.fit.log_likelihood - lustre.fit.log_likelihood)
+    full, six = fit_attributes(counts, table), fit_attributes(counts, table, [*"012345"])
+    test = full.against(six)
+    ratio = 2 * (full.fit.log_likelihood - six.fit.log_likelihood)
+    assert full.unexplained is None
     assert (test.name, test.df) == ("likelihood-ratio", 1)
     assert test.statistic == pytest.approx(ratio)
     assert test.p_value == pytest.approx(chi2.sf(ratio, 1))
+
+
+def test_without_people_misfit_is_tested_by_likelihood(answers):
+    counts = answers.comparisons()
+    both = fit_attributes(counts, TABLE)
+    assert both.against(fit_attributes(counts, TABLE, ["lustre"])).name == "crossed-wald"
     free = 2 * (thurstone(counts).log_likelihood - both.fit.log_likelihood)
     assert both.misfit.statistic == pytest.approx(free)
     assert both.misfit.df == 8 - 1 - 2
+
+
+def test_a_stimulus_off_the_line_moves_weights_as_its_errors_say():
+    # L by a difference: expected answers of many people, one stimulus lifted a little.
+    def weights(lift):
+        values = 0.8 * LUSTRE + np.where(np.arange(8) == 2, lift, 0.0)
+        chosen = 1e7 * norm.cdf(values[:, None] - values[None, :])
+        np.fill_diagonal(chosen, 0.0)
+        return fit_attributes(
+            Comparisons.of_counts(chosen.round(), stimuli=LABELS), TABLE, standardise=True
+        )
+
+    plain = weights(0.0)
+    moved = [one.value for one in weights(1e-3).weights], [one.value for one in plain.weights]
+    found = weight_errors(plain.fit).moved[:, 2] / plain.line.steps
+    assert np.subtract(*moved) / 1e-3 == pytest.approx(found, abs=2e-3)
+
+
+def test_one_test_of_a_weight_is_the_test_against_the_model_without_it(answers):
+    both = fit_attributes(answers, TABLE)
+    found = both.against(fit_attributes(answers, TABLE, ["lustre"]))
+    assert found.name == "crossed-wald"
+    assert found.p_value == pytest.approx(both.weights[1].p_value)
+
+
+def test_what_attributes_leave_unexplained_makes_weights_less_sure():
+    # 100 studies by benchmarks/attributes.py; these are 10, with 40 null weights in all.
+    random = np.random.default_rng(4)
+    low = []
+    for seed in range(10):
+        attributes = random.standard_normal((16, 5))
+        values = 0.6 * attributes[:, 0] + 0.4 * random.standard_normal(16)
+        table = {
+            str(k + 1): dict(zip("abcde", row, strict=True))
+            for k, row in enumerate(attributes.tolist())
+        }
+        found = fit_attributes(simulate(values, 12, person_spread=0.3, seed=seed), table)
+        assert 0.15 < found.unexplained < 0.7
+        low += [one.p_value < 0.05 for one in found.weights[1:]]
+        alone = np.sqrt(np.diag(found.line.covariance))
+        assert all(one.se > 1.5 * se for one, se in zip(found.weights, alone, strict=True))
+    assert np.mean(low) < 0.15
 
 
 def test_people_who_differ_make_weights_less_sure(answers):

@@ -135,7 +135,17 @@ def test_the_chi_squared_of_many_stimuli_is_near_coin_tossing():
         assert np.mean(np.array(found) <= level) == pytest.approx(level, abs=0.05)
 
 
-@pytest.mark.parametrize("count", [8, 9])
+@pytest.mark.parametrize("count", [9, 10])
+def test_chance_is_counted_out_to_ten_stimuli(count):
+    ways, pairs = _ways(count), math.comb(count, 2)
+    assert sum(ways.values()) == 2**pairs  # all tournaments
+    assert ways[0] == math.factorial(count)  # the ones without a circle are the orders
+    mean = sum(number * circular for circular, number in ways.items()) / 2**pairs
+    assert mean == math.comb(count, 3) / 4  # each triad is circular in 2 of 8
+    assert chance(count, 0) == math.factorial(count) / 2**pairs
+
+
+@pytest.mark.parametrize("count", [8, 9, 10])
 def test_the_chi_squared_is_near_the_exact_chance(count):
     ways, seen = _ways(count), 0
     for circular in sorted(ways):

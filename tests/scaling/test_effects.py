@@ -100,7 +100,7 @@ def test_halved_ties_are_half_an_answer_each():
         ).astype(np.int8),
     )
     assert counts.ties.sum() > 0
-    assert np.abs(thurstone(answers).scale - thurstone(doubled).scale).max() < 1e-12
+    assert np.abs(thurstone(answers, ties=False).scale - thurstone(doubled).scale).max() < 1e-12
 
 
 def test_effects_that_the_answers_cannot_tell_are_refused():

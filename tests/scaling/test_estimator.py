@@ -10,7 +10,7 @@ from scipy.special import log_ndtr, logit, ndtri
 from nacreous._core import log_normal_cdf
 from nacreous.problem import InputError
 from nacreous.scaling import Comparisons, bradley_terry, paper, paper_proportions, thurstone
-from nacreous.scaling.fit.least_squares import z_of_pairs
+from nacreous.scaling.fit.row_means import z_of_pairs
 
 GOLDEN = Path(__file__).parent.parent / "golden" / "thurstone"
 REFERENCE = json.loads((GOLDEN / "reference.json").read_text())

@@ -228,7 +228,7 @@ def test_fewer_people_than_stimuli_get_no_wald_test_and_finite_numbers():
 
 def test_a_single_person_tells_nothing_of_how_people_differ():
     alone = simulate(TRUTH[:3], 1, repeats=30)
-    with pytest.raises(InputError, match="2 or more people"):
+    with pytest.raises(InputError, match="3 or more people"):
         compare_groups({"a": alone, "b": alone}, same_people=False)
 
 

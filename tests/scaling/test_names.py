@@ -32,3 +32,11 @@ def test_importing_the_room_loads_nothing_heavy():
     code = f"import sys, nacreous.scaling; print({heavy} & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
+
+
+def test_a_former_name_warns_once_however_it_is_imported():
+    code = "from nacreous.scaling import study; import nacreous as nc; nc.scaling.study"
+    command = [sys.executable, "-W", "always", "-c", code]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stderr.count("nacreous.scaling.study is now nacreous.scaling.analyse") == 1
+    assert done.stderr.startswith("<string>:1:")

@@ -15,7 +15,8 @@ import pytest
 
 import nacreous as nc
 from nacreous.scaling import report
-from nacreous.scaling.report.chapters import method
+from nacreous.scaling.report.chapters import method, neighbours
+from nacreous.scaling.report.picture import inline
 from nacreous.scaling.report.translation import LANGUAGES, Html, Words, number, percent, texts
 
 SPITEFUL = ("<script>alert(1)</script>", "a\"b'c", "x & y", "$\\frac{1}{2}$", "真珠 <b>", "{first}")
@@ -144,7 +145,7 @@ def test_every_text_is_used():
     # Texts of which the code makes the last words of the key from what it found.
     made = re.compile(
         r"(count|list|short|fit|neighbours)\.|method\.(probit|logit|data)|groups\.method"
-        r"|consistency\.side|scale\.(unit|doubt)|.*\.title$"
+        r"|consistency\.side|scale\.(unit|doubt|average|unplaced)|.*\.title$"
     )
     unused = [key for key in texts("en") if not made.match(key) and key not in code]
     assert unused == []
@@ -240,6 +241,49 @@ def test_equals_are_too_close_to_call_and_good_answers_fit():
     assert "stray from the scale no more than chance would make them" in said
 
 
+def test_all_pairs_are_told_with_one_correction_for_all(paper):
+    by_holm = {frozenset((d.first, d.second)): d for d in paper.differences}
+    assert len(by_holm) == len(paper.differences) == 21
+    assert all(pair.difference >= 0 for pair in paper.differences)
+    for pair in paper.neighbours:  # more pairs, no smaller p
+        assert by_holm[frozenset((pair.first, pair.second))].p_value >= pair.p_value
+    assert len(json.loads(paper.text("a.json"))["differences"]) == 21
+    chapter = neighbours.chapter(paper, Words("en"))
+    assert chapter.count("<tr>") == 1 + 6 + 1 + 21
+    assert "Each item with all that are further down: 21 pairs" in chapter
+
+
+def test_labels_carry_their_language_on_pages_in_any_language():
+    assert Words("en").name("真珠") == '<b class="name" lang="ja">真珠</b>'
+    assert Words("ja").name("あこや 1") == '<b class="name" lang="ja">あこや 1</b>'
+    assert Words("ja").name("pearl 1") == '<b class="name">pearl 1</b>'
+    drawn = inline(
+        '<svg viewBox="0"><g><text x="1">真珠</text><text>a</text></g></svg>', "p", "", ""
+    )
+    assert '<text lang="ja" x="1">真珠</text><text>a</text>' in drawn
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("case", ["nobody disagrees", "ties only", "one answer a pair", "counts"])
+def test_without_resampling_nothing_warns(case):
+    rows = {
+        "nobody disagrees": ("abc", "bca", "aba" * 6),
+        "ties only": ("abc", "bca", ["tie"] * 18),
+        "one answer a pair": ("abc", "bca", "abc"),
+    }
+    if case == "counts":
+        found = nc.scaling.analyse([[0, 30], [10, 0]], bootstrap=0, prior=1.0)
+    else:
+        left, right, chosen = rows[case]
+        times = len(chosen) // 3
+        table = {"left": [*left] * times, "right": [*right] * times, "chosen": [*chosen]}
+        table["person"] = [str(k // 3) for k in range(len(chosen))]
+        answers = nc.scaling.Answers.of_table(table)
+        found = nc.scaling.analyse(answers, bootstrap=0, prior=1.0)
+    assert (found.doubt.intervals[:, 0] < found.doubt.intervals[:, 1]).all()
+    json.loads(found.text("a.json"))
+
+
 def test_two_stimuli_make_a_report_without_a_test_of_fit():
     found = nc.scaling.analyse([[0, 30], [10, 0]], bootstrap=100)
     assert "cannot be tested" in told(found)
@@ -277,7 +321,8 @@ def test_hard_cases_make_a_report_without_nan(case, language):
     said = told(found, language)
     for word in ("nan", "inf ", "None"):
         assert word not in said
-    assert found.doubt.by == "answers"
+    assert found.doubt.by in ("answers", "information")
+    assert (found.doubt.intervals[:, 0] < found.doubt.intervals[:, 1]).all()
     json.loads(found.text("a.json"))
 
 

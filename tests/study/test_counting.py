@@ -194,6 +194,28 @@ def test_one_and_zero_are_true_and_false_as_spreadsheets_write_them(
     np.testing.assert_array_equal(after.comparisons().matrix, before.comparisons().matrix)
 
 
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+def test_an_export_saved_anew_by_a_spreadsheet_is_known(
+    running: Running, tmp_path: Path, encoding: str
+) -> None:
+    """Semicolons, decimal commas, TRUE and FALSE, a mark: as where the decimal mark is a comma."""
+    path = _exported(running, tmp_path)
+    before = exported_answers(path, simulated=True)
+    rows = list(csv.reader(io.StringIO(path.read_text())))
+    times = rows[0].index("response_ms")
+    for row in rows[1:]:
+        row[times] = row[times].replace(".", ",")
+    text = io.StringIO()
+    csv.writer(text, delimiter=";").writerows(rows)
+    saved = text.getvalue().replace(";true", ";TRUE").replace(";false", ";FALSE")
+    path.write_bytes(saved.encode(encoding))
+    after = exported_answers(path, simulated=True)
+    assert before is not None
+    assert after is not None
+    assert len(after) == len(before)
+    np.testing.assert_array_equal(after.comparisons().matrix, before.comparisons().matrix)
+
+
 def test_options_of_other_tables_are_refused_with_an_export(
     running: Running, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

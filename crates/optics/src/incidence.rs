@@ -1,4 +1,5 @@
-//! Light of one angle of incidence, block by block of wavelengths, and the kernel that suits it.
+//! Light of one angle of incidence, block by block of wavelengths, and the kernel that suits it. Where
+//! wavelengths are few, a block runs on into the next angles.
 
 use std::sync::atomic::AtomicBool;
 
@@ -39,13 +40,13 @@ pub(crate) fn fill<const K: usize>(
     let (s, p) = (Plane::S, Plane::P);
     match model.polarisation {
         Polarisation::S => {
-            grid::fill(&Light { table, planes: [s], precision, using }, angle_rad, tables, stop);
+            Light { table, planes: [s], precision, using }.fill_all(angle_rad, tables, stop);
         }
         Polarisation::P => {
-            grid::fill(&Light { table, planes: [p], precision, using }, angle_rad, tables, stop);
+            Light { table, planes: [p], precision, using }.fill_all(angle_rad, tables, stop);
         }
         Polarisation::Unpolarised => {
-            grid::fill(&Light { table, planes: [s, p], precision, using }, angle_rad, tables, stop);
+            Light { table, planes: [s, p], precision, using }.fill_all(angle_rad, tables, stop);
         }
     }
 }
@@ -56,6 +57,57 @@ struct Light<'a, U, const N: usize> {
     planes: [Plane; N],
     precision: Precision,
     using: &'a U,
+}
+
+impl<U, const N: usize> Light<'_, U, N> {
+    fn fill_all<const K: usize>(
+        &self,
+        angle_rad: &[f64],
+        tables: [&mut [f64]; K],
+        stop: &AtomicBool,
+    ) where
+        U: Use<K>,
+    {
+        if self.table.wavelengths <= HALF && angle_rad.len() > 1 {
+            let cos_angle = angle_rad.iter().map(|angle| angle.cos()).collect();
+            // All points are one row.
+            grid::fill(&Points { light: self, cos_angle }, &[0.0], tables, stop);
+        } else {
+            grid::fill(self, angle_rad, tables, stop);
+        }
+    }
+}
+
+/// The same light at few wavelengths: points (angle, wavelength) side by side, as the table has them.
+struct Points<'a, U, const N: usize> {
+    light: &'a Light<'a, U, N>,
+    cos_angle: Vec<f64>,
+}
+
+impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Points<'_, U, N> {
+    type Angle = ();
+
+    fn meet(&self, _: f64) {}
+
+    fn fill(&self, (): &(), block: usize, tables: [&mut [f64]; K]) {
+        let Light { table, planes, precision, using } = self.light;
+        let mut wavelength = block * LANES % table.wavelengths;
+        let mut angles = self.cos_angle[block * LANES / table.wavelengths..].iter();
+        let mut cos = angles.next().copied().unwrap_or(1.0);
+        let (mut cos_angle, mut of_wavelength) = ([cos; LANES], [wavelength; LANES]);
+        for (cos_lane, lane) in cos_angle.iter_mut().zip(&mut of_wavelength) {
+            (*cos_lane, *lane) = (cos, wavelength);
+            wavelength += 1;
+            if wavelength == table.wavelengths {
+                // Behind the last angle are lanes that nobody asked for.
+                (wavelength, cos) = (0, angles.next().copied().unwrap_or(cos));
+            }
+        }
+        let media = table.at_points(*planes, &cos_angle, &of_wavelength);
+        let half_turns_per_nm = &of_wavelength.map(|lane| table.half_turns_per_nm[0][lane]);
+        let (precision, lanes) = (*precision, tables[0].len());
+        using.fill(&Block { table, half_turns_per_nm, media: &media, precision, lanes }, tables);
+    }
 }
 
 /// One angle of it.

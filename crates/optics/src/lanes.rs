@@ -1,11 +1,11 @@
-//! Wavelengths side by side: every inner loop of the kernels runs over them, and the compiler turns it
+//! Wavelengths, or where they are few angles too, side by side: every inner loop of the kernels runs over them, and the compiler turns it
 //! into the vector instructions of the processor it finds.
 
 use num_complex::Complex64;
 
 use crate::real::Real;
 
-/// Wavelengths computed side by side, a multiple of every processor's vector length; enough of them that
+/// Points of a table computed side by side, a multiple of every processor's vector length; enough of them that
 /// one layer's arithmetic hides the latency of another's.
 pub(crate) const LANES: usize = 32;
 
@@ -35,6 +35,11 @@ impl Pair {
     #[inline(always)]
     pub(crate) fn set(&mut self, i: usize, value: Complex64) {
         (self.re[i], self.im[i]) = (value.re, value.im);
+    }
+
+    /// Each lane's number from the lane named.
+    pub(crate) fn gathered(&self, from: &Lanes<usize>) -> Self {
+        Self { re: from.map(|lane| self.re[lane]), im: from.map(|lane| self.im[lane]) }
     }
 
     #[inline(always)]

@@ -12,6 +12,8 @@ use crate::{
 
 /// Wavelengths and indices, block by block: all that does not depend on the angle.
 pub(crate) struct Table {
+    /// How many wavelengths were asked for.
+    pub(crate) wavelengths: usize,
     /// 2 / wavelength, `[block]`: half turns of phase per nm of path in vacuum.
     pub(crate) half_turns_per_nm: Vec<Lanes<f64>>,
     /// `[block]`, or one for all where no medium is dispersive.
@@ -77,6 +79,7 @@ impl Table {
             return Err(OpticsError::Anisotropic { medium: "ambient" });
         }
         Ok(Self {
+            wavelengths: wavelength_nm.len(),
             half_turns_per_nm: blocks.iter().map(|nm| nm.map(|nm| 2.0 / nm)).collect(),
             is_isotropic: indices.iter().all(|media| media.aragonite.is_isotropic()),
             absorbs: indices
@@ -108,10 +111,32 @@ impl Table {
         // In place: these are kilobytes.
         let mut media = Media { waves: [const { Waves::EMPTY }; N], is_lossless: true };
         for (waves, plane) in media.waves.iter_mut().zip(planes) {
-            meet(&self.indices[block], plane, cos_angle, lanes, waves);
+            meet(&self.indices[block], plane, &[cos_angle; LANES], lanes, waves);
             if self.is_constant {
                 waves.spread();
             }
+            media.is_lossless &= waves.are_lossless();
+        }
+        media
+    }
+
+    /// The media where each lane has an angle of its own, and one of the first block's wavelengths.
+    pub(crate) fn at_points<const N: usize>(
+        &self,
+        planes: [Plane; N],
+        cos_angle: &Lanes<f64>,
+        wavelength: &Lanes<usize>,
+    ) -> Media<N> {
+        let gathered;
+        let indices = if self.is_constant {
+            &self.indices[0]
+        } else {
+            gathered = self.indices[0].gathered(wavelength);
+            &gathered
+        };
+        let mut media = Media { waves: [const { Waves::EMPTY }; N], is_lossless: true };
+        for (waves, plane) in media.waves.iter_mut().zip(planes) {
+            meet(indices, plane, cos_angle, LANES, waves);
             media.is_lossless &= waves.are_lossless();
         }
         media
@@ -127,6 +152,15 @@ impl Indices {
             protein: principals("protein", stack.protein())?,
             substrate: principals("substrate", stack.substrate())?,
         })
+    }
+
+    fn gathered(&self, from: &Lanes<usize>) -> Self {
+        Self {
+            ambient: self.ambient.gathered(from),
+            aragonite: self.aragonite.gathered(from),
+            protein: self.protein.gathered(from),
+            substrate: self.substrate.gathered(from),
+        }
     }
 }
 
@@ -146,6 +180,13 @@ impl Principals {
             found.extraordinary.set(lane, extraordinary.complex());
         }
         Ok(found)
+    }
+
+    fn gathered(&self, from: &Lanes<usize>) -> Self {
+        Self {
+            ordinary: self.ordinary.gathered(from),
+            extraordinary: self.extraordinary.gathered(from),
+        }
     }
 
     fn is_isotropic(&self) -> bool {
@@ -202,10 +243,10 @@ impl Waves {
     "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
     "x86_64+avx2+fma"
 ))]
-fn meet(indices: &Indices, plane: Plane, cos_angle: f64, lanes: usize, waves: &mut Waves) {
+fn meet(indices: &Indices, plane: Plane, cos_angle: &Lanes<f64>, lanes: usize, waves: &mut Waves) {
     for i in 0..lanes {
         let n_0 = indices.ambient.ordinary.at(i);
-        let ambient = Wave::incident(plane, n_0, cos_angle);
+        let ambient = Wave::incident(plane, n_0, cos_angle[i]);
         let refracted =
             |medium: &Principals| Wave::refracted(plane, medium.at(i), n_0, ambient.along);
         let aragonite = refracted(&indices.aragonite);

@@ -5,7 +5,7 @@ use nacreous_image::eight_bit;
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray3};
 use pyo3::prelude::*;
 
-use crate::{InputError, refused};
+use crate::{InputError, refused, threads::detached};
 
 /// (codes [row, column, rgb] as uint8 or uint16, share of pixels out of gamut) of linear light.
 #[pyfunction]
@@ -26,7 +26,7 @@ pub fn develop<'py>(
     }
     let space: RgbSpace = space.parse().map_err(refused)?;
     let gamut: Gamut = gamut.parse().map_err(refused)?;
-    let developed = py.detach(|| nacreous_image::develop(&light, space, gamut));
+    let developed = detached(py, || nacreous_image::develop(&light, space, gamut));
     let shape = [shape.0, shape.1, 3];
     let codes = match bits {
         8 => eight_bit(&developed.codes).into_pyarray(py).reshape(shape)?.into_any(),

@@ -15,6 +15,7 @@ mod pearl;
 mod render;
 mod scaling;
 mod texture;
+mod threads;
 mod watched;
 
 pyo3::import_exception!(nacreous.problem, InputError);
@@ -52,7 +53,7 @@ mod _core {
     #[pymodule_export]
     use super::nacre::{Stack, media};
     #[pymodule_export]
-    use super::optics::{energies, ensemble, fresnel, illuminant};
+    use super::optics::{energies, ensemble, fresnel, illuminant, resonances};
     #[pymodule_export]
     use super::pearl::{
         body_reflectance, film_columns, grow, resolved_keys, stack_of_nacre, texture_seed,

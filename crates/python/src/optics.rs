@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nacreous_nacre::{Index, LayerStack};
-use nacreous_optics::{Ensemble, Fresnel, IlluminantModel, TransferModel};
+use nacreous_optics::{Ensemble, Fresnel, IlluminantModel, Polarisation, Resonance, TransferModel};
 use num_complex::Complex64;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3,
@@ -109,6 +109,36 @@ pub fn ensemble<'py>(
     let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
     let ensemble = found.map_err(refused)?.ok_or_else(broken_off)?;
     ensemble.into_flat().into_pyarray(py).reshape([4, rows, wavelengths])
+}
+
+/// (series, wavenumber, half width, height) of narrow lines between falling wavelengths; of each angle
+/// series 2 i is s and 2 i + 1 is p.
+#[pyfunction]
+#[allow(clippy::type_complexity)]
+pub fn resonances<'py>(
+    py: Python<'py>,
+    stack: &Stack,
+    angle_rad: PyReadonlyArray1<'_, f64>,
+    wavelength_nm: PyReadonlyArray1<'_, f64>,
+    polarisation: &str,
+) -> PyResult<(Bound<'py, PyArray1<u64>>, Energies<'py>, Energies<'py>, Energies<'py>)> {
+    let polarisation: Polarisation = polarisation.parse().map_err(refused)?;
+    let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
+    let stop = AtomicBool::new(false);
+    let work = || nacreous_optics::resonances(&stack.0, polarisation, &angle, &wavelength, &stop);
+    let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
+    let lines = found.map_err(refused)?.ok_or_else(broken_off)?;
+    let column = |of: fn(&Resonance) -> f64| -> Energies<'py> {
+        lines.iter().map(of).collect::<Vec<_>>().into_pyarray(py)
+    };
+    let series: Vec<u64> = lines.iter().map(|line| line.series as u64).collect();
+    let widths = column(|line| line.half_width);
+    Ok((
+        series.into_pyarray(py),
+        column(|line| line.wavenumber),
+        widths,
+        column(|line| line.height),
+    ))
 }
 
 fn transfer_model(polarisation: &str, precision: &str) -> PyResult<TransferModel> {

@@ -20,6 +20,7 @@ use crate::{
     file::{Text, save_exr, save_png},
     refused,
     texture::{GrainGiven, grain_of},
+    threads::{detached, pool},
     watched::{broken_off, watched},
 };
 
@@ -194,8 +195,12 @@ impl Picture {
     ) -> PyResult<T> {
         let pixels = self.pixels.lock().unwrap_or_else(PoisonError::into_inner);
         match &*pixels {
-            Pixels::Ours(ours) => py.detach(|| work(ours)),
-            Pixels::Array(array) => work(array.bind(py).readonly().as_slice()?),
+            Pixels::Ours(ours) => detached(py, || work(ours)),
+            Pixels::Array(array) => {
+                let pixels = array.bind(py).readonly();
+                let pixels = pixels.as_slice()?;
+                pool().install(|| work(pixels))
+            }
         }
     }
 }

@@ -11,13 +11,14 @@ use numpy::{
 };
 use pyo3::prelude::*;
 
-use crate::{refused, watched::watched};
+use crate::{refused, threads::detached, watched::watched};
 
 type Row<'py> = Bound<'py, PyArray1<f64>>;
 type Table<'py> = Bound<'py, PyArray2<f64>>;
+type Column<'py> = Bound<'py, PyArray1<i64>>;
 
 /// A model of paired comparisons and the counts it is fitted to.
-#[pyclass(frozen)]
+#[pyclass(frozen, module = "nacreous._core")]
 pub struct PairModel {
     model: Model,
     counts: Counts,
@@ -51,6 +52,38 @@ impl PairModel {
         Ok(Self { model, counts })
     }
 
+    /// The arguments from which a pickle makes it again.
+    #[allow(clippy::type_complexity)]
+    fn __getnewargs__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(
+        &'static str,
+        usize,
+        Column<'py>,
+        Column<'py>,
+        Table<'py>,
+        bool,
+        bool,
+        Option<f64>,
+        Option<Table<'py>>,
+    )> {
+        let Self { model, counts } = self;
+        let side = |which: usize| -> Column<'py> {
+            let indices: Vec<i64> = counts.pairs.iter().map(|pair| pair[which].into()).collect();
+            indices.into_pyarray(py)
+        };
+        let answers = counts.answers.as_flattened().to_vec().into_pyarray(py);
+        let answers = answers.reshape([counts.answers.len(), 3])?;
+        let design = model.design.as_ref().map(|design| {
+            let values = design.values.clone().into_pyarray(py);
+            values.reshape([counts.stimuli, design.columns])
+        });
+        let (link, prior) = (model.link.name(), model.prior);
+        let (ties, order, design) = (model.ties, model.order, design.transpose()?);
+        Ok((link, counts.stimuli, side(0), side(1), answers, ties, order, prior, design))
+    }
+
     /// The part of each stimulus in which all can be reached from all by "was preferred to"; a part
     /// was never preferred to one of a higher number.
     fn components<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
@@ -59,7 +92,7 @@ impl PairModel {
 
     /// "exists", "apart", "order" or "ties".
     fn existence(&self, py: Python<'_>) -> &'static str {
-        match py.detach(|| nacreous_scaling::existence(&self.model, &self.counts)) {
+        match detached(py, || nacreous_scaling::existence(&self.model, &self.counts)) {
             Existence::Exists => "exists",
             Existence::Apart => "apart",
             Existence::Order => "order",
@@ -87,15 +120,21 @@ impl PairModel {
         let parameters = self.checked(&parameters)?;
         let kind = if expected { Kind::Expected } else { Kind::Observed };
         let size = parameters.len();
-        let matrix = py
-            .detach(|| nacreous_scaling::information(&self.model, &self.counts, &parameters, kind));
+        let matrix = detached(py, || {
+            nacreous_scaling::information(&self.model, &self.counts, &parameters, kind)
+        });
         matrix.into_pyarray(py).reshape([size, size])
     }
 
     /// The log-likelihood at some parameters, without constant terms and prior.
-    fn log_likelihood(&self, parameters: PyReadonlyArray1<'_, f64>) -> PyResult<f64> {
+    fn log_likelihood(
+        &self,
+        py: Python<'_>,
+        parameters: PyReadonlyArray1<'_, f64>,
+    ) -> PyResult<f64> {
         let parameters = self.checked(&parameters)?;
-        Ok(nacreous_scaling::log_likelihood(&self.model, &self.counts, &parameters))
+        let work = || nacreous_scaling::log_likelihood(&self.model, &self.counts, &parameters);
+        Ok(detached(py, work))
     }
 
     /// How likely left, right and a tie are, [lead, 3], for some leads of the left one (its order
@@ -122,7 +161,7 @@ impl PairModel {
         let parameters = self.checked(&parameters)?;
         let (model, stimuli) = (&self.model, self.counts.stimuli);
         let (answers, people) = (&answers.answers, answers.people);
-        let scores = py.detach(|| {
+        let scores = detached(py, || {
             nacreous_scaling::person_scores(model, answers, stimuli, people, &parameters)
         });
         scores.into_pyarray(py).reshape([people, parameters.len()])

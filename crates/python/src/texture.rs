@@ -16,7 +16,7 @@ use numpy::{
 };
 use pyo3::prelude::*;
 
-use crate::{InputError, refused};
+use crate::{InputError, refused, threads::detached};
 
 type Spectrum<'py> =
     (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
@@ -136,7 +136,7 @@ pub fn synthesise_texture(
 ) -> PyResult<Texture> {
     let spectrum = grain_of(&grain)?;
     let drawn = || grain::texture::Texture::synthesise(&spectrum, radius_mm, seed, footprint_rad);
-    py.detach(drawn).map(|texture| Texture(Arc::new(texture))).map_err(refused)
+    detached(py, drawn).map(|texture| Texture(Arc::new(texture))).map_err(refused)
 }
 
 /// The texture of a pearl in JSON, with the spectrum of its photograph where it has one.
@@ -151,7 +151,7 @@ pub fn texture_of(
     let measured = measured.as_ref().map(grain_of).transpose()?;
     let pixel_mm = footprint_rad * 0.5 * pearl.common().diameter_mm;
     let key = GrainKey::new(&pearl, measured.as_ref(), pixel_mm).map_err(refused)?;
-    py.detach(|| key.texture()).map(|texture| Texture(Arc::new(texture))).map_err(refused)
+    detached(py, || key.texture()).map(|texture| Texture(Arc::new(texture))).map_err(refused)
 }
 
 /// Fields [row, column, channel] of coefficients [channel, l, m], on twice as many columns as rows.
@@ -185,6 +185,6 @@ pub fn synthesise_harmonics<'py>(
         ours.at_mut(l, m)[channel] = [value.re, value.im];
     }
     let mut grid = vec![[0.0; 3]; 2 * rows * rows];
-    py.detach(|| synthesise(&ours, degrees - 1, (rows, 2 * rows), |texel| texel, &mut grid));
+    detached(py, || synthesise(&ours, degrees - 1, (rows, 2 * rows), |texel| texel, &mut grid));
     grid.into_flattened().into_pyarray(py).reshape([rows, 2 * rows, 3])
 }

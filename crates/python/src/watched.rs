@@ -6,6 +6,8 @@ use std::time::Duration;
 
 use pyo3::{exceptions::PyRuntimeError, prelude::*};
 
+use crate::threads::pool;
+
 /// How often a waiting Python looks for the end, for Ctrl-C, and reports progress.
 const LOOK_UP: Duration = Duration::from_millis(5);
 
@@ -19,7 +21,7 @@ pub fn watched<T: Send>(
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
     // On a thread of the pool, which keeps its memory for the next call.
-    rayon::in_place_scope(|scope| {
+    pool().in_place_scope(|scope| {
         let (done, mut end) = channel();
         scope.spawn(move |_| {
             // A panic ends here: without a result the channel just closes. Nobody listens any more once

@@ -10,6 +10,16 @@ pub enum Link {
     Logit,
 }
 
+impl Link {
+    /// The name that [`str::parse`] takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Probit => "probit",
+            Self::Logit => "logit",
+        }
+    }
+}
+
 impl std::str::FromStr for Link {
     type Err = ScalingError;
 

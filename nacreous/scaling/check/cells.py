@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
@@ -17,7 +18,7 @@ WORTH = np.array([1.0, 0.0, 0.5])
 _LEAST = 1e-12
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Cells:
     """Observed and expected counts of the outcomes first, second and tie, float64 [row, 3].
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from nacreous.problem import InputError
@@ -15,9 +14,10 @@ from nacreous.scaling.check.transitive import Transitivity, transitivity
 from nacreous.scaling.check.triads import Triads, circular_triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Consistency:
     """What the answers allow to say; None (or () for people) where they do not.
 

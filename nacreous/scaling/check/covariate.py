@@ -15,6 +15,7 @@ from nacreous.scaling.check.person import known_people
 from nacreous.scaling.check.shared import MOST_STIMULI
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.uncertainty import holm
+from nacreous.value import value_class
 
 __all__ = ["Covariate", "person_covariates"]
 
@@ -28,7 +29,7 @@ _LEAST_PEOPLE = 6
 _AT_ONCE = 1 << 22
 
 
-@dataclass(frozen=True)
+@value_class
 class Covariate:
     """Whether people who differ in a column judge differently.
 

@@ -5,16 +5,16 @@ M. G. Kendall and B. Babington Smith, On the method of paired comparisons, Biome
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True)
+@value_class
 class Agreement:
     """Kendall's coefficient of agreement and its test against tossing coins.
 

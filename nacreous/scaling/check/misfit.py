@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.check.cells import WORTH, Cells, cells_of
 from nacreous.scaling.fit.uncertainty import level_of
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
@@ -38,7 +38,7 @@ class Misfit(NamedTuple):
     residual: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Goodness:
     """How well a fitted scale describes its answers.
 

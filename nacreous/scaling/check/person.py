@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +10,10 @@ from numpy.typing import NDArray
 from nacreous.problem import InputError
 from nacreous.scaling.check.triads import Triads, circular_triads
 from nacreous.scaling.data.answers import Answers
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True)
+@value_class
 class PersonalTriads:
     """The circular triads of one person, who gave so many `answers`."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -14,6 +13,7 @@ from nacreous.scaling.check.classes import Mixture, fit_classes
 from nacreous.scaling.check.own_values import OwnValues, fit_own_values
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = ["Candidate", "PersonClass", "Population", "population"]
 
@@ -22,7 +22,7 @@ _MOST_NUMBERS = 2_000_000
 _LEAST_PEOPLE = 6
 
 
-@dataclass(frozen=True)
+@value_class
 class Candidate:
     """One description of the people: `name` is "one scale", "spread", "2 classes" and so on.
 
@@ -36,7 +36,7 @@ class Candidate:
     bic: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class PersonClass:
     """A class of people: its `share` of all, `people` who are most likely in it, its `scale`.
 
@@ -50,7 +50,7 @@ class PersonClass:
     correlation: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Population:
     """The description of the people with the smallest BIC, and those it was chosen from.
 

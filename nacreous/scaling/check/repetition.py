@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from nacreous.scaling.check.person import known_people
 from nacreous.scaling.check.share import Share
 from nacreous.scaling.data.answers import Answers
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Retest:
     """How often people answered a pair the second time as the first.
 
@@ -30,7 +31,7 @@ class Retest:
     kappa: float
     kappa_low: float
     kappa_high: float
-    by_person: dict[str, Share]
+    by_person: Mapping[str, Share]
 
 
 def retest(answers: Answers, level: float = 0.95) -> Retest | None:

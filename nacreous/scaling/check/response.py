@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous.number import number_of, row_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
+from nacreous.value import value_class
 
 #: Nobody sees two pictures, compares them and presses a key in less: simple reactions to light
 #: alone take about 0.2 s (R. D. Luce, Response Times, 1986).
@@ -18,7 +19,7 @@ FASTEST_S = 0.2
 MOST_FAST = 0.1
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class ResponseTime:
     """Seconds until the answer.
 
@@ -33,7 +34,7 @@ class ResponseTime:
 
     median_s: float
     answers: int
-    by_person: dict[str, float]
+    by_person: Mapping[str, float]
     fastest_s: float
     too_fast: NDArray[np.int64]
     hasty: tuple[str, ...]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from nacreous.scaling.fit.uncertainty import level_of
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True)
+@value_class
 class Share:
     """`count` of `total`, as a `share` with an interval of `level` from `low` to `high`.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +13,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.case_v import thurstone
+from nacreous.value import value_class
 
 __all__ = ["MOST_STIMULI", "SharedScale", "shared_scale"]
 
@@ -25,7 +25,7 @@ _AT_ONCE = 1 << 22
 _REVERSED = -2.326
 
 
-@dataclass(frozen=True)
+@value_class
 class SharedScale:
     """Whether people share one scale, as `shared_scale` tested it.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,10 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.share import Share
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.uncertainty import holm, level_of
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class SideBias:
     """How often the left one was chosen.
 
@@ -28,7 +29,7 @@ class SideBias:
     left: Share
     p_value: float
     balanced: float
-    by_person: dict[str, Share]
+    by_person: Mapping[str, Share]
     biased: tuple[str, ...]
 
 

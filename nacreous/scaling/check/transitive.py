@@ -8,7 +8,6 @@ models have the strong one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import permutations
 from math import comb
 from typing import Any, NamedTuple
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 from nacreous.number import seed_of
 from nacreous.scaling.check.tournament import EQUAL, shares_of
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.value import value_class
 
 #: Up to so many triads, 200 stimuli, each is looked at; beyond, as many are drawn.
 MOST_TRIADS = 1_313_400
@@ -35,7 +35,7 @@ class Violation(NamedTuple):
     kind: str
 
 
-@dataclass(frozen=True)
+@value_class
 class Transitivity:
     """How many triads of `triads` violate transitivity.
 

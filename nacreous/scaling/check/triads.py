@@ -6,7 +6,6 @@ M. G. Kendall and B. Babington Smith, On the method of paired comparisons, Biome
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from math import comb
@@ -18,14 +17,15 @@ from numpy.typing import NDArray
 from nacreous.scaling.check.circle import count_open
 from nacreous.scaling.check.tournament import Shares, shares_of
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.value import value_class
 
 #: Up to so many stimuli chance is counted out exactly.
-MOST_EXACT = 8
+MOST_EXACT = 10
 #: Circular triads are listed by name up to this many stimuli.
 MOST_LISTED = 100
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Triads:
     """How many triads go round in a circle.
 
@@ -35,7 +35,7 @@ class Triads:
     - `zeta`: Kendall's coefficient of consistence, 1 - circular / most; 1: none, 0: as many as
       can be. None unless every pair was compared.
     - `p_value`: how often coin-tossers would have so few circular triads, or fewer: exact to
-      8 stimuli without ties (and to 4 with), else from Kendall's chi-squared; None where zeta is
+      10 stimuli without ties (and to 4 with), else from Kendall's chi-squared; None where zeta is
     - `wins`: float64 [n], how many others each beats, a tie counting half
     - `named`: the circular triads as labels, (a, b, c) with a over b over c over a; only up to
       100 stimuli, and only those without ties

@@ -12,12 +12,11 @@ variables, Deming 1943; intervals as by Fieller 1954).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.fit.uncertainty import holm
+from nacreous.value import value_class
 
 __all__ = ["Alignment", "Shifts", "align", "shifts"]
 
@@ -27,7 +26,7 @@ Array = NDArray[np.float64]
 _ANGLES = np.linspace(-np.pi / 2, np.pi / 2, 361)[1:-1]
 
 
-@dataclass(frozen=True)
+@value_class
 class Alignment:
     """A slope with its interval, and how well a line describes both scales.
 
@@ -43,7 +42,7 @@ class Alignment:
     p_value: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Shifts:
     """By how much stimuli stand off the line of the others, float64 [stimulus] each."""
 

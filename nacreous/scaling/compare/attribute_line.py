@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
+from nacreous.scaling.compare.attribute_errors import WeightErrors
 from nacreous.scaling.compare.attribute_table import AttributeTable, products
 from nacreous.scaling.compare.estimate import Estimate
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.scale import Scale
+from nacreous.value import value_class
 
 __all__ = ["Line", "Prediction"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class Prediction:
     """Where a new stimulus would stand, in the model's own unit; 0 is the mean of those judged.
 
@@ -38,15 +40,16 @@ class Prediction:
     beyond: tuple[str, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Line:
     """The line of the attributes: how columns of terms are made, and what was fitted.
 
     raw           float64 [stimulus, attribute]; centre, step: taken from it, and divided by
     columns       float64 [stimulus, term]
     coefficients  float64 [term], of `columns`, with their covariance [term, term]
+    crossed       their covariance over other people and other stimuli [term, term]
     unexplained   standard deviation of stimuli about the line; None where it cannot be known
-    freedom       degrees of freedom of the answers' errors
+    freedom       degrees of freedom of the answers' errors; freedoms: of the crossed ones [term]
     """
 
     table: AttributeTable
@@ -57,6 +60,8 @@ class Line:
     columns: Array  # [stimulus, term]
     coefficients: Array = field(default_factory=lambda: np.zeros(0))
     covariance: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    crossed: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    freedoms: Array = field(default_factory=lambda: np.zeros(0))
     unexplained: float | None = None
     freedom: float = np.inf
 
@@ -82,17 +87,29 @@ class Line:
         """Spread of each term's column."""
         return np.asarray(self.columns.std(axis=0))
 
-    def fitted(self, fit: Scale, errors: Array, free: Estimate | None, freedom: float) -> Line:
-        """The same line with what a fit to `columns / steps` says of it."""
+    def fitted(self, fit: Scale, errors: WeightErrors, free: Estimate | None) -> Line:
+        """The same line with what a fit to `columns / steps` says of it.
+
+        free: the scale of each stimulus by itself, None where nothing is known of distances.
+        """
         if fit.coefficients is None:
             raise InputError("the fit has no coefficients; allowed: a fit with a design")
+        unexplained = None if free is None else self._unexplained(free)
+        crossed, freedoms = errors.crossed(unexplained, self.rest)
         return replace(
             self,
             coefficients=fit.coefficients / self.steps,
-            covariance=errors / np.outer(self.steps, self.steps),
-            unexplained=None if free is None else self._unexplained(free),
-            freedom=freedom,
+            covariance=errors.answers / np.outer(self.steps, self.steps),
+            crossed=crossed / np.outer(self.steps, self.steps),
+            unexplained=unexplained,
+            freedom=float(errors.freedom.min()),
+            freedoms=freedoms,
         )
+
+    @property
+    def rest(self) -> int:
+        """Stimuli less terms and a mean: how many distances from the line are free."""
+        return len(self.columns) - 1 - len(self.parts)
 
     def _unexplained(self, free: Estimate) -> float | None:
         """Standard deviation of the free scale about the line, without the noise of the answers.
@@ -100,14 +117,13 @@ class Line:
         The method of moments: the sum of squares about the line is the noise's part, tr(M C), plus
         variance times degrees of freedom (Raudenbush 1994, as in meta-regression).
         """
-        rest = len(self.columns) - 1 - len(self.parts)
-        if rest < 1:
+        if self.rest < 1:
             return None
         space = np.linalg.qr(np.column_stack([np.ones(len(self.columns)), self.unit]))[0]
         off = np.eye(len(space)) - space @ space.T
         scale = free.fit.scale
         noise = float(np.trace(off @ free.covariance))
-        return float(max(0.0, (scale @ off @ scale - noise) / rest) ** 0.5)
+        return float(max(0.0, (scale @ off @ scale - noise) / self.rest) ** 0.5)
 
     @property
     def unit(self) -> Array:
@@ -127,8 +143,7 @@ class Line:
         lever = float(leap @ np.linalg.solve(self.unit.T @ self.unit, leap))
         spread = self.unexplained or 0.0
         total = (variance + spread**2 * (1 + 1 / len(self.columns) + lever)) ** 0.5
-        rest = len(self.columns) - 1 - len(self.parts)
-        freedom = min(self.freedom, rest) if spread else self.freedom
+        freedom = min(self.freedom, self.rest) if spread else self.freedom
         reach = float(t.ppf((1 + level) / 2, freedom)) * total
         value = float(away @ self.coefficients)
         return Prediction(

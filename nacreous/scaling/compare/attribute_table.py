@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
@@ -13,8 +12,10 @@ from numpy.typing import NDArray
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import number_column, text_column
-from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
+from nacreous.scaling.data.fault import listed, nearest, quoted
+from nacreous.scaling.data.label import label_of
 from nacreous.scaling.data.table import read_table, table_of
+from nacreous.value import value_class
 
 __all__ = ["AttributeTable", "check_columns", "products"]
 
@@ -25,7 +26,7 @@ _NOTHING = 1e-8
 _LARGEST = 1e100
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class AttributeTable:
     """Finite numbers, one a stimulus and attribute.
 
@@ -71,7 +72,7 @@ class AttributeTable:
                 raise InputError(f"{place} has {listed(cells)}, not the same as others: {odd[0]}")
             for column, name in enumerate(names):
                 values[index, column] = _finite(f"{place}[{quoted(name)}]", cells[name])
-        return cls(tuple(str(label) for label in rows), names, values)
+        return cls(tuple(label_of(str(label)) for label in rows), names, values)
 
     @classmethod
     def _of_columns(cls, attributes: Any, stimulus: str) -> AttributeTable:
@@ -83,13 +84,13 @@ class AttributeTable:
             raise InputError(f"{table.place}: has no column {stimulus}; {hint}")
         labels = tuple(text_column(table, stimulus).to_pylist())
         names = tuple(name for name in table.columns if name != stimulus)
-        faults = Faults(table.place, table.first_row)
+        faults = table.faults()
         if not names:
             faults.say(f"has no column but {stimulus}; allowed: 1 attribute or more")
         columns = [number_column(table, name, faults, -np.inf) for name in names]
         faults.stop()
         for row, label in enumerate(labels):
-            place = f"{table.place}: row {row + table.first_row}"
+            place = f"{table.place}: row {table.numbers[row]}"
             if label is None:
                 raise InputError(f"{place}: {stimulus} is empty; allowed: a label")
             if label in labels[:row]:

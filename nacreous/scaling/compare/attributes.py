@@ -11,7 +11,7 @@ the noise of the answers (misfit), and which share of its variance the sum has (
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -19,22 +19,31 @@ from numpy.typing import NDArray
 
 from nacreous.number import within
 from nacreous.problem import InputError
+from nacreous.scaling.compare.attribute_errors import weight_errors
 from nacreous.scaling.compare.attribute_line import Line, Prediction
 from nacreous.scaling.compare.attribute_table import AttributeTable, check_columns
-from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotelling, names_of
+from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotelling
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = ["AttributeFit", "AttributeTest", "AttributeWeight", "Prediction", "fit_attributes"]
 
 Array = NDArray[np.float64]
 
+#: Spread of a prior, in the model's own unit, that places what the answers alone do not.
+_WEAK = 2.0
 
-@dataclass(frozen=True)
+
+@value_class
 class AttributeWeight:
-    """By how much the scale rises with a term, with its own interval and p."""
+    """By how much the scale rises with a term, with its own interval and p.
+
+    They hold for other people and other stimuli like these: people and stimuli are crossed random
+    effects (`attribute_errors`). With as many terms as stimuli they hold for these stimuli alone.
+    """
 
     term: str
     value: float
@@ -44,9 +53,13 @@ class AttributeWeight:
     p_value: float
 
 
-@dataclass(frozen=True)
+@value_class
 class AttributeTest:
-    """A test of a smaller model against a larger one: "likelihood-ratio" or "robust-wald"."""
+    """A test of a smaller model against a larger one.
+
+    name: "likelihood-ratio", which trusts every answer to stand alone; "robust-wald", over people;
+    "crossed-wald", over people and stimuli.
+    """
 
     name: str
     statistic: float
@@ -54,7 +67,7 @@ class AttributeTest:
     p_value: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class AttributeFit:
     """A scale made of attributes, as `fit_attributes` fitted it.
 
@@ -81,17 +94,27 @@ class AttributeFit:
     clustered: bool
     line: Line = field(repr=False)
 
+    @property
+    def unexplained(self) -> float | None:
+        """Standard deviation of stimuli off the line, in the model's own unit.
+
+        Without the noise of the answers; part of the weights' errors. None with as many terms as
+        stimuli.
+        """
+        return self.line.unexplained
+
     def against(self, smaller: AttributeFit) -> AttributeTest:
         """Whether this model says more than one with some of its terms, for the same answers.
 
-        With people known "robust-wald" (people as clusters), else "likelihood-ratio".
+        "crossed-wald", over people (where known) and stimuli. With as many terms as stimuli, which
+        leaves nothing known of other stimuli, "robust-wald" or "likelihood-ratio".
 
         >>> from nacreous.scaling import simulate
         >>> lustre = {str(k): {"lustre": k / 3, "grain": k % 3 - 1.0} for k in range(8)}
         >>> answers = simulate({label: row["lustre"] for label, row in lustre.items()})
         >>> both = fit_attributes(answers, lustre)
         >>> both.against(fit_attributes(answers, lustre, ["lustre"])).name
-        'robust-wald'
+        'crossed-wald'
         """
         return _nested(self, smaller)
 
@@ -115,7 +138,7 @@ def fit_attributes(
     model: str = "probit",
     *,
     standardise: bool = False,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     level: float = 0.95,
     stimulus: str = "stimulus",
@@ -150,16 +173,13 @@ def fit_attributes(
     fit = fit_of(data, model, ties=ties, order=order, design=line.columns / line.steps)
     free = _free(data, model, ties, order)
     clustered = fit.answers is not None and fit.answers.person is not None
-    freedom = len(names_of(fit.answers)) - 1.0 if fit.answers and clustered else np.inf
-    k = len(names)
-    table_of_errors = fit.parameter_covariance("people" if clustered else "expected")[:k, :k]
-    line = line.fitted(fit, table_of_errors, free, freedom)
+    line = line.fitted(fit, weight_errors(fit), free or _held(data, model, ties, order))
     return AttributeFit(
         terms=names,
         weights=_weights(names, line, level),
         fit=fit,
         free=None if free is None else free.fit,
-        misfit=_misfit(line, fit, free, freedom),
+        misfit=_misfit(line, fit, free),
         explained=_explained(fit, free),
         aic=2 * fit.free_parameters - 2 * fit.log_likelihood,
         bic=fit.free_parameters * float(np.log(comparisons.total)) - 2 * fit.log_likelihood,
@@ -169,7 +189,7 @@ def fit_attributes(
     )
 
 
-def _free(data: Any, model: str, ties: bool, order: bool) -> Estimate | None:
+def _free(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | None:
     """The scale of each stimulus by itself, if the answers hold one."""
     try:
         return estimate(data, model, ties=ties, order=order)
@@ -177,13 +197,20 @@ def _free(data: Any, model: str, ties: bool, order: bool) -> Estimate | None:
         return None
 
 
+def _held(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | None:
+    """The same, held by a weak prior: how far stimuli are off the line, if rather too far."""
+    try:
+        return estimate(data, model, ties=ties, order=order, prior=_WEAK)
+    except InputError:
+        return None
+
+
 def _weights(names: tuple[str, ...], line: Line, level: float) -> tuple[AttributeWeight, ...]:
     from scipy.stats import t
 
-    # The errors of the answers alone: what attributes leave unexplained does not enter here.
-    se = np.sqrt(np.diag(line.covariance))
-    reach = float(t.ppf((1 + level) / 2, line.freedom)) * se
-    p_values = 2 * t.sf(np.abs(line.coefficients) / se, line.freedom)
+    se = np.sqrt(np.diag(line.crossed))
+    reach = t.ppf((1 + level) / 2, line.freedoms) * se
+    p_values = 2 * t.sf(np.abs(line.coefficients) / se, line.freedoms)
     rows = zip(names, line.coefficients, se, reach, p_values, strict=True)
     return tuple(
         AttributeWeight(name, float(b), float(s), float(b - r), float(b + r), float(p))
@@ -191,9 +218,9 @@ def _weights(names: tuple[str, ...], line: Line, level: float) -> tuple[Attribut
     )
 
 
-def _misfit(line: Line, fit: Scale, free: Estimate | None, freedom: float) -> AttributeTest | None:
+def _misfit(line: Line, fit: Scale, free: Estimate | None) -> AttributeTest | None:
     """The free scale against the line: by likelihood, or by Wald with people as clusters."""
-    df = len(line.columns) - 1 - len(line.parts)
+    df = line.rest
     if free is None or df < 1:
         return None
     if not free.people:
@@ -203,7 +230,7 @@ def _misfit(line: Line, fit: Scale, free: Estimate | None, freedom: float) -> At
         :, space.shape[1] :
     ]  # contrasts of stimuli that the line lacks
     off = across.T @ free.fit.scale
-    return _wald(off, across.T @ free.covariance @ across, freedom)
+    return _wald("robust-wald", off, across.T @ free.covariance @ across, free.freedom)
 
 
 def _nested(larger: AttributeFit, smaller: AttributeFit) -> AttributeTest:
@@ -217,15 +244,16 @@ def _nested(larger: AttributeFit, smaller: AttributeFit) -> AttributeTest:
     if not same or larger.fit.model != smaller.fit.model:
         raise InputError("the two models are not of the same answers; allowed: the same")
     extra = [k for k, t in enumerate(larger.terms) if frozenset(t.split(":")) not in small]
-    if not larger.clustered:
-        return _ratio(smaller.fit.log_likelihood, larger.fit.log_likelihood, len(extra))
     line = larger.line
-    people = names_of(larger.fit.answers) if larger.fit.answers else ()
-    covariance = line.covariance[np.ix_(extra, extra)]
-    found = _wald(line.coefficients[extra], covariance, len(people) - 1.0)
+    if not larger.clustered and line.unexplained is None:
+        return _ratio(smaller.fit.log_likelihood, larger.fit.log_likelihood, len(extra))
+    freedom = float(line.freedoms[extra].min())
+    name = "robust-wald" if line.unexplained is None else "crossed-wald"
+    found = _wald(name, line.coefficients[extra], line.crossed[np.ix_(extra, extra)], freedom)
     if found is None:
         raise InputError(
-            f"{len(people)} people answered; allowed: more than the {len(extra)} terms to test"
+            f"there are {len(extra)} terms to test and {freedom:.1f} degrees of freedom; allowed: "
+            "fewer terms, or more people and stimuli"
         )
     return found
 
@@ -237,9 +265,9 @@ def _ratio(small: float, large: float, df: int) -> AttributeTest:
     return AttributeTest("likelihood-ratio", statistic, df, float(chi2.sf(statistic, df)))
 
 
-def _wald(off: Array, covariance: Array, freedom: float) -> AttributeTest | None:
+def _wald(name: str, off: Array, covariance: Array, freedom: float) -> AttributeTest | None:
     found = hotelling(off, covariance, freedom)
-    return None if found is None else AttributeTest("robust-wald", found[0], len(off), found[1])
+    return None if found is None else AttributeTest(name, found[0], len(off), found[1])
 
 
 def _explained(fit: Scale, free: Estimate | None) -> float | None:

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous._core import PairModel
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.clustering import personal
+from nacreous.scaling.fit.errors import errors_of
 from nacreous.scaling.fit.existence import REMEDY
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.fit.uncertainty import inverse
+from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = [
     "Estimate",
@@ -34,7 +35,7 @@ __all__ = [
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Estimate:
     """A fit, and how far it may be off.
 
@@ -44,21 +45,24 @@ class Estimate:
     people      labels of those who answered, or () where unknown
     influence   float64 [person, stimulus], by how much each person moved the scale; None without
                 people. Its squares sum to the covariance.
+    freedom     degrees of freedom of the errors: people less one, fewer where they answered
+                different pairs; infinitely many without people
     """
 
     fit: Scale
     covariance: Array
     people: tuple[str, ...]
     influence: Array | None
-
-    @property
-    def freedom(self) -> float:
-        """Degrees of freedom of the errors: people less one; without people infinitely many."""
-        return len(self.people) - 1 if self.people else np.inf
+    freedom: float
 
 
 def estimate(
-    data: Any, model: str = "probit", *, ties: bool = False, order: bool = False
+    data: Any,
+    model: str = "probit",
+    *,
+    ties: bool | None = None,
+    order: bool = False,
+    prior: float | None = None,
 ) -> Estimate:
     """Fit a scale to answers or counts, with people as clusters where the answers name them.
 
@@ -66,28 +70,15 @@ def estimate(
     >>> estimate(paper()).freedom
     inf
     """
-    fit = fit_of(data, model, ties=ties, order=order)
+    fit = fit_of(data, model, ties=ties, order=order, prior=prior)
     if fit.answers is None or fit.answers.person is None:
-        return Estimate(fit, fit.covariance("expected"), (), None)
-    slopes = slopes_of(fit, fit.answers)
-    count, people = len(fit.stimuli), len(slopes)
-    bread = inverse(room_of(fit).information(fit.parameters, False), count)[:count]
-    # As in fit.covariance("people"), which is the sum of squares of these.
-    influence = slopes @ bread.T * np.sqrt(people / (people - 1))
-    covariance = influence.T @ influence
-    _require_spread(fit, covariance)
-    return Estimate(fit, covariance, names_of(fit.answers), influence)
-
-
-def _require_spread(fit: Scale, covariance: Array) -> None:
-    """Refuse people who all answered so alike that nothing tells how people differ."""
-    alike = np.diag(covariance) <= 1e-12 * np.diag(fit.covariance("expected"))
-    if alike.any():
-        label = quoted(fit.stimuli[int(np.argmax(alike))])
-        raise InputError(
-            f"all people answered alike about {label}, so that it is not known how people differ; "
-            "allowed: people who differ, or their counts, which take answers as independent"
-        )
+        return Estimate(fit, fit.covariance("expected"), (), None, np.inf)
+    errors = errors_of(fit, "people")
+    if errors.clusters is None:
+        raise InputError("the fit knows no people; allowed: answers with people")
+    influence = errors.clusters.influence @ errors.values.T
+    freedom = float(errors.freedom(np.eye(len(fit.stimuli))).min())
+    return Estimate(fit, errors.covariance, names_of(fit.answers), influence, freedom)
 
 
 def fit_of(data: Any, model: str, **options: Any) -> Scale:
@@ -108,7 +99,7 @@ def slopes_of(fit: Scale, answers: Answers) -> Array:
 
     People are those who answered, as `names_of` lists them.
     """
-    return np.asarray(room_of(fit).scores(personal(answers), fit.parameters))
+    return np.asarray(fit.room.scores(personal(answers), fit.parameters))
 
 
 def names_of(answers: Answers) -> tuple[str, ...]:
@@ -118,18 +109,14 @@ def names_of(answers: Answers) -> tuple[str, ...]:
     return tuple(answers.people[k] for k in np.unique(answers.person))
 
 
-def room_of(fit: Scale) -> PairModel:
-    """The compiled model behind a fit."""
-    if fit.pair_model is None:
-        raise InputError("this Scale was not made by a fit; allowed: thurstone, bradley_terry")
-    return fit.pair_model
-
-
 def estimates(
-    groups: dict[str, Any], model: str, *, ties: bool = False, order: bool = False
+    groups: dict[str, Any], model: str, *, ties: bool | None = None, order: bool = False
 ) -> dict[str, Estimate]:
     """One estimate a group, all of the same stimuli; messages name the group."""
     found: dict[str, Estimate] = {}
+    check_model(model)
+    if ties is None:  # one answer for all groups, whose scales could not be compared otherwise
+        ties = fits_ties(None, [_counted(*group) for group in groups.items()], model, order)
     for name, data in groups.items():
         try:
             found[name] = estimate(data, model, ties=ties, order=order)
@@ -142,6 +129,13 @@ def estimates(
                 "allowed: the same stimuli in every group"
             )
     return found
+
+
+def _counted(name: str, data: Any) -> Comparisons:
+    try:
+        return comparisons_of(data)
+    except InputError as problem:
+        raise InputError(f"group {quoted(name)}: {problem}") from problem
 
 
 def hotelling(off: Array, covariance: Array, freedom: float) -> tuple[float, float] | None:

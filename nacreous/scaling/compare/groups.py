@@ -19,7 +19,6 @@ instead of 5 % (tests/scaling/test_recovery.py).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
@@ -43,13 +42,14 @@ from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = ["GroupComparison", "GroupDifference", "GroupTest", "compare_groups"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class GroupTest:
     """One test that the groups share one scale: its name, statistic, degrees of freedom, p."""
 
@@ -59,7 +59,7 @@ class GroupTest:
     p_value: float
 
 
-@dataclass(frozen=True)
+@value_class
 class GroupDifference:
     """By how much one stimulus stands higher in the first group than in the second.
 
@@ -78,7 +78,7 @@ class GroupDifference:
     p_adjusted: float
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class GroupComparison:
     """What `compare_groups` found.
 
@@ -124,7 +124,7 @@ def compare_groups(
     groups: Mapping[str, Any],
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
     permutations: int = 1999,
@@ -159,7 +159,8 @@ def compare_groups(
     found = estimates(named, model, ties=ties, order=order)
     same = shared_people(found, same_people)
     clustered = all(one.people for one in found.values())
-    shared = fit_of(pooled(named, same), model, ties=ties, order=order)
+    fitted_ties = next(iter(found.values())).fit.tie_threshold is not None
+    shared = fit_of(pooled(named, same), model, ties=fitted_ties, order=order)
     ratio = _likelihood_ratio(found, shared)
     joint = spread_over(found, same)
     freedom = _freedom(found, same) if clustered else np.inf

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.compare.estimate import names_of, room_of, slopes_of
+from nacreous.scaling.compare.estimate import names_of, slopes_of
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import inverse
@@ -62,7 +62,7 @@ def _blocks(
         parts.append(slopes_of(shared, answers))
         codes += [code] * len(parts[-1])
         names += names_of(answers)
-    information = room_of(shared).information(shared.parameters, True)
+    information = shared.room.information(shared.parameters, True)
     values, vectors = np.linalg.eigh(inverse(information, len(shared.stimuli)))
     asked = np.vstack(parts) @ (vectors * np.sqrt(np.maximum(values, 0.0)))
     return asked, np.array(codes), _strata(names, same_people)

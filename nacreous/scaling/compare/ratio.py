@@ -25,13 +25,14 @@ from nacreous.scaling.compare.estimate import (
     spread_over,
 )
 from nacreous.scaling.data.fault import listed, quoted
+from nacreous.value import value_class
 
 __all__ = ["ClusterRatio", "RatioChange", "cluster_ratio", "compare_ratios"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class ClusterRatio:
     """How far two clusters stand apart, in units of the spread inside them.
 
@@ -58,7 +59,7 @@ class ClusterRatio:
     clustered: bool
 
 
-@dataclass(frozen=True)
+@value_class
 class RatioChange:
     """The ratio of the second group over that of the first, with its interval; 1: no change.
 
@@ -83,7 +84,7 @@ def cluster_ratio(
     second: Sequence[object],
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     level: float = 0.95,
 ) -> ClusterRatio:
@@ -117,7 +118,7 @@ def compare_ratios(
     second: Sequence[object],
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
     level: float = 0.95,

@@ -8,7 +8,6 @@ of one judgement, which need not be the same in both sets.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from nacreous.scaling.compare.estimate import estimates, firm_spread_over, share
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = ["Coefficient", "Move", "SetComparison", "compare_sets"]
 
@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 _AT_ONCE = 1 << 22
 
 
-@dataclass(frozen=True)
+@value_class
 class Coefficient:
     """A measure of agreement with its interval."""
 
@@ -39,7 +39,7 @@ class Coefficient:
     high: float
 
 
-@dataclass(frozen=True)
+@value_class
 class Move:
     """Where one stimulus stands in the second set, seen from the first.
 
@@ -68,7 +68,7 @@ class Move:
     places_high: int
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class SetComparison:
     """What `compare_sets` found.
 
@@ -106,7 +106,7 @@ def compare_sets(
     second: Any,
     model: str = "probit",
     *,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
     level: float = 0.95,

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from os import PathLike
-from types import MappingProxyType
 from typing import Any, Unpack
 
 import numpy as np
@@ -14,13 +13,17 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.comparisons import Comparisons
-from nacreous.scaling.data.entrance import Names, fields_of
+from nacreous.scaling.data.entrance import fields_of
 from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.pairs import codes_of_pairs
+from nacreous.scaling.data.roles import Names, check_names, wanted_of
 from nacreous.scaling.data.table import read_table, table_of
+from nacreous.unchanging import ReadOnlyMapping
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Answers:
     """One row an answer. Made by `read`, `of_table` or `of_pairs`, which check everything.
 
@@ -33,6 +36,7 @@ class Answers:
     - `response_s`: float64 [answer], seconds until the answer, NaN where empty; or None
     - `time`: float64 [answer], when or in which order (column time, else trial or order); or None
     - `sided`: left and right are places before the eye, and not only an order of listing
+    - `left_out`: how many rows of the table are no answers, such as those of instructions
 
     >>> answers = Answers.of_pairs([("a", "b"), ("a", "c"), ("c", "b")])
     >>> answers
@@ -45,10 +49,11 @@ class Answers:
     outcome: NDArray[np.int8]
     people: tuple[str, ...] = ()
     person: NDArray[np.int64] | None = None
-    groups: Mapping[str, Grouping] = field(default_factory=lambda: MappingProxyType({}))
+    groups: Mapping[str, Grouping] = field(default_factory=lambda: ReadOnlyMapping({}))
     response_s: NDArray[np.float64] | None = None
     time: NDArray[np.float64] | None = None
     sided: bool = True
+    left_out: int = 0
 
     @classmethod
     def read(
@@ -58,15 +63,24 @@ class Answers:
         stimuli: Iterable[object] | None = None,
         repeats: bool = False,
         sided: bool = True,
+        skip_unanswered: bool = False,
+        skip_rows: int = 0,
+        encoding: str | None = None,
         **names: Unpack[Names],
     ) -> Answers:
-        r"""Read answers from a .csv file (UTF-8; comma, semicolon or tab) or a .parquet file.
+        r"""Read answers from a table as text (.csv, .tsv, .txt) or a .parquet file.
 
-        Columns, which `names` may call otherwise (`left="first"`): `left`, `right` and `chosen`
-        are needed; `chosen` holds the label of either, or left, right or tie (`tie="equal"` for
-        another word). `person`, `time`, `trial` (or `order`), `response_s` or `response_ms` are
-        used where they are; every other column is a group. `stimuli` gives the labels in an order
-        of your own, and allows no others.
+        Columns, which `names` may call otherwise (`left="first"`): `left`, `right` and `chosen`,
+        or `winner` and `loser`. `chosen` holds the label of either, or left, right or tie
+        (`tie="equal"`, `left_word="f"`, `right_word="j"` for other words). `person`, `time`,
+        `trial` (or `order`), `response_s` or `response_ms` are used where they are; every other
+        column is a group. docs/answers.md has what else is read, such as files of PsychoPy,
+        jsPsych and Qualtrics. `stimuli` gives the labels in an order of your own, and allows no
+        others.
+
+        A text file is UTF-8, UTF-16 or Shift-JIS, or in the `encoding` of that name; its first
+        `skip_rows` rows are left out. So are rows without a pair, and with `skip_unanswered` those
+        without an answer.
 
         An answer given twice is refused: the same person, left and right, with the same time and
         trial where there are such columns; without people, rows that are the same in every column,
@@ -83,7 +97,17 @@ class Answers:
         ...     Answers.read(path)
         Answers(2 answers, 2 stimuli, 1 person)
         """
-        return cls(**fields_of(read_table(path), names, stimuli, repeats, sided))
+        names = check_names(names)
+        table = read_table(path, wanted_of(names), skip_rows=skip_rows, encoding=encoding)
+        fields = fields_of(
+            table,
+            names,
+            stimuli=stimuli,
+            repeats=repeats,
+            sided=sided,
+            skip_unanswered=skip_unanswered,
+        )
+        return cls(**fields)
 
     @classmethod
     def of_table(
@@ -93,6 +117,7 @@ class Answers:
         stimuli: Iterable[object] | None = None,
         repeats: bool = False,
         sided: bool = True,
+        skip_unanswered: bool = False,
         **names: Unpack[Names],
     ) -> Answers:
         """The answers in a pandas, Polars or pyarrow table, or in a dict of columns.
@@ -101,9 +126,17 @@ class Answers:
 
         >>> Answers.of_table({"left": ["a"], "right": ["b"]})
         Traceback (most recent call last):
-        nacreous.problem.InputError: table: has no column chosen; columns here: "left", "right"
+        nacreous.problem.InputError: table: has no column chosen; columns here: "left", "right"; ...
         """
-        return cls(**fields_of(table_of(table), names, stimuli, repeats, sided))
+        fields = fields_of(
+            table_of(table),
+            check_names(names),
+            stimuli=stimuli,
+            repeats=repeats,
+            sided=sided,
+            skip_unanswered=skip_unanswered,
+        )
+        return cls(**fields)
 
     @classmethod
     def of_pairs(cls, pairs: Any, *, stimuli: Iterable[object] | None = None) -> Answers:
@@ -180,6 +213,7 @@ class Answers:
         return parts
 
     def _group(self, column: str) -> Grouping:
+        column = name_of(column)
         if column in self.groups:
             return self.groups[column]
         if column == "person" and self.person is not None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -22,9 +21,10 @@ from nacreous.scaling.data.matrix import (
     read_matrix,
 )
 from nacreous.scaling.data.table import is_table
+from nacreous.value import value_class
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Comparisons:
     """How often each was chosen, by pair. Each pair of (left, right) has at most one row.
 

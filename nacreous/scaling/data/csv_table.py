@@ -1,117 +1,261 @@
-"""CSV files as columns of text: commas, semicolons or tabs, in UTF-8.
+"""CSV files as columns of text, as spreadsheets and programs of experiments write them.
 
 All cells stay text, so that the label "01" is not the label "1".
 """
 
 from __future__ import annotations
 
-import re
+import csv
+import io
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from nacreous.number import whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.data.fault import Faults
+from nacreous.scaling.data.encoding import utf8_of
+from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.header import Header, find_header
 
-_BOMS = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
+#: A row longer than this is read as one whose quotation mark is not closed.
+_LONGEST_ROW = 2**26
 
 
-class _Ragged(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class CsvTable:
+    """Columns of a CSV file by name, Arrow large_string with null for an empty cell.
+
+    numbers: int64 [row], the number of each row as spreadsheets count. texts: by column, what
+    Qualtrics says of it below its name. semicolons: they separate the cells, as where the decimal
+    mark is a comma.
+    """
+
+    columns: list[tuple[str, Any]]
+    numbers: NDArray[np.int64]
+    texts: Mapping[str, str]
+    semicolons: bool
+
+
+class _Misfit(NamedTuple):
+    """A row of another length than the line of names."""
+
     row: int
+    text: str
     cells: int
 
 
-def parse_csv(place: str, content: bytes, header: bool = True) -> list[tuple[str, Any]]:
-    """The columns of a CSV file with their names from its first line ("f0", ... without one).
+def parse_csv(
+    place: str,
+    content: bytes,
+    wanted: Sequence[Collection[str]] = (),
+    *,
+    skip_rows: int = 0,
+    encoding: str | None = None,
+) -> CsvTable:
+    """The columns of a CSV file with their names; rows that are empty in every cell are left out.
 
-    The separator is whichever of comma, semicolon and tab the first line has most of. Blank lines
-    are left out.
+    wanted: sets of names of which the header has one (`find_header`). A column without a name is
+    left out where it is empty or counts the rows, and is refused otherwise.
     """
+    content = utf8_of(place, content, encoding)
+    header = find_header(place, content, wanted, whole_of("skip_rows", skip_rows, 0, 10_000))
+    columns, numbers = _body(place, content[header.begin :], header)
+    kept = [at for at, name in enumerate(header.names) if name]
+    for at, column in enumerate(columns):
+        if at not in kept:
+            _check_nameless(place, at, column, numbers)
+    names = [header.names[at] for at in kept]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
+    _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
+    texts = dict(zip(header.names, header.texts, strict=False))
+    found = [(header.names[at], columns[at]) for at in kept]
+    return CsvTable(found, numbers, texts, header.separator == ";")
+
+
+def parse_csv_cells(place: str, content: bytes) -> list[list[str]]:
+    """The rows of a CSV file without a line of names, as text without space around it.
+
+    Rows that are empty in every cell, and columns at the end that are, are left out.
+    """
+    content = utf8_of(place, content)
+    header = find_header(place, content)
+    above = replace(header, rows=header.rows - 1)  # the first line is a row here
+    columns, _ = _body(place, content[header.top :], above)
+    cells = [[(cell or "").strip() for cell in column.to_pylist()] for column in columns]
+    while len(cells) > 1 and not any(cells[-1]):
+        cells.pop()
+    return [list(row) for row in zip(*cells, strict=True)]
+
+
+def _body(place: str, content: bytes, header: Header) -> tuple[list[Any], NDArray[np.int64]]:
+    """Columns of text, empty cells null, and the rows' numbers."""
     import pyarrow as pa
+    from pyarrow import csv as arrow
 
-    check_text(place, content)
-    content = content.lstrip(b"\r\n")
-    first = re.split(rb"[\r\n]", content, maxsplit=1)[0]
-    if not first.strip():
-        raise InputError(f"{place}: is empty; allowed: a line of column names, then answers")
-    separator = max((b",", b";", b"\t"), key=first.count).decode()
-    names = _cells(first, separator)
-    if header:
-        _check_names(place, names)
-    else:
-        names = [f"f{index}" for index in range(len(names))]
-    ragged: list[_Ragged] = []
-    try:
-        columns = _columns(content, names, separator, header, ragged)
-    except pa.ArrowInvalid as problem:
-        raise InputError(f"{place}: is no CSV file that can be read ({problem})") from problem
-    _refuse(place, ragged, len(names))
-    return list(zip(names, columns, strict=True))
-
-
-def _columns(
-    content: bytes, names: list[str], separator: str, header: bool, ragged: list[_Ragged]
-) -> list[Any]:
-    """The columns as text, empty cells null; rows of another length go to `ragged`."""
-    import pyarrow as pa
-    from pyarrow import csv
+    misfits: list[_Misfit] = []
 
     def skip(row: Any) -> str:
-        ragged.append(_Ragged(row.number or 0, row.actual_columns))
+        misfits.append(_Misfit(row.number or 0, row.text, row.actual_columns))
         return "skip"
 
-    table = csv.read_csv(
-        pa.BufferReader(content),
-        # One thread: only so are the rows that do not fit numbered.
-        read_options=csv.ReadOptions(use_threads=False, column_names=names, skip_rows=int(header)),
-        parse_options=csv.ParseOptions(
-            delimiter=separator, newlines_in_values=True, invalid_row_handler=skip
-        ),
-        convert_options=csv.ConvertOptions(
-            column_types=dict.fromkeys(names, pa.large_string()),
-            null_values=[""],
-            strings_can_be_null=True,
-            quoted_strings_can_be_null=True,
-        ),
-    )
-    return list(table.columns)
-
-
-def check_text(place: str, content: bytes) -> None:
-    """Refuse what is no UTF-8 text, naming the line where that shows."""
-    for mark, name in _BOMS.items():
-        if content.startswith(mark):
-            raise InputError(f"{place}: is {name} text; allowed: UTF-8 (save it as such)")
-    if b"\0" in content[:65536]:
-        raise InputError(f"{place}: is no text; allowed: CSV in UTF-8")
+    names = [str(at) for at in range(len(header.names))]
+    if not content.strip(b"\r\n"):
+        return [pa.array([], pa.large_string()) for _ in names], np.zeros(0, np.int64)
     try:
-        content.decode("utf-8")
-    except UnicodeDecodeError as problem:
-        line = content.count(b"\n", 0, problem.start) + 1
+        table = arrow.read_csv(
+            pa.BufferReader(content),
+            # One thread: only so are the rows that do not fit numbered.
+            read_options=arrow.ReadOptions(
+                use_threads=False, column_names=names, block_size=_LONGEST_ROW
+            ),
+            parse_options=arrow.ParseOptions(
+                delimiter=header.separator,
+                newlines_in_values=True,
+                ignore_empty_lines=False,
+                invalid_row_handler=skip,
+            ),
+            convert_options=arrow.ConvertOptions(
+                column_types=dict.fromkeys(names, pa.large_string()),
+                null_values=[""],
+                strings_can_be_null=True,
+                quoted_strings_can_be_null=True,
+            ),
+        )
+    except pa.ArrowException as problem:
+        _check_quotes(place, content, header)
+        longest = f"a row is longer than {_LONGEST_ROW >> 20} MiB"
+        raise InputError(f"{place}: {longest}; allowed: shorter ones") from problem
+    columns = [column.combine_chunks() for column in table.columns]
+    if _runs_over_lines(columns) or any("\n" in misfit.text for misfit in misfits):
+        _check_quotes(place, content, header)
+    return _with_misfits(place, columns, misfits, header)
+
+
+def _with_misfits(
+    place: str, columns: list[Any], misfits: list[_Misfit], header: Header
+) -> tuple[list[Any], NDArray[np.int64]]:
+    """The rows in their order, those that only lack or add empty cells at the end among them."""
+    import pyarrow as pa
+
+    width = len(header.names)
+    named = max((at + 1 for at, name in enumerate(header.names) if name), default=width)
+    fitted: list[list[str]] = []
+    faults = Faults(place)
+    for misfit in misfits:
+        cells = _cells(misfit, header.separator)
+        kept = cells[:width] + [""] * (width - len(cells))
+        short = len(cells) < named and any(cells)
+        if short or any(cell.strip() for cell in cells[width:]):
+            number = misfit.row + header.rows
+            faults.say_of_rows(
+                np.array([number]),
+                lambda _, cells=cells: f"has {len(cells)} cells; allowed: {named}",  # type: ignore[misc]
+            )
+        fitted.append(kept)
+    if faults and named == 1:
         raise InputError(
-            f"{place}: line {line} is not UTF-8 text; allowed: UTF-8 (save it as such)"
+            f"{place}: row {header.rows} has a single cell and rows below have more; allowed: the "
+            "names of columns there, or skip rows above the names by --skip-rows N"
+        )
+    faults.stop()
+    total = len(columns[0]) + len(misfits)
+    own = np.array([misfit.row - 1 for misfit in misfits], np.int64)
+    numbers = np.arange(total) + header.rows + 1
+    if fitted:
+        order = np.argsort(np.append(np.delete(np.arange(total), own), own), kind="stable")
+        added = [
+            pa.array([cell or None for cell in column], pa.large_string())
+            for column in zip(*fitted, strict=True)
+        ]
+        columns = [
+            pa.concat_arrays([column, more]).take(pa.array(order))
+            for column, more in zip(columns, added, strict=True)
+        ]
+    filled = ~_blank(columns)
+    if not filled.all():
+        columns = [column.filter(pa.array(filled)) for column in columns]
+    return columns, numbers[filled]
+
+
+def _cells(misfit: _Misfit, separator: str) -> list[str]:
+    try:
+        return next(csv.reader(io.StringIO(misfit.text, newline=""), delimiter=separator), [])
+    except csv.Error:  # a cell beyond 131072 characters, which is not looked into
+        return [misfit.text] * misfit.cells
+
+
+def _blank(columns: list[Any]) -> NDArray[np.bool_]:
+    """For each row whether nothing stands in any cell."""
+    import pyarrow.compute as pc
+
+    rows = np.arange(len(columns[0]))
+    for column in columns:
+        text = pc.fill_null(pc.utf8_trim_whitespace(column.take(rows)), "")
+        rows = rows[np.asarray(pc.equal(text, ""))]
+    blank = np.zeros(len(columns[0]), bool)
+    blank[rows] = True
+    return blank
+
+
+def _runs_over_lines(columns: list[Any]) -> bool:
+    import pyarrow.compute as pc
+
+    return any(
+        pc.any(pc.match_substring(column, mark)).as_py() for column in columns for mark in "\n\r"
+    )
+
+
+def _check_quotes(place: str, content: bytes, header: Header) -> None:
+    """Refuse a quotation mark that is not closed, which would swallow rows."""
+    text = io.StringIO(content.decode("utf-8"), newline="")
+    reader = csv.reader(text, delimiter=header.separator, strict=True)
+    row = header.rows
+    try:
+        for _ in reader:
+            row += 1
+    except csv.Error as problem:
+        raise InputError(
+            f"{place}: row {row + 1}: a quotation mark is not closed, or text follows it; "
+            "allowed: quotation marks in pairs around a cell"
         ) from problem
 
 
-def _cells(line: bytes, separator: str) -> list[str]:
-    import csv as plain
+def _check_nameless(place: str, at: int, column: Any, numbers: NDArray[np.int64]) -> None:
+    """Refuse a column without a name, unless it is empty or counts the rows as pandas does."""
+    import pyarrow.compute as pc
 
-    reader = plain.reader([line.decode("utf-8-sig")], delimiter=separator)
-    return [cell.strip() for cell in next(reader)]
+    text = np.asarray(pc.fill_null(pc.utf8_trim_whitespace(column), ""), dtype=object)
+    filled = np.flatnonzero(text != "")
+    if len(filled) == 0:
+        return
+    if at == 0 and text[0] in ("0", "1"):
+        counted = (np.arange(len(text)) + int(text[0])).astype(str)
+        if np.array_equal(text, counted.astype(object)):
+            return
+    row = int(filled[0])
+    raise InputError(
+        f"{place}: column {at + 1} has no name, and row {numbers[row]} holds {quoted(text[row])} "
+        "there; allowed: a name each"
+    )
 
 
-def _check_names(place: str, names: list[str]) -> None:
-    for index, name in enumerate(names):
-        if not name:
-            raise InputError(f"{place}: column {index + 1} has no name; allowed: a name each")
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise InputError(f"{place}: has more than one column {twice[0]}; allowed: one of each")
+def _check_repeated_header(
+    place: str, names: list[str], columns: list[Any], numbers: NDArray[np.int64]
+) -> None:
+    """Refuse the line of names again further down, as where files were joined."""
+    import pyarrow.compute as pc
 
-
-def _refuse(place: str, ragged: list[_Ragged], wanted: int) -> None:
-    faults = Faults(place)
-    cells = {row.row: row.cells for row in ragged}
-    rows = np.array(list(cells), np.int64)
-    faults.say_of_rows(rows, lambda row: f"has {cells[row]} cells; allowed: {wanted}")
-    faults.stop()
+    rows = np.arange(len(numbers))
+    for name, column in zip(names, columns, strict=True):
+        text = pc.fill_null(pc.utf8_trim_whitespace(column.take(rows)), "")
+        rows = rows[np.asarray(pc.equal(text, name))]
+    if len(rows):
+        raise InputError(
+            f"{place}: row {numbers[rows[0]]} is the line of column names again; allowed: once, at "
+            "the top (remove it)"
+        )

@@ -8,7 +8,7 @@ from typing import Any, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.problem import InputError
+from nacreous.scaling.data.choice import outcomes_of
 from nacreous.scaling.data.column import (
     Grouping,
     check_labels,
@@ -18,23 +18,12 @@ from nacreous.scaling.data.column import (
     text_column,
     time_column,
 )
-from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
-from nacreous.scaling.data.label import check_number, labels_of
+from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.label import check_alike, check_number, labels_of
+from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
-
-
-class Names(TypedDict, total=False):
-    """What the columns are called, where not as usual, and the word for a tie."""
-
-    person: str
-    left: str
-    right: str
-    chosen: str
-    time: str
-    trial: str
-    response_s: str
-    response_ms: str
-    tie: str
+from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
+from nacreous.scaling.data.wide import is_wide, long_of
 
 
 class Fields(TypedDict):
@@ -50,34 +39,44 @@ class Fields(TypedDict):
     response_s: NDArray[np.float64] | None
     time: NDArray[np.float64] | None
     sided: bool
-
-
-NEEDED = ("left", "right", "chosen")
-OPTIONAL = ("person", "time", "trial", "response_s", "response_ms")
+    left_out: int
 
 
 def fields_of(
-    table: Table, names: Names, stimuli: Iterable[object] | None, repeats: bool, sided: bool
+    table: Table,
+    names: Names,
+    *,
+    stimuli: Iterable[object] | None,
+    repeats: bool,
+    sided: bool,
+    skip_unanswered: bool,
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
-    faults = Faults(table.place, table.first_row)
-    column = _columns(table, names, faults)
+    table, column, left_out = _trials(table, names)
+    won = "winner" in column
+    if skip_unanswered and not won:
+        kept = np.ones(table.rows, bool)
+        kept[unanswered(table, column, names)] = False
+        left_out += table.rows - int(kept.sum())
+        table = table.take(kept)
+    faults = table.faults()
+    if table.rows == 0:
+        faults.say("has no row with a pair and an answer; allowed: 1 or more")
     faults.stop()
     labels, left, right = _stimuli(table, column, stimuli, faults)
     people, person = _people(table, column, faults)
     time = time_column(table, column["time"], faults) if "time" in column else None
     trial = time_column(table, column["trial"], faults) if "trial" in column else None
     response_s = _response(table, column, faults)
+    if not won:
+        refuse_unanswered(table, column, names, faults)
     faults.stop()
-    outcome = _outcome(table, column, names.get("tie", "tie"), labels, left, right, faults)
+    outcome = np.ones(table.rows, np.int8)
+    if not won:
+        outcome = outcomes_of(table, column["chosen"], names, labels, left, right, faults)
     faults.stop()
     if not repeats:
-        asked = [person, left, right, time, trial]
-        columns = [column for column in asked if column is not None]
-        if person is None:
-            texts = [text_column(table, name) for name in table.columns]
-            columns = [] if time is None else [codes_of(text)[1] for text in texts]
-        _refuse_repeats(table, columns, person is not None, faults)
+        _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in column.values()]
     return Fields(
@@ -90,47 +89,38 @@ def fields_of(
         groups={name: group_column(table, name) for name in others},
         response_s=response_s,
         time=trial if time is None else time,
-        sided=sided,
+        sided=sided and not won,
+        left_out=left_out,
     )
 
 
-def _columns(table: Table, names: Names, faults: Faults) -> dict[str, str]:
-    """For each role the name of the column that has it; optional ones only where they are."""
-    unknown = sorted(set(names) - {*NEEDED, *OPTIONAL, "tie"})
-    if unknown:
-        near = nearest(unknown[0], [*NEEDED, *OPTIONAL, "tie"])
-        hint = f"did you mean {near}?" if near else f"allowed: {', '.join(NEEDED + OPTIONAL)}, tie"
-        raise InputError(f"{unknown[0]} is no role of a column; {hint}")
-    found: dict[str, str] = {}
-    for role in (*NEEDED, *OPTIONAL):
-        given: Any = names.get(role)
-        name = role if given is None else str(given)
-        if role == "trial" and given is None and name not in table.columns:
-            name = "order" if _holds_numbers(table, "order") else name
-        if name in table.columns:
-            found[role] = name
-        elif role in NEEDED or given is not None:
-            faults.say(f"has no column {name}; {_hint(name, table)}")
-    if "response_s" in found and "response_ms" in found:
-        faults.say("has both response_s and response_ms; allowed: one of them")
-    for name in set(found.values()):
-        roles = [role for role in found if found[role] == name]
-        if len(roles) > 1:
-            faults.say(f"column {name} is used as {' and as '.join(roles)}; allowed: one of them")
-    return found
+def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
+    """The rows with a pair, one an answer, the columns by role, and how many rows had no pair."""
+    faults = table.faults()
+    if not (has_long(table, names) or has_winners(table, names)) and is_wide(table):
+        table = long_of(table, names, faults)
+        faults.stop()
+        names.pop("person", None)  # which is called person now
+    column = columns_of(table, names, faults)
+    faults.stop()
+    paired = with_pairs(table, column)
+    return paired, column, table.rows - paired.rows
 
 
-def _holds_numbers(table: Table, name: str) -> bool:
-    """Whether a column is there and numbers the trials; AB and BA in it would be a group."""
-    scratch = Faults(table.place)
-    if name in table.columns:
-        number_column(table, name, scratch, -np.inf)
-    return name in table.columns and not scratch
-
-
-def _hint(name: str, table: Table) -> str:
-    near = nearest(name, table.columns)
-    return f"did you mean {near}?" if near else f"columns here: {listed(table.columns)}"
+def _telling(
+    table: Table,
+    person: NDArray[np.int64] | None,
+    left: NDArray[np.int64],
+    right: NDArray[np.int64],
+    time: NDArray[np.float64] | None,
+    trial: NDArray[np.float64] | None,
+) -> list[NDArray[Any]]:
+    """The columns by which answers are told apart; none where two alike may be two people's."""
+    if person is not None:
+        return [each for each in (person, left, right, time, trial) if each is not None]
+    if time is None:
+        return []
+    return [codes_of(text_column(table, name))[1] for name in table.columns]
 
 
 def _stimuli(
@@ -138,9 +128,11 @@ def _stimuli(
 ) -> tuple[tuple[str, ...], NDArray[np.int64], NDArray[np.int64]]:
     import pyarrow as pa
 
-    texts = [text_column(table, column[side]) for side in ("left", "right")]
-    for side, text in zip(("left", "right"), texts, strict=True):
-        check_labels(table, column[side], text, faults)
+    sides = ("winner", "loser") if "winner" in column else ("left", "right")
+    shown = [column[side] for side in sides]
+    texts = [text_column(table, name) for name in shown]
+    for name, text in zip(shown, texts, strict=True):
+        check_labels(table, name, text, faults)
     found, both = codes_of(pa.concat_arrays(texts))
     left, right = both[: table.rows], both[table.rows :]
     itself = np.flatnonzero((left == right) & (left >= 0))
@@ -149,17 +141,18 @@ def _stimuli(
         lambda row: f"{quoted(found[left[row]])} is paired with itself; allowed: two stimuli",
     )
     faults.stop()
+    check_alike(found, table.place)
     if given is None:
         check_number(found, table.place)
         return found, left, right
     labels = labels_of(given)
     place = {label: index for index, label in enumerate(labels)}
     order = np.array([place.get(label, -1) for label in found], np.int64)
-    for side, code in (("left", left), ("right", right)):
+    for name, code in zip(shown, (left, right), strict=True):
         faults.say_of_rows(
             np.flatnonzero(order[code] < 0),
-            lambda row, side=side, code=code: (  # type: ignore[misc]
-                f"{column[side]} is {quoted(found[code[row]])}; allowed: {listed(labels)}"
+            lambda row, name=name, code=code: (  # type: ignore[misc]
+                f"{name} is {quoted(found[code[row]])}; allowed: {listed(labels)}"
             ),
         )
     faults.stop()
@@ -173,7 +166,10 @@ def _people(
         return (), None
     text = text_column(table, column["person"])
     check_labels(table, column["person"], text, faults)
-    return codes_of(text)
+    people, person = codes_of(text)
+    faults.stop()
+    check_alike(people, table.place)
+    return people, person
 
 
 def _response(table: Table, column: dict[str, str], faults: Faults) -> NDArray[np.float64] | None:
@@ -184,40 +180,9 @@ def _response(table: Table, column: dict[str, str], faults: Faults) -> NDArray[n
     return None
 
 
-def _outcome(
-    table: Table,
-    column: dict[str, str],
-    tie: str,
-    labels: tuple[str, ...],
-    left: NDArray[np.int64],
-    right: NDArray[np.int64],
-    faults: Faults,
-) -> NDArray[np.int8]:
-    """1 where the left one was chosen, -1 the right one, 0 neither.
-
-    The words left, right and tie count only where no stimulus bears them as its name.
-    """
-    name = column["chosen"]
-    text = text_column(table, name)
-    check_labels(table, name, text, faults)
-    faults.stop()
-    found, code = codes_of(text)
-    place = {label: index for index, label in enumerate(labels)}
-    words = {"left": -2, "right": -3, tie: -4}
-    meaning = np.array([place.get(each, words.get(each, -5)) for each in found], np.int64)[code]
-    outcome = np.zeros(table.rows, np.int8)
-    is_left, is_right = (meaning == left) | (meaning == -2), (meaning == right) | (meaning == -3)
-    outcome[is_left], outcome[is_right] = 1, -1
-
-    def verdict(row: int) -> str:
-        pair = f"{quoted(labels[left[row]])} or {quoted(labels[right[row]])}"
-        return f"{name} is {quoted(found[code[row]])}; allowed: {pair}, left, right or {tie}"
-
-    faults.say_of_rows(np.flatnonzero(~(is_left | is_right | (meaning == -4))), verdict)
-    return outcome
-
-
-def _refuse_repeats(table: Table, columns: list[NDArray[Any]], known: bool, faults: Faults) -> None:
+def _refuse_repeats(
+    table: Table, columns: list[NDArray[Any]], person: NDArray[np.int64] | None, faults: Faults
+) -> None:
     """Note rows that say again what an earlier row said, with nothing to tell them apart.
 
     With people known: the same person, left, right, and time and trial where there are such
@@ -227,11 +192,11 @@ def _refuse_repeats(table: Table, columns: list[NDArray[Any]], known: bool, faul
     if not columns:
         return
     first = _earlier_twin([np.nan_to_num(column, nan=np.inf) for column in columns])
-    who = "the same person on the same pair" if known else "the same in every column"
+    who = "the same person on the same pair" if person is not None else "the same in every column"
     faults.say_of_rows(
         np.flatnonzero(first >= 0),
         lambda row: (
-            f"repeats row {first[row] + table.first_row}: {who}, and no time or trial tells "
+            f"repeats row {table.numbers[first[row]]}: {who}, and no time or trial tells "
             "them apart; remove one, or pass repeats=True"
         ),
     )

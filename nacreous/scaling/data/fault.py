@@ -8,6 +8,7 @@ from difflib import get_close_matches
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 #: A column of a million bad cells is one mistake, not a million.
@@ -25,9 +26,10 @@ class Faults:
     nacreous.problem.InputError: answers.csv: has no column chosen
     """
 
-    def __init__(self, place: str, first_row: int = 0) -> None:
+    def __init__(self, place: str, numbers: NDArray[np.int64] | None = None) -> None:
+        """numbers: what messages call each row; None counts them from 0."""
         self._place = place
-        self._first_row = first_row
+        self._numbers = numbers
         self._lines: list[str] = []
         self._count = 0
 
@@ -43,7 +45,8 @@ class Faults:
     def say_of_rows(self, rows: NDArray[np.int64], verdict: Callable[[int], str]) -> None:
         """Note a problem of each of these rows (positions from 0), naming the first few."""
         for row in rows[:MOST_OF_A_KIND].tolist():
-            self._lines.append(f"{self._place}: row {row + self._first_row}: {verdict(row)}")
+            number = row if self._numbers is None else int(self._numbers[row])
+            self._lines.append(f"{self._place}: row {number}: {verdict(row)}")
         self._count += len(rows)
 
     def stop(self) -> None:
@@ -62,8 +65,7 @@ def quoted(label: object) -> str:
     >>> quoted("a pearl")
     '"a pearl"'
     """
-    text = " ".join(str(label).split())
-    text = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
+    text = printable(" ".join(str(label).split()))
     return f'"{text}"' if len(text) <= 40 else f'"{text[:37]}..."'
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from typing import Any
+from unicodedata import category, normalize
 
 import numpy as np
 
@@ -15,6 +16,11 @@ from nacreous.scaling.data.fault import quoted
 #: The largest design that is taken. A matrix of counts of that size fills 800 MB.
 MOST_STIMULI = 10_000
 LONGEST_LABEL = 200
+
+#: Unicode's categories of control and format characters, and separators of lines and paragraphs.
+_HIDDEN = ("Cc", "Cf", "Zl", "Zp")
+_INVISIBLE = dict.fromkeys(map(ord, "\u200c\u200d"))
+_WHOLE = re.compile(r"([0-9]+)\.0+")
 
 
 def natural(labels: Iterable[str]) -> list[str]:
@@ -43,6 +49,7 @@ def labels_of(stimuli: Iterable[object], count: int | None = None) -> tuple[str,
             raise InputError(f"stimuli[{index}] is {quoted(label)} again; allowed: each label once")
         seen.add(label)
     check_number(labels)
+    check_alike(labels, "stimuli")
     return labels
 
 
@@ -60,10 +67,53 @@ def check_number(labels: Sequence[str], place: str = "stimuli") -> None:
         raise InputError(f"{place}: {len(labels)} stimuli; allowed: 2 to {MOST_STIMULI}")
 
 
+def label_of(text: str) -> str:
+    r"""A label without space around it, in Unicode's form NFC, in which labels are compared.
+
+    >>> label_of("cafe\u0301 ") == "caf\u00e9"
+    True
+    """
+    return normalize("NFC", text.strip())
+
+
+def hidden_in(label: str) -> str | None:
+    r"""The first character that cannot be seen, as \\u and its number; None where all can.
+
+    Joiners are allowed, for they are part of words in Persian and of emoji.
+
+    >>> print(hidden_in("pearl\u200b"))
+    \u200b
+    """
+    hidden = next((c for c in label if category(c) in _HIDDEN and not _joins(c)), None)
+    return None if hidden is None else f"\\u{ord(hidden):04x}"
+
+
+def check_alike(labels: Iterable[str], place: str) -> None:
+    """Refuse labels that look alike or are one number: in pooled files one thing would be two."""
+    seen: dict[str, str] = {}
+    for label in labels:
+        shape = " ".join(label.translate(_INVISIBLE).split())
+        number = _WHOLE.fullmatch(shape)
+        other = seen.setdefault(number[1] if number else shape, label)
+        if other != label:
+            differ = "are one number" if number or _WHOLE.fullmatch(other) else "look alike"
+            raise InputError(
+                f"{place}: {quoted(other)} and {quoted(label)} {differ}; allowed: one way of "
+                "writing it"
+            )
+
+
+def _joins(letter: str) -> bool:
+    return letter in "\u200c\u200d" or "\U000e0020" <= letter <= "\U000e007f"
+
+
 def _label(index: int, label: Any) -> str:
     if isinstance(label, bool | np.bool_) or not isinstance(label, str | int | np.integer):
         raise InputError(f"stimuli[{index}] is {said(label)}; allowed: text or a whole number")
-    text = str(label).strip()
+    text = label_of(str(label))
+    hidden = hidden_in(text)
+    if hidden:
+        raise InputError(f"stimuli[{index}] is {quoted(text)}; allowed: no {hidden} in it")
     if not 0 < len(text) <= LONGEST_LABEL:
         length = f"{len(text)} characters long"
         raise InputError(f"stimuli[{index}] is {length}; allowed: 1 to {LONGEST_LABEL} characters")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.data.csv_table import parse_csv
+from nacreous.scaling.data.csv_table import parse_csv_cells
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.label import MOST_STIMULI
 from nacreous.scaling.data.table import read_bytes
@@ -71,8 +71,7 @@ def check_proportions(name: str, matrix: NDArray[np.float64], answers: object) -
 def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
     """A matrix of numbers from a CSV file, and its labels where it has them."""
     content = read_bytes(path)
-    columns = [column.to_pylist() for _, column in parse_csv(str(path), content, header=False)]
-    rows = [[(cell or "").strip() for cell in row] for row in zip(*columns, strict=True)]
+    rows = parse_csv_cells(str(path), content)
     labels: list[str] | None = None
     first_row = 1
     if len(rows) == len(rows[0]) + 1:
@@ -104,7 +103,7 @@ def _has_corner(rows: list[list[str]]) -> bool:
 def _matrix_of(path: Path, rows: list[list[str]], first_row: int) -> NDArray[np.float64]:
     """The numbers in cells of text; an empty diagonal is NaN."""
     matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
-    faults = Faults(str(path), first_row)
+    faults = Faults(str(path), np.arange(len(rows)) + first_row)
     for i, row in enumerate(rows):
         for j, cell in enumerate(row):
             number = np.nan if i == j and not cell else _number(cell)

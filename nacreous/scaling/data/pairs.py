@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, listed, quoted
-from nacreous.scaling.data.label import LONGEST_LABEL, check_number, labels_of, natural
+from nacreous.scaling.data.label import (
+    LONGEST_LABEL,
+    check_alike,
+    check_number,
+    hidden_in,
+    label_of,
+    labels_of,
+    natural,
+)
 
 _ALLOWED = "allowed: (winner, loser), each text or a whole number"
 
@@ -116,13 +124,17 @@ def _numbers(flat: NDArray[Any]) -> tuple[list[str], NDArray[np.int64]]:
 
 def _texts(flat: list[str]) -> tuple[list[str], NDArray[np.int64]]:
     different = list(dict.fromkeys(flat))
-    found = [label.strip() for label in different]
+    found = [label_of(label) for label in different]
     for label in found:
         if not 0 < len(label) <= LONGEST_LABEL:
             length = f"{len(label)} characters"
             raise InputError(f"pairs: holds a label of {length}; allowed: 1 to {LONGEST_LABEL}")
         if any("\ud800" <= letter <= "\udfff" for letter in label):
             raise InputError(f"pairs: {quoted(label)} holds half a character; allowed: text")
+        hidden = hidden_in(label)
+        if hidden:
+            raise InputError(f"pairs: holds {quoted(label)}; allowed: no {hidden} in a label")
+    check_alike(dict.fromkeys(found), "pairs")
     place = {label: index for index, label in enumerate(different)}
     codes = np.fromiter(map(place.__getitem__, flat), np.int64, len(flat))
     return found, codes.reshape(-1, 2)

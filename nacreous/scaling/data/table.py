@@ -6,24 +6,28 @@ Arrow holds them, so that a million rows are never a million Python objects.
 from __future__ import annotations
 
 import stat
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.csv_table import parse_csv
-from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.encoding import utf8_of
+from nacreous.scaling.data.fault import Faults, listed
+from nacreous.scaling.data.header import find_header, name_of
 
 #: The largest file that is opened: about 30 million answers.
 MOST_BYTES = 2**30
 #: The longest table that is taken.
 MOST_ROWS = 100_000_000
-ENDINGS = (".csv", ".parquet")
+ENDINGS = (".csv", ".tsv", ".txt", ".parquet")
 
 _FRAMES = "a pandas, Polars or pyarrow table, or a dict of columns"
 
@@ -32,26 +36,80 @@ _FRAMES = "a pandas, Polars or pyarrow table, or a dict of columns"
 class Table:
     """Named columns of equal length.
 
-    `place` is the file's name, or "table"; `first_row` is the number by which messages call the
-    first answer: 2 in a CSV file, as spreadsheets count (blank lines left out), otherwise 0.
+    `place` is the file's name, or "table"; `numbers`, int64 [row], are those by which messages call
+    the rows: of a CSV file as spreadsheets count, its header being row 1, otherwise from 0. `texts`
+    says of a column what Qualtrics writes below its name. `decimal_comma`: numbers with a comma
+    cannot be whole thousands here.
     """
 
     place: str
-    first_row: int
     columns: Mapping[str, Any]
-    rows: int
+    numbers: NDArray[np.int64]
+    texts: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    decimal_comma: bool = False
+
+    @property
+    def rows(self) -> int:
+        """How many rows there are."""
+        return len(self.numbers)
+
+    def faults(self) -> Faults:
+        """What is wrong with the table, to be collected."""
+        return Faults(self.place, self.numbers)
+
+    def take(self, kept: NDArray[np.bool_]) -> Table:
+        """Some of the rows, bool [row]."""
+        import pyarrow as pa
+
+        mask = pa.array(kept)
+        columns = {name: column.filter(mask) for name, column in self.columns.items()}
+        return replace(self, columns=columns, numbers=self.numbers[kept])
 
 
-def read_table(path: str | PathLike[str]) -> Table:
-    """Read a .csv or .parquet file, or say in one line why that cannot be done."""
+def read_table(
+    path: str | PathLike[str],
+    wanted: Sequence[Collection[str]] = (),
+    *,
+    skip_rows: int = 0,
+    encoding: str | None = None,
+) -> Table:
+    """Read a text or .parquet file, or say in one line why that cannot be done.
+
+    wanted, skip_rows, encoding: of a text file, as `parse_csv` takes them.
+    """
     file = Path(path)
     if file.suffix.lower() not in ENDINGS:
         given = file.suffix or "missing"
         raise InputError(f"{file}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
     content = read_bytes(file)
-    if file.suffix.lower() == ".csv":
-        return _table(str(file), 2, parse_csv(str(file), content))
-    return _table(str(file), 0, _parse_parquet(str(file), content))
+    place = str(file)
+    if file.suffix.lower() == ".parquet":
+        if skip_rows or encoding is not None:
+            option = "skip_rows" if skip_rows else "encoding"
+            raise InputError(f"{place}: {option} is given; allowed: with a text file")
+        return _table(place, _parse_parquet(place, content))
+    found = parse_csv(place, content, wanted, skip_rows=skip_rows, encoding=encoding)
+    table = _table(place, list(found.columns))
+    return replace(table, numbers=found.numbers, texts=found.texts, decimal_comma=found.semicolons)
+
+
+def column_names(
+    path: str | PathLike[str], wanted: Sequence[Collection[str]] = ()
+) -> Sequence[str]:
+    """The names of a table's columns; of what is none, nothing, for whoever reads it says why."""
+    file = Path(path)
+    ending = file.suffix.lower()
+    try:
+        if ending == ".parquet" and file.is_file():
+            from pyarrow import parquet
+
+            return list(parquet.read_schema(file).names)
+        if ending in ENDINGS and file.is_file():
+            content = utf8_of(str(file), read_bytes(file))
+            return find_header(str(file), content, wanted).names
+    except (OSError, ValueError):
+        pass
+    return []
 
 
 def read_bytes(file: Path) -> bytes:
@@ -83,25 +141,25 @@ def is_table(data: object) -> bool:
 def table_of(data: object) -> Table:
     """The table in a frame of pandas, Polars or pyarrow, or in a dict of columns."""
     if isinstance(data, Mapping):
-        return _table("table", 0, list(data.items()))
+        return _table("table", list(data.items()))
     if not _is_frame(data):
         raise InputError(f"the table is {said(data)}; allowed: {_FRAMES}")
     frame: Any = data
     if hasattr(frame, "iloc"):  # pandas, whose columns may hold text and numbers mixed
-        return _table("table", 0, [(name, frame.iloc[:, i]) for i, name in enumerate(frame)])
+        return _table("table", [(name, frame.iloc[:, i]) for i, name in enumerate(frame)])
     import pyarrow as pa
 
     if not isinstance(frame, pa.Table | pa.RecordBatch):
         frame = frame.to_arrow() if hasattr(frame, "to_arrow") else pa.table(frame)
-    return _table("table", 0, list(zip(frame.column_names, frame.columns, strict=True)))
+    return _table("table", list(zip(frame.column_names, frame.columns, strict=True)))
 
 
 def _is_frame(data: object) -> bool:
     return hasattr(data, "__arrow_c_stream__") and hasattr(data, "columns")  # a Series has none
 
 
-def _table(place: str, first_row: int, columns: list[tuple[Any, Any]]) -> Table:
-    names = [str(name).strip() for name, _ in columns]
+def _table(place: str, columns: list[tuple[Any, Any]]) -> Table:
+    names = [name_of(name) for name, _ in columns]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
@@ -117,7 +175,7 @@ def _table(place: str, first_row: int, columns: list[tuple[Any, Any]]) -> Table:
         raise InputError(f"{place}: has no rows; allowed: 1 to {MOST_ROWS} answers")
     if rows > MOST_ROWS:
         raise InputError(f"{place}: has {rows} rows; allowed: 1 to {MOST_ROWS} answers")
-    return Table(place, first_row, arrays, rows)
+    return Table(place, arrays, np.arange(rows))
 
 
 def _array(place: str, name: str, values: Any) -> Any:

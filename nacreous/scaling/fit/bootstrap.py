@@ -9,8 +9,8 @@ than the whole scale, holds them. How many there were is said.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import field
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,17 +19,25 @@ from nacreous._core import PairModel, PersonalAnswers
 from nacreous.number import said, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed
-from nacreous.scaling.fit.uncertainty import control_of, level_of
+from nacreous.scaling.fit.clustering import personal, require_people
+from nacreous.scaling.fit.errors import errors_of, kind_of
+from nacreous.scaling.fit.uncertainty import control_of, level_of, root_of_diagonal
+from nacreous.scaling.fit.unit import factor
+from nacreous.value import value_class
+
+if TYPE_CHECKING:
+    from nacreous.scaling.fit.scale import Scale
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
 
 KINDS = ("studentised", "percentile", "basic")
+_INSTEAD = 'by="answers", which takes the answers as independent'
 #: Above, standard errors within samples cost more than the samples.
 MOST_STUDENTISED = 150
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Bootstrap:
     """The scales of samples drawn again from the answers.
 
@@ -43,7 +51,7 @@ class Bootstrap:
     >>> from nacreous.scaling import paper, thurstone
     >>> fit = thurstone(paper())
     >>> fit.bootstrap(samples=200, seed=3)
-    Bootstrap(200 samples by answers, 7 stimuli in z)
+    Bootstrap(200 samples by answers, 0 without a maximum, 7 stimuli in z)
     """
 
     stimuli: tuple[str, ...]
@@ -58,9 +66,10 @@ class Bootstrap:
     sample_se: Array | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
-        """In one line what was drawn."""
+        """In one line what was drawn, and how many samples had no scale of their own."""
         count = f"{len(self.samples)} samples by {self.by}"
-        return f"Bootstrap({count}, {len(self.stimuli)} stimuli in {self.unit})"
+        scales = f"{len(self.stimuli)} stimuli in {self.unit}"
+        return f"Bootstrap({count}, {self.without_maximum} without a maximum, {scales})"
 
     @property
     def se(self) -> Array:
@@ -141,6 +150,34 @@ class Bootstrap:
             low, high = np.quantile(t, (miss / 2, 1 - miss / 2), axis=0)
         se = self.scale_se
         return np.column_stack((self.scale - high * se, self.scale - low * se))
+
+
+def resampled(
+    fit: Scale, samples: int, by: str | None, seed: int, progress: Progress | None
+) -> Bootstrap:
+    """The samples of a fit, in its unit; see `Scale.bootstrap`."""
+    if fit.method == "least-squares":
+        raise InputError("method is 'least-squares'; allowed here: maximum-likelihood")
+    chosen = by if by is not None else ("people" if kind_of(fit, None) == "people" else "answers")
+    if chosen not in ("people", "answers"):
+        raise InputError(f"by is {said(by)}; allowed: people, answers")
+    over_people = chosen == "people"
+    people = personal(require_people(fit.answers, _INSTEAD)) if over_people else None
+    values, se, effects, unplaced = drawn(fit.room, people, fit.parameters, samples, seed, progress)
+    times = factor(fit.own_unit, fit.unit)
+    ties = effects[:, 1] * (times if fit.model == "probit" else 1.0)
+    return Bootstrap(
+        stimuli=fit.stimuli,
+        unit=fit.unit,
+        by="people" if over_people else "answers",
+        scale=fit.scale,
+        samples=values * times,
+        without_maximum=unplaced,
+        order_effects=None if fit.order_effect is None else effects[:, 0] * times,
+        tie_thresholds=None if fit.tie_threshold is None else ties,
+        scale_se=root_of_diagonal(errors_of(fit, chosen if over_people else "observed").covariance),
+        sample_se=None if se is None else se * times,
+    )
 
 
 def drawn(

@@ -12,7 +12,7 @@ from nacreous.scaling.fit.scale import Scale
 
 def bradley_terry(
     data: Any,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     prior: float | None = None,
     design: ArrayLike | None = None,

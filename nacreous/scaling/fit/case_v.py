@@ -16,7 +16,7 @@ from nacreous.scaling.fit.scale import Scale
 def thurstone(
     data: Any,
     method: str = "maximum-likelihood",
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     prior: float | None = None,
     design: ArrayLike | None = None,
@@ -28,7 +28,8 @@ def thurstone(
       (winner, loser)
     - `method`: "maximum-likelihood", or "least-squares", the row means of z of the paper (1996)
     - `ties`: True fits a threshold below which nobody chooses (Glenn and David 1960); False counts
-      a tie as half a choice for either
+      a tie as half a choice for either; None, the default, fits it where ties are more than 5 % of
+      the answers and tell how wide it is
     - `order`: True fits how much being on the left helps, in z; needs answers with sides
     - `prior`: None, or the spread in z of a normal prior on each value (on each coefficient), 0.001
       to 1000, which pulls the scale together and is always there if the answers alone give none

@@ -10,18 +10,13 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.fit.existence import islands, pair_model, require_maximum
 from nacreous.scaling.fit.maximum_likelihood import counted
+from nacreous.scaling.fit.row_means import projection, z_of_pairs
 from nacreous.scaling.fit.scale import Scale
-
-Array = NDArray[np.float64]
 
 
 def least_squares(data: Any, extremes: float = 0.5) -> Scale:
@@ -52,48 +47,3 @@ def least_squares(data: Any, extremes: float = 0.5) -> Scale:
         parameters=values,
         pair_model=room,
     )
-
-
-def z_of_pairs(pairs: Comparisons, extremes: float = 0.5) -> Array:
-    """float64 [row]: the inverse normal of how often left was chosen over right."""
-    from scipy.special import ndtri
-
-    total = pairs.left_wins + pairs.right_wins + pairs.ties
-    wins = pairs.left_wins + 0.5 * pairs.ties
-    least = np.minimum(extremes, 0.5 * total)
-    unanimous = (wins == 0) | (wins == total)
-    wins = np.where(unanimous, np.clip(wins, least, total - least), wins)
-    return np.asarray(ndtri(wins / total))
-
-
-def projection(pairs: Comparisons) -> Array:
-    """[stimulus, row]: what makes the values of z by least squares, with mean 0."""
-    incidence = np.zeros((len(pairs), len(pairs.stimuli)))
-    rows = np.arange(len(pairs))
-    incidence[rows, pairs.left] = 1.0
-    incidence[rows, pairs.right] = -1.0
-    laplacian = incidence.T @ incidence
-    shift = 1.0 / len(pairs.stimuli)
-    return np.asarray(np.linalg.solve(laplacian + shift, incidence.T))
-
-
-def covariance(comparisons: Comparisons, values: Array, kind: str) -> Array:
-    """Of the values, to first order: the spread of z is that of p over the density at z.
-
-    kind: "expected", p by the fitted values, or "observed", p as counted (unanimous pairs as z has
-    them).
-    """
-    pairs = comparisons.unsided()
-    total = pairs.left_wins + pairs.right_wins + pairs.ties
-    if kind == "expected":
-        z = values[pairs.left] - values[pairs.right]
-    elif kind == "observed":
-        z = z_of_pairs(pairs)
-    else:
-        raise InputError(f"kind is {said(kind)}; allowed for least squares: expected, observed")
-    from scipy.special import log_ndtr
-
-    log_density = -0.5 * z**2 - 0.5 * np.log(2 * np.pi)
-    variance = np.exp(log_ndtr(z) + log_ndtr(-z) - 2 * log_density) / total
-    operator = projection(pairs)
-    return np.asarray((operator * variance) @ operator.T)

@@ -16,27 +16,28 @@ from nacreous.scaling.data.table import is_table
 from nacreous.scaling.fit.existence import pair_model, require_maximum
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.separation import require_design
+from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.fit.unit import Model
 
 
 def fitted(
     data: Any,
     model: Model,
-    ties: bool = False,
+    ties: bool | None = None,
     order: bool = False,
     prior: float | None = None,
     design: ArrayLike | None = None,
 ) -> Scale:
     """The most likely scale in the model's own unit; see `thurstone` for the arguments."""
     data, comparisons = counted(data)
-    for name, value in (("ties", ties), ("order", order)):
-        if not isinstance(value, bool):
-            raise InputError(f"{name} is {said(value)}; allowed: True, False")
+    if not isinstance(order, bool):
+        raise InputError(f"order is {said(order)}; allowed: True, False")
     if order and not comparisons.sided:
         raise InputError("order=True, but left and right are no sides here; allowed: order=False")
     if prior is not None and not 1e-3 <= number_of("prior", prior) <= 1e3:
         raise InputError(f"prior is {said(prior)}; allowed: a spread, 0.001 to 1000, or None")
     table = None if design is None else _design_of(design, comparisons)
+    ties = fits_ties(ties, [comparisons], model, order)
     with_ties = ties and bool(comparisons.ties.any())
     spread = None if prior is None else float(prior)
     room = pair_model(comparisons, model, with_ties, order, spread, table)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous._core import PairModel
-from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import listed
-from nacreous.scaling.fit import bootstrap, clustering, uncertainty
+from nacreous.scaling.data.label import label_of
+from nacreous.scaling.fit import bootstrap, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
+from nacreous.scaling.fit.errors import errors_of, kind_of, parameter_covariance
 from nacreous.scaling.fit.unit import Unit, factor, unit_of
+from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.data.answers import Answers
@@ -23,7 +26,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Scale:
     """A scale of stimuli, as `thurstone` or `bradley_terry` fitted it.
 
@@ -64,14 +67,24 @@ class Scale:
     design: Array | None = None
     answers: Answers | None = None
     parameters: Array = field(default_factory=lambda: np.zeros(0), repr=False)
-    pair_model: PairModel | None = field(default=None, repr=False)
+    pair_model: PairModel | None = field(default=None, repr=False, compare=False)
 
     def __str__(self) -> str:
-        """A line for each stimulus, with its unit above and standard errors beside."""
+        """A line for each stimulus, with its unit above and standard errors beside.
+
+        Where people are known a last line says whose errors these are, or why there are none.
+        """
         of = f"{self.model}, {self.method}, {self.comparisons.total:g} answers"
         width = max(map(len, self.stimuli))
-        rows = zip(self.stimuli, self.scale, self.se, strict=True)
-        lines = (f"{label:{width}}  {value:6.3f} +- {se:.3f}" for label, value, se in rows)
+        rows = zip(self.stimuli, self.scale, strict=True)
+        lines = [f"{label:{width}}  {value:6.3f}" for label, value in rows]
+        note = "+- is over people; the scale is that of their average answer"
+        try:
+            lines = [f"{line} +- {se:.3f}" for line, se in zip(lines, self.se, strict=True)]
+        except InputError as problem:
+            note = f"no errors over people: {problem}"
+        if kind_of(self, None) == "people":
+            lines.append(note)
         return "\n".join((f"scale in {self.unit} ({of})", *lines))
 
     def __repr__(self) -> str:
@@ -121,7 +134,7 @@ class Scale:
         """float64 [n, n]: how likely i is chosen over j, whatever the side; a tie counts half."""
         own = self.scale * factor(self.unit, self.own_unit)
         leads = (own[:, None] - own[None, :]).ravel()
-        table = self._model.probabilities(leads, self._width)
+        table = self.room.probabilities(leads, self._width)
         return (table[:, 0] + 0.5 * table[:, 2]).reshape(len(own), len(own))
 
     def outcomes(self) -> Array:
@@ -130,7 +143,7 @@ class Scale:
         leads = own[self.comparisons.left] - own[self.comparisons.right]
         if self.order_effect is not None:
             leads = leads + self.order_effect * factor(self.unit, self.own_unit)
-        return self._model.probabilities(leads, self._width)
+        return self.room.probabilities(leads, self._width)
 
     @property
     def free_parameters(self) -> int:
@@ -140,56 +153,41 @@ class Scale:
 
     @property
     def se(self) -> Array:
-        """float64 [n]: standard errors by expected information, in `unit`; mean held at 0."""
+        """float64 [n]: standard errors in `unit`, as the default `covariance` has them."""
         return uncertainty.root_of_diagonal(self.covariance())
 
-    def covariance(self, kind: str = "expected") -> Array:
+    def covariance(self, kind: str | None = None) -> Array:
         """float64 [n, n]: covariance of the scale with mean held at 0, in `unit` squared.
 
-        kind: "expected" or "observed" information, which trust the model and every answer to stand
-        alone; "people", which lets the answers of one person hang together and the model be wrong
-        (a sandwich with people as clusters), and needs answers with people.
+        kind: "people", the default where people are known: the answers of one person may hang
+        together and the model be wrong (a sandwich with people as clusters, CR2 by Bell and
+        McCaffrey 2002); "expected", the default elsewhere, or "observed" information, which trust
+        the model and every answer to stand alone. Least squares has no "people".
+        Raises `InputError` where fewer than three people judged a stimulus, and where all answered
+        alike: that tells nothing of how people differ.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> fit = thurstone(paper())
         >>> bool(abs(fit.covariance("observed").sum()) < 1e-15)
         True
         """
-        table = self.parameter_covariance(kind)
-        count = len(self.stimuli)
-        if self.design is not None and self.method == "maximum-likelihood":
-            centred = self.design - self.design.mean(axis=0)
-            k = self.design.shape[1]
-            values = centred @ table[:k, :k] @ centred.T
-        else:
-            values = uncertainty.centred(table[:count, :count])
-        return np.asarray(values * factor(self.own_unit, self.unit) ** 2)
+        return errors_of(self, kind).covariance
 
-    def parameter_covariance(self, kind: str = "expected") -> Array:
+    def parameter_covariance(self, kind: str | None = None) -> Array:
         """Covariance of the parameters in the model's own unit: coefficients, side, ties.
 
         Without a design matrix the coefficients are the stimuli's values. Ties: the threshold in z,
-        or ln nu.
+        or ln nu. kind as in `covariance`.
         """
-        if self.method == "least-squares":
-            from nacreous.scaling.fit import least_squares
-
-            own = self.scale * factor(self.unit, "z")
-            return least_squares.covariance(self.comparisons, own, kind)
-        model, floats = self._model, self.design is None and self.prior is None
-        if kind in ("expected", "observed"):
-            information = model.information(self.parameters, kind == "expected")
-            return uncertainty.inverse(information, len(self.stimuli) if floats else 0)
-        if kind != "people":
-            raise InputError(f"kind is {said(kind)}; allowed: expected, observed, people")
-        bread = model.information(self.parameters, False)
-        inverse = uncertainty.inverse(bread, len(self.stimuli) if floats else 0)
-        return clustering.sandwich(model, self.answers, self.parameters, inverse)
+        return parameter_covariance(self, kind)
 
     def difference(
-        self, first: str, second: str, level: float = 0.95, kind: str = "expected"
+        self, first: str, second: str, level: float = 0.95, kind: str | None = None
     ) -> uncertainty.Difference:
         """How far `first` is above `second`, in `unit`; kind as in `covariance`.
+
+        Over people, intervals and p values are those of Student's t with Satterthwaite's degrees of
+        freedom: people less one where all answered the same pairs, fewer elsewhere.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> thurstone(paper()).difference("2", "4")
@@ -197,39 +195,56 @@ class Scale:
         """
         pairs = [(self._index(first), self._index(second))]
         return uncertainty.differences(
-            self.stimuli, self.scale, self.covariance(kind), self.unit, level, "none", pairs
+            self.stimuli, self.scale, errors_of(self, kind), self.unit, level, "none", pairs
         )[0]
 
     def differences(
-        self, level: float = 0.95, simultaneous: str = "holm", kind: str = "expected"
+        self, level: float = 0.95, simultaneous: str = "holm", kind: str | None = None
     ) -> list[uncertainty.Difference]:
         """All n (n - 1) / 2 differences, with intervals and p values that hold for all together.
 
         simultaneous: "holm" (p values by Holm 1979, intervals by Bonferroni), "bonferroni", "tukey"
-        (the largest of all differences, by the multivariate normal distribution) or "none".
+        (the largest of all differences, by the multivariate normal or t distribution) or "none".
 
         >>> from nacreous.scaling import paper, thurstone
         >>> len(thurstone(paper()).differences())
         21
         """
         return uncertainty.differences(
-            self.stimuli, self.scale, self.covariance(kind), self.unit, level, simultaneous
+            self.stimuli, self.scale, errors_of(self, kind), self.unit, level, simultaneous
+        )
+
+    def neighbours(
+        self, level: float = 0.95, simultaneous: str = "holm", kind: str | None = None
+    ) -> list[uncertainty.Difference]:
+        """The n - 1 differences of each stimulus from the next one down, from the top.
+
+        Intervals and p values hold for all of them together, as in `differences`.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> thurstone(paper()).neighbours()[0]
+        Difference(2 - 4: 0.478, 0.280 to 0.676 z)
+        """
+        order = np.argsort(-self.scale, kind="stable").tolist()
+        pairs = list(pairwise(order))
+        return uncertainty.differences(
+            self.stimuli, self.scale, errors_of(self, kind), self.unit, level, simultaneous, pairs
         )
 
     def intervals(
-        self, level: float = 0.95, simultaneous: str | bool = False, kind: str = "expected"
+        self, level: float = 0.95, simultaneous: str | bool = False, kind: str | None = None
     ) -> Array:
         """float64 [n, 2]: an interval for each value, in `unit`.
 
         level: 0.5 to 0.9999. simultaneous: False (each by itself), "bonferroni", "holm" (the same
-        intervals: Holm's are p values) or "tukey" (the multivariate normal distribution).
+        intervals: Holm's are p values) or "tukey" (the multivariate normal or t distribution).
         Raises `InputError` for others.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> thurstone(paper()).intervals().round(2)[0].tolist()
         [0.2, 0.38]
         """
-        return uncertainty.intervals(self.scale, self.covariance(kind), level, simultaneous)
+        return uncertainty.intervals(self.scale, errors_of(self, kind), level, simultaneous)
 
     def bootstrap(
         self,
@@ -251,34 +266,11 @@ class Scale:
         >>> bool(abs(fit.bootstrap(seed=2).se / fit.se - 1).max() < 0.1)
         True
         """
-        if self.method == "least-squares":
-            raise InputError("method is 'least-squares'; allowed here: maximum-likelihood")
-        known = self.answers is not None and self.answers.person is not None
-        drawn_by = by if by is not None else ("people" if known else "answers")
-        if drawn_by not in ("people", "answers"):
-            raise InputError(f"by is {said(by)}; allowed: people, answers")
-        people = clustering.personal(self.answers) if drawn_by == "people" else None
-        values, se, effects, unplaced = bootstrap.drawn(
-            self._model, people, self.parameters, samples, seed, progress
-        )
-        times = factor(self.own_unit, self.unit)
-        kind = "people" if drawn_by == "people" else "observed"
-        ties = effects[:, 1] * (times if self.model == "probit" else 1.0)
-        return Bootstrap(
-            stimuli=self.stimuli,
-            unit=self.unit,
-            by="people" if drawn_by == "people" else "answers",
-            scale=self.scale,
-            samples=values * times,
-            without_maximum=unplaced,
-            order_effects=None if self.order_effect is None else effects[:, 0] * times,
-            tie_thresholds=None if self.tie_threshold is None else ties,
-            scale_se=uncertainty.root_of_diagonal(self.covariance(kind)),
-            sample_se=None if se is None else se * times,
-        )
+        return bootstrap.resampled(self, samples, by, seed, progress)
 
     @property
-    def _model(self) -> PairModel:
+    def room(self) -> PairModel:
+        """The compiled model behind the fit."""
         if self.pair_model is None:
             raise InputError("this Scale was not made by a fit; allowed: thurstone, bradley_terry")
         return self.pair_model
@@ -293,6 +285,7 @@ class Scale:
         return self.tie_threshold * factor(self.unit, "z")
 
     def _index(self, label: str) -> int:
+        label = label_of(label) if isinstance(label, str) else label
         if label not in self.stimuli:
             raise InputError(f"there is no stimulus {label!r}; allowed: {listed(self.stimuli)}")
         return self.stimuli.index(label)

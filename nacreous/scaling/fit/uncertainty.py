@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
+from nacreous.value import value_class
 
 Array = NDArray[np.float64]
 
 CONTROLS = ("none", "holm", "bonferroni", "tukey")
 
 
-@dataclass(frozen=True)
+@value_class
 class Difference:
     """How far `first` is above `second`, in `unit`.
 
@@ -90,31 +91,37 @@ def root_of_diagonal(covariance: Array) -> Array:
     return np.sqrt(np.maximum(np.diagonal(covariance), 0.0))
 
 
-def intervals(
-    values: Array, covariance: Array, level: float, simultaneous: str | bool = False
-) -> Array:
-    """float64 [n, 2]: normal intervals about each value.
+class Known(Protocol):
+    """Errors of a scale: their covariance, and the degrees of freedom of contrasts."""
 
-    >>> intervals(np.zeros(2), np.diag([1.0, 4.0]), 0.95).round(2).tolist()
-    [[-1.96, 1.96], [-3.92, 3.92]]
-    """
-    reach = quantile(covariance, level, control_of(simultaneous))
-    half = reach * root_of_diagonal(covariance)
+    @property
+    def covariance(self) -> Array:
+        """float64 [n, n]."""
+
+    def freedom(self, contrasts: Array) -> Array:
+        """Of contrasts [k, n], float64 [k]; infinite makes them normal."""
+
+
+def intervals(
+    values: Array, errors: Known, level: float, simultaneous: str | bool = False
+) -> Array:
+    """float64 [n, 2]: intervals about each value, by Student's t where freedom is finite."""
+    freedom = errors.freedom(np.eye(len(values)))
+    reach = quantile(errors.covariance, level, control_of(simultaneous), freedom)
+    half = reach * root_of_diagonal(errors.covariance)
     return np.column_stack((values - half, values + half))
 
 
 def differences(
     labels: tuple[str, ...],
     values: Array,
-    covariance: Array,
+    errors: Known,
     unit: str,
     level: float,
     simultaneous: str | bool,
     pairs: list[tuple[int, int]] | None = None,
 ) -> list[Difference]:
     """The differences of some pairs (all, by default), with intervals and p values."""
-    from scipy.special import ndtr
-
     control = control_of(simultaneous)
     chosen = list(combinations(range(len(labels)), 2)) if pairs is None else pairs
     first, second = np.array(chosen, np.int64).T
@@ -122,11 +129,12 @@ def differences(
     rows = np.arange(len(chosen))
     contrast[rows, first] = 1.0
     contrast[rows, second] = -1.0
-    of_pairs = contrast @ covariance @ contrast.T
+    of_pairs = contrast @ errors.covariance @ contrast.T
+    freedom = errors.freedom(contrast)
     found, se = contrast @ values, root_of_diagonal(of_pairs)
     z = np.divide(np.abs(found), se, out=np.zeros_like(se), where=se > 0)
-    p = _corrected(2 * ndtr(-z), z, of_pairs, control)
-    half = quantile(of_pairs, level, control) * se
+    p = _corrected(two_sided(z, freedom), z, of_pairs, control, freedom)
+    half = quantile(of_pairs, level, control, freedom) * se
     numbers = np.column_stack((found, se, found - half, found + half, p)).tolist()
     return [
         Difference(labels[i], labels[j], value, error, low, high, p_value, unit)
@@ -151,16 +159,41 @@ def level_of(level: float) -> float:
     return float(level)
 
 
-def quantile(covariance: Array, level: float, control: str) -> float:
-    """How many standard errors an interval reaches to either side."""
-    from scipy.special import ndtri
+def two_sided(size: Array, freedom: Array) -> Array:
+    """How often |t| is above sizes, float64 [k], by Student's t; normal where freedom is infinite.
+
+    >>> two_sided(np.array([1.96, 2.0]), np.array([np.inf, 2.0])).round(3).tolist()
+    [0.05, 0.184]
+    """
+    from scipy.special import ndtr, stdtr
+
+    finite = np.where(np.isfinite(freedom), freedom, 1.0)
+    return np.asarray(2 * np.where(np.isfinite(freedom), stdtr(finite, -size), ndtr(-size)))
+
+
+def quantile(covariance: Array, level: float, control: str, freedom: Array) -> Array:
+    """How many standard errors an interval reaches to either side, float64 [k]."""
+    from scipy.special import ndtri, stdtrit
 
     miss = 1 - level_of(level)
-    if control == "none":
-        return float(-ndtri(miss / 2))
-    if control in ("holm", "bonferroni"):
-        return float(-ndtri(miss / 2 / len(covariance)))
-    return float(np.quantile(largest_of_normal(covariance), level))
+    if control == "tukey":
+        largest = largest_together(covariance, freedom)
+        return np.full(len(covariance), np.quantile(largest, level))
+    each = miss / 2 if control == "none" else miss / 2 / len(covariance)
+    finite = np.where(np.isfinite(freedom), freedom, 1.0)
+    return np.asarray(-np.where(np.isfinite(freedom), stdtrit(finite, each), ndtri(each)))
+
+
+def largest_together(covariance: Array, freedom: Array) -> Array:
+    """The largest |value| in standard errors that are known from the least of these freedoms.
+
+    The multivariate t distribution: one error in common, so that a small one makes all look large.
+    """
+    largest, least = largest_of_normal(covariance), float(freedom.min())
+    if np.isinf(least):
+        return largest
+    scale = np.random.default_rng(2).chisquare(least, len(largest)) / least
+    return np.asarray(largest / np.sqrt(scale))
 
 
 def largest_of_normal(covariance: Array, draws: int = 100_000) -> Array:
@@ -199,7 +232,7 @@ def holm(p_values: NDArray[np.float64]) -> NDArray[np.float64]:
     return corrected
 
 
-def _corrected(p: Array, z: Array, covariance: Array, control: str) -> Array:
+def _corrected(p: Array, z: Array, covariance: Array, control: str, freedom: Array) -> Array:
     """P values that hold for all together."""
     if control == "none":
         return p
@@ -207,6 +240,6 @@ def _corrected(p: Array, z: Array, covariance: Array, control: str) -> Array:
         return np.minimum(p * len(p), 1.0)
     if control == "holm":
         return holm(p)
-    largest = np.sort(largest_of_normal(covariance))
+    largest = np.sort(largest_together(covariance, freedom))
     above = len(largest) - np.searchsorted(largest, z)
     return np.asarray((above + 1) / (len(largest) + 1))

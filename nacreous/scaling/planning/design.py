@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,12 +12,13 @@ from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.label import MOST_STIMULI, labels_of, numbered
 from nacreous.scaling.planning.sequence import balanced_sides, in_sequence
+from nacreous.value import value_class
 
 #: A list of more pairs than this nobody answers.
 MOST_PAIRS = 1_000_000
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class PairDesign:
     """Pairs to show, in order: `left` and `right`, int64 [pair], are indices into `stimuli`.
 

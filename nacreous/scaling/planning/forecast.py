@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nacreous.value import value_class
 
 __all__ = ["Needed", "Power", "Precision"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@value_class
 class Power:
     """Share of simulated studies that find what is there.
 
@@ -36,7 +38,7 @@ class Power:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Precision:
     """How far fitted values are off, from simulated studies; float64 [stimulus] each.
 
@@ -58,7 +60,7 @@ class Precision:
     simulated: bool = field(default=True, init=False)
 
 
-@dataclass(frozen=True)
+@value_class
 class Needed:
     """How many people a study needs: `people`, and low..high by Monte-Carlo error (95 %).
 

@@ -8,7 +8,7 @@ being simulated a finite number of times (Monte-Carlo error).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.planning.forecast import Needed, Power, Precision
 from nacreous.scaling.planning.simulation import Pairs, simulate, truth_of
+from nacreous.value import value_class
 
 __all__ = ["Plan"]
 
@@ -35,7 +36,7 @@ _MOST_PEOPLE = 100_000
 _DEALS = 399
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Plan:
     """A study that is thought of: the truth one expects, the people, the pairs they see.
 

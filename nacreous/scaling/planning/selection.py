@@ -21,7 +21,6 @@ Each pair's sides are chosen so that every stimulus stands on either side equall
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -34,6 +33,7 @@ from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.data.label import labels_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
+from nacreous.value import value_class
 
 __all__ = ["NextPair", "next_pairs"]
 
@@ -45,7 +45,7 @@ _MOST = 2000
 _NODES = 31
 
 
-@dataclass(frozen=True)
+@value_class
 class NextPair:
     """A pair to show, and how many bits its answer is expected to tell about the scale."""
 
@@ -179,7 +179,7 @@ def _posterior(
     """Mean and covariance of the values; the prior's own before there are answers."""
     if comparisons is None:
         return np.zeros(len(labels)), prior**2 * np.eye(len(labels))
-    fit: Scale = fit_of(comparisons.unsided(), model, prior=prior)
+    fit: Scale = fit_of(comparisons.unsided(), model, ties=False, prior=prior)
     return fit.scale, fit.parameter_covariance("expected")[: len(labels), : len(labels)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -21,18 +21,21 @@ from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.report.doubt import Doubt, Neighbours, doubt_of, neighbours_of
+from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, neighbours_of, pairs_of
 from nacreous.scaling.report.people import People, people_of
 from nacreous.scaling.report.settings import MODELS, Settings
+from nacreous.value import value_class
 
 __all__ = ["SUFFIXES", "Analysis", "analyse"]
 
 SUFFIXES = (".html", ".csv", ".json")
+#: Beyond, there are more pairs than anybody reads, and each is tested against thousands.
+MOST_PAIRED = 60
 #: The share of the time that resampling takes.
 _RESAMPLING = 0.8
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Analysis:
     """Answers and all that was found in them.
 
@@ -46,7 +49,7 @@ class Analysis:
     answers: Answers | None
     fit: Scale
     doubt: Doubt
-    neighbours: tuple[Neighbours, ...]
+    neighbours: tuple[Pair, ...]
     goodness: Goodness
     consistency: Consistency
     people: People | None
@@ -67,6 +70,13 @@ class Analysis:
     def ranking(self) -> list[str]:
         """Labels from the top of the scale."""
         return [self.fit.stimuli[at] for at in self.order]
+
+    @property
+    def differences(self) -> tuple[Pair, ...]:
+        """Each thing with all further down, p values by Holm over all; () beyond 60 things."""
+        if len(self.fit.stimuli) > MOST_PAIRED:
+            return ()
+        return pairs_of(self.fit, self.doubt, self.settings.level)
 
     def save(self, path: str | PathLike[str], language: str = "en") -> None:
         """Write a report (.html, in "en" or "ja"), the scale (.csv) or every number (.json).
@@ -126,7 +136,7 @@ def analyse(
     watch = None if progress is None else lambda share: show(_RESAMPLING * share)
     doubt = doubt_of(fit, wanted, watch)
     people = people_of(answers, wanted)
-    groups = _groups(answers, wanted)
+    groups = _groups(answers, wanted, fit.tie_threshold is not None)
     show(1.0)
     return Analysis(
         settings=wanted,
@@ -157,14 +167,14 @@ def _fitted(data: Any, wanted: Settings) -> Scale:
     return thurstone(data, wanted.method, ties=wanted.ties, order=wanted.order, prior=wanted.prior)
 
 
-def _groups(answers: Answers | None, wanted: Settings) -> GroupComparison | None:
+def _groups(answers: Answers | None, wanted: Settings, with_ties: bool) -> GroupComparison | None:
     if wanted.group is None or answers is None:
         return None
     parts = answers.split(wanted.group)
     return compare_groups(
         parts,
         wanted.model,
-        ties=wanted.ties,
+        ties=with_ties,
         order=wanted.order,
         same_people=None if _apart(parts) else True,
         level=wanted.level,

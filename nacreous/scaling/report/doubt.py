@@ -1,45 +1,64 @@
-"""How sure the places and the distances are, and which neighbours are told apart."""
+"""How sure the places and the distances are, and which things are told apart."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
+from nacreous.scaling.fit.errors import Errors, errors_of, kind_of
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.fit.uncertainty import holm
+from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_of_diagonal
 from nacreous.scaling.report.settings import Settings
+from nacreous.value import value_class
 
-__all__ = ["Doubt", "Neighbours", "doubt_of", "neighbours_of"]
+__all__ = ["FEW_PEOPLE", "Doubt", "Pair", "doubt_of", "neighbours_of", "pairs_of"]
 
-#: From fewer people a bootstrap is rough (B. Efron and R. Tibshirani, 1993, chapter 19).
+#: From fewer people a bootstrap is too narrow (B. Efron and R. Tibshirani, 1993, chapter 19).
 FEW_PEOPLE = 20
+#: A spread below this share of the expected one is none at all.
+_NOTHING = 1e-6
+
+Progress = Callable[[float], None]
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class Doubt:
     """Margins of a scale, in its unit.
 
-    `by`: what was resampled, "people" or "answers"; "information" where nothing was. `samples`:
-    how often. `intervals` [n, 2], `se` [n], `covariance` [n, n] of the places.
+    `by`: what was resampled, "people" or "answers"; where nothing was, "clusters" (people by their
+    scores) or "information". `samples`: how often; `without_maximum`: how many samples had no scale
+    of their own. `intervals` [n, 2] of the places. `errors`: what differences are tested by.
+    `too_few`: people are known, but they tell nothing of how people differ.
     """
 
     by: str
     samples: int
+    without_maximum: int
     intervals: NDArray[np.float64]
-    se: NDArray[np.float64]
-    covariance: NDArray[np.float64]
+    errors: Errors
+    too_few: bool
+
+    @property
+    def covariance(self) -> NDArray[np.float64]:
+        """float64 [n, n] of the places."""
+        return self.errors.covariance
+
+    @property
+    def se(self) -> NDArray[np.float64]:
+        """float64 [n], standard errors of the places."""
+        return root_of_diagonal(self.covariance)
 
 
-@dataclass(frozen=True)
-class Neighbours:
-    """Two things that follow each other on the scale, the higher one first.
+@value_class
+class Pair:
+    """Two things, the higher one first.
 
-    `p_value` is Holm's over all neighbours; `apart`: it is below 1 - level. `expected`: the share
-    that should choose the first.
+    `p_value` is Holm's over all pairs that were looked at; `apart`: it is below 1 - level.
+    `expected`: the share that should choose the first.
     """
 
     first: str
@@ -52,51 +71,81 @@ class Neighbours:
     expected: float
 
 
-def doubt_of(
-    fit: Scale, settings: Settings, progress: Callable[[float], None] | None = None
-) -> Doubt:
-    """Resample people where they are known, else answers; without resamplings, trust the model."""
-    people = fit.answers is not None and len(fit.answers.people) > 1
+def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -> Doubt:
+    """Over people wherever three or more are known, else over answers.
+
+    Without resamplings, and over fewer than 20 people, margins follow from each one's scores.
+    """
+    known = kind_of(fit, None) == "people"
+    over_people = _over_people(fit) if known else None
     # The row means of 1996 and the fractions of printed tables give nothing to draw from.
     counts = np.stack([fit.comparisons.left_wins, fit.comparisons.right_wins, fit.comparisons.ties])
-    if settings.bootstrap == 0 or fit.method == "least-squares" or np.any(counts % 1):
-        kind = "people" if people and fit.method == "maximum-likelihood" else "expected"
-        covariance = fit.covariance(kind)
-        intervals = fit.intervals(settings.level, kind=kind)
-        by = "clusters" if kind == "people" else "information"
-        return Doubt(by, 0, intervals, np.sqrt(np.diag(covariance)), covariance)
-    by = "people" if people else "answers"
-    drawn = fit.bootstrap(settings.bootstrap, by=by, seed=settings.seed, progress=progress)
-    covariance = drawn.covariance
-    return Doubt(by, settings.bootstrap, drawn.intervals(settings.level), drawn.se, covariance)
+    fixed = settings.bootstrap == 0 or fit.method == "least-squares" or bool(np.any(counts % 1))
+    if over_people is not None:
+        people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
+        if fixed or people < FEW_PEOPLE:
+            bounds = intervals(fit.scale, over_people, settings.level)
+            return Doubt("clusters", 0, 0, bounds, over_people, too_few=False)
+        drawn = fit.bootstrap(settings.bootstrap, "people", settings.seed, progress)
+        bounds = drawn.intervals(settings.level)
+        missing = drawn.without_maximum
+        return Doubt("people", settings.bootstrap, missing, bounds, over_people, too_few=False)
+    alone = errors_of(fit, "expected")
+    if not fixed:
+        drawn = fit.bootstrap(settings.bootstrap, "answers", settings.seed, progress)
+        found = Errors(drawn.covariance, None, alone.values)
+        if _spreads(found.covariance, alone.covariance):
+            bounds, missing = drawn.intervals(settings.level), drawn.without_maximum
+            return Doubt("answers", settings.bootstrap, missing, bounds, found, known)
+    return Doubt("information", 0, 0, intervals(fit.scale, alone, settings.level), alone, known)
 
 
-def neighbours_of(fit: Scale, doubt: Doubt, level: float) -> tuple[Neighbours, ...]:
+def _over_people(fit: Scale) -> Errors | None:
+    """Errors over people, None where these tell nothing of how people differ."""
+    try:
+        return errors_of(fit, "people")
+    except InputError:
+        return None
+
+
+def _spreads(drawn: NDArray[np.float64], expected: NDArray[np.float64]) -> bool:
+    """Whether samples differ at all: those of nothing but ties, or of one answer each, do not."""
+    own, alone = (np.add.outer(np.diag(t), np.diag(t)) - 2 * t for t in (drawn, expected))
+    return bool((own >= _NOTHING * alone).all())
+
+
+def neighbours_of(fit: Scale, doubt: Doubt, level: float) -> tuple[Pair, ...]:
     """Each thing with the next one down, from the top."""
-    from scipy.stats import norm
+    return _compared(fit, doubt, level, list(pairwise(_order(fit))))
 
-    order = np.argsort(-fit.scale, kind="stable")
-    above, below = order[:-1], order[1:]
-    difference = fit.scale[above] - fit.scale[below]
-    cov = doubt.covariance
-    variance = cov[above, above] + cov[below, below] - 2 * cov[above, below]
-    se = np.sqrt(np.maximum(variance, 0.0))
-    if not np.all(np.isfinite(se)):
-        raise InputError("the margins of the differences have no end; allowed: more answers")
-    z = np.divide(difference, se, out=np.zeros_like(se), where=se > 0)
-    p_values = holm(2 * norm.sf(z))
-    reach = float(norm.ppf((1 + level) / 2)) * se
-    share = fit.proportions[above, below]
+
+def pairs_of(fit: Scale, doubt: Doubt, level: float) -> tuple[Pair, ...]:
+    """Each thing with all that are further down, from the top."""
+    order = _order(fit)
+    below = [(one, other) for at, one in enumerate(order) for other in order[at + 1 :]]
+    return _compared(fit, doubt, level, below)
+
+
+def _order(fit: Scale) -> list[int]:
+    return [int(at) for at in np.argsort(-fit.scale, kind="stable")]
+
+
+def _compared(
+    fit: Scale, doubt: Doubt, level: float, pairs: Sequence[tuple[int, int]]
+) -> tuple[Pair, ...]:
+    found = differences(fit.stimuli, fit.scale, doubt.errors, fit.unit, level, "none", list(pairs))
+    p_values = holm(np.array([one.p_value for one in found]))
+    shares = fit.proportions
     return tuple(
-        Neighbours(
-            fit.stimuli[above[k]],
-            fit.stimuli[below[k]],
-            float(difference[k]),
-            float(difference[k] - reach[k]),
-            float(difference[k] + reach[k]),
-            float(p_values[k]),
-            bool(p_values[k] < 1 - level),
-            float(share[k]),
+        Pair(
+            one.first,
+            one.second,
+            one.value,
+            one.low,
+            one.high,
+            p_value=float(p_value),
+            apart=bool(p_value < 1 - level),
+            expected=float(shares[i, j]),
         )
-        for k in range(len(above))
+        for one, p_value, (i, j) in zip(found, p_values, pairs, strict=True)
     )

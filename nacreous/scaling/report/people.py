@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import ceil
 
 from nacreous.problem import InputError
@@ -11,6 +10,7 @@ from nacreous.scaling.check.population import Population, population
 from nacreous.scaling.check.shared import SharedScale, shared_scale
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.report.settings import Settings
+from nacreous.value import value_class
 
 __all__ = ["People", "people_of"]
 
@@ -18,7 +18,7 @@ __all__ = ["People", "people_of"]
 _MOST_DEALT = 50_000_000
 
 
-@dataclass(frozen=True, eq=False)
+@value_class
 class People:
     """The test whether people share one scale, and what follows where they do not.
 

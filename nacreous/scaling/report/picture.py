@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from nacreous.scaling.report.translation import Html
+from nacreous.scaling.report.translation import Html, language_of
 
 __all__ = ["WIDE_PT", "picture"]
 
@@ -50,6 +50,12 @@ def inline(svg: str, prefix: str, kind: str, alt: str) -> str:
     used = {*re.findall(r"url\(#([^)]+)\)", svg), *re.findall(r'href="#([^"]+)"', svg)}
     svg = re.sub(r' id="([^"]+)"', lambda m: f' id="{prefix}-{m[1]}"' if m[1] in used else "", svg)
     svg = re.sub(r"url\(#([^)]+)\)", rf"url(#{prefix}-\1)", svg)
+    svg = re.sub(
+        r"<text\b(.*?</text>)",
+        lambda found: f"<text{language_of(found[1])}{found[1]}",
+        svg,
+        flags=re.DOTALL,
+    )
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{prefix}-\1"', svg)
     look = f' class="{kind}"' if kind else ""
     head = f'<svg{look} role="img" aria-label="{escape(alt)}"'

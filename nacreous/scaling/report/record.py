@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv as tables
 import io
 import json
+from collections.abc import Mapping
 from dataclasses import asdict, is_dataclass
 from typing import Any
 
@@ -63,9 +64,14 @@ def json_text(analysis: Analysis) -> str:
         "order_effect": fit.order_effect,
         "tie_threshold": fit.tie_threshold,
         "log_likelihood": fit.log_likelihood,
-        "resampled": {"by": analysis.doubt.by, "samples": analysis.doubt.samples},
+        "resampled": {
+            "by": analysis.doubt.by,
+            "samples": analysis.doubt.samples,
+            "without_maximum": analysis.doubt.without_maximum,
+        },
         "covariance": analysis.doubt.covariance,
         "neighbours": analysis.neighbours,
+        "differences": analysis.differences,
         "pairs": _pairs(analysis),
         "goodness": analysis.goodness,
         "consistency": analysis.consistency,
@@ -126,7 +132,7 @@ def _plain(value: Any) -> Any:
     """What JSON can hold; NaN, which marks pairs never compared, becomes null."""
     if is_dataclass(value) and not isinstance(value, type):
         value = {name: getattr(value, name) for name in value.__dataclass_fields__}
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {str(key): _plain(each) for key, each in value.items()}
     if hasattr(value, "_asdict"):
         return _plain(value._asdict())

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
+from nacreous.value import value_class
 
 __all__ = ["BOOTSTRAP", "LEVELS", "METHODS", "MODELS", "Settings"]
 
@@ -17,21 +17,22 @@ BOOTSTRAP = (100, 100_000)
 LEVELS = (0.5, 0.9999)
 
 
-@dataclass(frozen=True)
+@value_class
 class Settings:
     """How to fit, and what to say of it.
 
     question: as it was put to people, or None. unit: "z", "d'", "JOD", "JND", "logit"; None: the
-    model's own. level: of all intervals and tests. bootstrap: resamplings, 0 for none. group: a
-    column of the answers, or None. prior: its spread in the model's own unit, or None. simulated:
-    nobody gave the answers, which the report then says first.
+    model's own. ties: whether to fit how wide they are; None: where they are more than a few.
+    level: of all intervals and tests. bootstrap: resamplings, 0 for none. group: a column of the
+    answers, or None. prior: its spread in the model's own unit, or None. simulated: nobody gave the
+    answers, which the report then says first.
     Raises `InputError` for what cannot be.
     """
 
     question: str | None = None
     model: str = "probit"
     method: str = "maximum-likelihood"
-    ties: bool = False
+    ties: bool | None = None
     order: bool = False
     prior: float | None = None
     unit: str | None = None
@@ -49,11 +50,7 @@ class Settings:
         ):
             if value not in allowed:
                 raise InputError(f"{name} is {said(value)}; allowed: {', '.join(allowed)}")
-        if self.method == "least-squares" and (self.model, self.ties, self.order) != (
-            "probit",
-            False,
-            False,
-        ):
+        if self.method == "least-squares" and (self.model != "probit" or self.ties or self.order):
             raise InputError("method is 'least-squares'; allowed: with model probit alone")
         level = number_of("level", self.level)
         if not LEVELS[0] <= level <= LEVELS[1]:
@@ -82,8 +79,8 @@ class Settings:
         value = getattr(self, name)
         if value == getattr(plain, name):
             return []
-        if value is True:
-            return [f"--{name}"]
+        if isinstance(value, bool):
+            return [f"--{name}" if value else f"--no-{name}"]
         # What begins with a dash would be taken for an option.
         dashed = str(value).startswith("-")
         return [f"--{name}={value}"] if dashed else [f"--{name}", str(value)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Sequence
 from functools import cache
@@ -29,6 +30,23 @@ def markup(value: object) -> Html:
     ('&lt;b&gt;', '<b>')
     """
     return value if isinstance(value, Html) else Html(escape(str(value)))
+
+
+def language_of(label: object) -> str:
+    """The attribute that gives a label the glyphs of its language, "" for other scripts.
+
+    A browser picks glyphs by language where languages share characters: without one, Japanese
+    labels on an English page may get Chinese glyphs. Characters of Japanese, also those that
+    Chinese shares, count as Japanese; Hangul as Korean.
+
+    >>> language_of("真珠 1"), language_of("진주"), language_of("pearl 1")
+    (' lang="ja"', ' lang="ko"', '')
+    """
+    text = str(label)
+    if re.search("[\uac00-\ud7af\u1100-\u11ff]", text):
+        return ' lang="ko"'
+    japanese = "[\u3005-\u3007\u3040-\u30ff\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff\uff66-\uff9f]"
+    return ' lang="ja"' if re.search(japanese, text) else ""
 
 
 class Words:
@@ -68,7 +86,7 @@ class Words:
 
     def name(self, label: object) -> Html:
         """A stimulus, a person or a group, set so that it stands out of the sentence."""
-        return Html(f'<b class="name">{escape(str(label))}</b>')
+        return Html(f'<b class="name"{language_of(label)}>{escape(str(label))}</b>')
 
     def listed(self, items: Sequence[object], most: int = 30) -> Html:
         """Items in a row: "a, b and c"; beyond `most` the rest is only counted."""

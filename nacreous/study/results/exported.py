@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.table import Table, read_table
+from nacreous.scaling.data.column import text_column
+from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.study.results.scale import called_simulated
 from nacreous.study.store.codebook import COLUMNS
 from nacreous.study.task.counting import counts
@@ -22,13 +21,12 @@ if TYPE_CHECKING:
 __all__ = ["exported_answers"]
 
 _NAMES = tuple(column.name for column in COLUMNS)
-_LONGEST_HEAD = 100_000
 
 
 def exported_answers(
     path: str | PathLike[str], question: str | None = None, *, simulated: bool = False
 ) -> Answers | None:
-    r"""The answers that count of a .csv or .parquet file by `nacreous study export`.
+    r"""The answers that count of a file by `nacreous study export`, also saved anew.
 
     None for any other table, which is known by its columns. question: an id, needed where the
     study has several. simulated: those of simulated observers instead of people's. Raises
@@ -42,9 +40,9 @@ def exported_answers(
     ...     print(exported_answers(other))
     None
     """
-    if not set(_NAMES) <= set(_head(Path(path))):
+    if not set(_NAMES) <= set(column_names(path, [_NAMES])):
         return None
-    table = read_table(path)
+    table = read_table(path, [_NAMES])
     rows = _rows(table, str(path))
     asked = sorted({str(row["question"]) for row in rows})
     if len(asked) == 1 and question is None:
@@ -68,21 +66,6 @@ def exported_answers(
     return called_simulated(answers) if simulated else answers
 
 
-def _head(path: Path) -> list[str]:
-    """The names of a table's columns; of what is none, nothing, for whoever reads it says why."""
-    try:
-        if path.suffix.lower() == ".csv" and path.is_file():
-            with path.open(encoding="utf-8-sig", newline="") as lines:
-                return next(csv.reader([lines.readline(_LONGEST_HEAD)]), [])
-        if path.suffix.lower() == ".parquet" and path.is_file():
-            from pyarrow import parquet
-
-            return list(parquet.read_schema(path).names)
-    except (OSError, ValueError, csv.Error):
-        pass
-    return []
-
-
 def _rows(table: Table, where: str) -> list[Row]:
     """Rows as the store gives them, as far as the file says."""
     texts = {name: _texts(table, name) for name in _NAMES}
@@ -90,9 +73,10 @@ def _rows(table: Table, where: str) -> list[Row]:
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
         cell = f"{where}: row {place + 1}"
-        row["seq"] = int(_number(row["sequence"], f"{cell}: sequence") or 0)
-        row["trial"] = _number(row["trial"], f"{cell}: trial")
-        row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms")
+        comma = table.decimal_comma
+        row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
+        row["trial"] = _number(row["trial"], f"{cell}: trial", comma)
+        row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms", comma)
         row["simulated"] = _whether(row["simulated"], f"{cell}: simulated")
         # Numbers and random names are labels here, and told apart by none.
         row["number"], row["erased_as"] = row["person"], None
@@ -102,15 +86,15 @@ def _rows(table: Table, where: str) -> list[Row]:
 
 def _texts(table: Table, name: str) -> list[str | None]:
     """A column as text; empty cells are None."""
-    values = table.columns[name].to_pylist()
-    return [None if value is None or value == "" else str(value) for value in values]
+    texts: list[str | None] = text_column(table, name).to_pylist()
+    return texts
 
 
-def _number(text: str | None, quantity: str) -> float | None:
+def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | None:
     if text is None:
         return None
     try:
-        number = float(text)
+        number = float(text.replace(",", ".", 1) if decimal_comma else text)
     except ValueError:
         number = math.nan
     if not math.isfinite(number):

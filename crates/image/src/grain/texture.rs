@@ -10,6 +10,7 @@
 use crate::grain::level::Level;
 use crate::grain::spectrum::{GrainError, GrainSpectrum};
 use crate::harmonics::{CHANNELS, Coefficients, Place};
+use crate::parallel;
 use glam::{DVec3, Vec3A};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
@@ -142,20 +143,34 @@ fn draw(
 ) -> Coefficients {
     let mut key = *b"-------- nacreous grain texture ";
     key[..8].copy_from_slice(&seed.to_le_bytes());
-    let mut random = ChaCha8Rng::from_seed(key);
-    let mut coefficients = Coefficients::zero(shares.len());
-    for (l, share) in (1..).zip(shares) {
-        let deviation = share.map(|s| (4.0 * PI * s / (2 * l + 1) as f64).sqrt());
-        for m in 0..=l {
+    let degree = |l: usize| {
+        let mut random = ChaCha8Rng::from_seed(key);
+        random.set_word_pos(WORDS_A_PLACE * places_below(l) as u128);
+        let deviation = shares[l - 1].map(|s| (4.0 * PI * s / (2 * l + 1) as f64).sqrt());
+        let place = |m: usize| {
             let normal: [_; CHANNELS] = std::array::from_fn(|_| normal_pair(&mut random));
             let part = if m == 0 { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
             let mixed =
                 |c: usize, i: usize| (0..=c).map(|k| mixing[c][k] * normal[k][i]).sum::<f64>();
-            *coefficients.at_mut(l, m) =
-                std::array::from_fn(|c| [0, 1].map(|i| part * deviation[c] * mixed(c, i)));
+            std::array::from_fn(|c| [0, 1].map(|i| part * deviation[c] * mixed(c, i)))
+        };
+        (0..=l).map(place).collect::<Vec<_>>()
+    };
+    let mut coefficients = Coefficients::zero(shares.len());
+    for (i, places) in parallel::map(shares.len(), |i| degree(i + 1)).into_iter().enumerate() {
+        for (m, place) in places.into_iter().enumerate() {
+            *coefficients.at_mut(i + 1, m) = place;
         }
     }
     coefficients
+}
+
+/// The stream's words for each degree and order: two numbers of 64 bits for each channel's pair.
+const WORDS_A_PLACE: u128 = 4 * CHANNELS as u128;
+
+/// Orders 0 to k of all degrees k from 1 to below l.
+fn places_below(l: usize) -> usize {
+    (l - 1) * (l + 2) / 2
 }
 
 /// Two independent normal deviates (Box and Muller 1958), with sines that are the same everywhere.

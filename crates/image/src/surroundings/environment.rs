@@ -89,6 +89,13 @@ impl Surroundings {
         spread_rad: f64,
         from: Option<usize>,
     ) -> impl Iterator<Item = &Ball> {
-        self.neighbours.near(ray, spread_rad, from).map(|ball| &self.balls[ball])
+        let few = self.balls.len() <= FEW;
+        let all = few.then(|| (0..self.balls.len()).filter(move |&ball| Some(ball) != from));
+        let near = (!few).then(|| self.neighbours.near(ray, spread_rad, from));
+        let numbers = all.into_iter().flatten().chain(near.into_iter().flatten());
+        numbers.map(|ball| &self.balls[ball])
     }
 }
+
+/// So many balls are all asked about: that costs less than to look for those nearby.
+const FEW: usize = 3;

@@ -35,7 +35,8 @@ def chapter(analysis: Analysis, words: Words) -> Html:
 def _methods(analysis: Analysis, words: Words) -> list[Html]:
     wanted = analysis.settings
     found = [words(f"method.{wanted.model}.{wanted.method}")]
-    if wanted.ties:
+    with_ties = analysis.fit.tie_threshold is not None
+    if with_ties:
         found.append(words("method.ties"))
     elif analysis.comparisons.ties.any():
         found.append(words("method.ties_half"))
@@ -45,7 +46,8 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.prior", prior=f"{wanted.prior:g}"))
     if wanted.prior is None and wanted.method == "maximum-likelihood":
         found.append(words("method.exists"))
-    found.append(words("method.apart"))
+    over_people = analysis.doubt.errors.clusters is not None
+    found.append(words("method.apart_people" if over_people else "method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
     if analysis.people is not None:
         found.append(words("method.people", samples=analysis.people.shared.permutations))
@@ -106,14 +108,16 @@ def _link(name: str, kind: str, text: str) -> Html:
 def _cited(analysis: Analysis) -> list[str]:
     texts = tomllib.loads(_REFERENCES.read_text(encoding="utf-8"))
     wanted = analysis.settings
+    with_ties = analysis.fit.tie_threshold is not None
     used = {
         "thurstone": wanted.model == "probit",
         "ford": wanted.prior is None and wanted.method == "maximum-likelihood",
         "bradley": wanted.model == "logit",
-        "glenn": wanted.ties and wanted.model == "probit",
-        "davidson": wanted.ties and wanted.model == "logit",
+        "glenn": with_ties and wanted.model == "probit",
+        "davidson": with_ties and wanted.model == "logit",
         "beaver": wanted.order and wanted.model == "logit",
-        "efron": wanted.bootstrap > 0,
+        "efron": analysis.doubt.samples > 0,
+        "bell": analysis.doubt.errors.clusters is not None,
         "nagata": analysis.example or wanted.method == "least-squares",
         "perez": analysis.fit.unit in ("JOD", "JND"),
         "schwarz": analysis.people is not None and analysis.people.population is not None,

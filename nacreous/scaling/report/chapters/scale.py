@@ -18,6 +18,8 @@ __all__ = ["chapter", "doubt"]
 
 #: Beyond, rows of dots are a wall; the table has them all.
 MOST_ROWS = 60
+#: A larger share of samples without a scale of their own reaches into the ends of intervals.
+_FEW_UNPLACED = 0.02
 
 
 def chapter(analysis: Analysis, words: Words) -> Html:
@@ -79,19 +81,37 @@ def doubt(analysis: Analysis, words: Words) -> Html:
     """Where the margins come from, and when not to trust them."""
     people = () if analysis.answers is None else analysis.answers.people
     found = analysis.doubt
-    sentences = [
-        words("scale.zero"),
+    sentences = [words("scale.zero")]
+    if len(people) > 1:
+        sentences.append(words(f"scale.average.{analysis.fit.model}"))
+    sentences += [
         words(
             f"scale.doubt.{found.by}",
             samples=thousands(found.samples),
             people=words.count("person", len(people)),
         ),
     ]
+    if found.samples:
+        sentences.append(_unplaced(analysis, words))
+    if found.too_few:
+        sentences.append(words("scale.doubt.too_few"))
     if found.by in ("people", "clusters") and len(people) < FEW_PEOPLE:
         sentences.append(words("scale.doubt.few", people=words.count("person", len(people))))
     if found.by in ("answers", "information") and analysis.goodness.describes is False:
         sentences.append(words("scale.doubt.misfit"))
     return Html(f'<p class="quiet">{words.sentences(*sentences)}</p>\n')
+
+
+def _unplaced(analysis: Analysis, words: Words) -> Html:
+    """How many samples had no scale of their own; with more than a few, margins have no end."""
+    found = analysis.doubt
+    share = found.without_maximum / found.samples
+    key = "none" if not share else "few" if share <= _FEW_UNPLACED else "many"
+    return words(
+        f"scale.unplaced.{key}",
+        count=thousands(found.without_maximum),
+        samples=thousands(found.samples),
+    )
 
 
 def _table(analysis: Analysis, words: Words) -> Html:

@@ -1,0 +1,140 @@
+"""What a column `chosen` means: labels, words for the sides, or the codes of programs."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.roles import JSPSYCH, Names, program_of
+from nacreous.scaling.data.table import Table
+
+_LEFT, _RIGHT, _TIE, _UNKNOWN = -2, -3, -4, -5
+
+#: Words for the sides, in small letters: as people and keyboards say them.
+SIDES = {
+    **dict.fromkeys(("left", "l", "arrowleft", "{leftarrow}", "左"), _LEFT),
+    **dict.fromkeys(("right", "r", "arrowright", "{rightarrow}", "右"), _RIGHT),
+}
+_CODE = re.compile(r"([0-2])(\.0)?")
+#: A list of one, as PsychoPy writes keys and clicked names.
+_LIST = re.compile(r"""\[\s*(?:'([^']*)'|"([^"]*)"|([^\[\],'"]*))\s*\]""")
+
+
+def unlisted(cell: str) -> str:
+    """The one thing in a list of one; any other text as it is.
+
+    >>> unlisted("['left']")
+    'left'
+    """
+    listed = _LIST.fullmatch(cell)
+    return next(part for part in listed.groups() if part is not None) if listed else cell
+
+
+def is_unanswered(cell: str | None, labels: frozenset[str], names: Names) -> bool:
+    """Whether a cell of `chosen` says that nobody answered.
+
+    The words for nothing count only where no stimulus bears them as its name.
+    """
+    words = {names.get("tie"), names.get("left_word"), names.get("right_word")}
+    if cell is None:
+        return True
+    return cell not in labels and cell not in words and unlisted(cell).lower() in {*NOTHING, ""}
+
+
+def outcomes_of(
+    table: Table,
+    name: str,
+    names: Names,
+    labels: tuple[str, ...],
+    left: NDArray[np.int64],
+    right: NDArray[np.int64],
+    faults: Faults,
+) -> NDArray[np.int8]:
+    """1 where the left one was chosen, -1 the right one, 0 neither.
+
+    Words and codes count only where no stimulus bears them as its name.
+    """
+    text = text_column(table, name)
+    check_labels(table, name, text, faults)
+    faults.stop()
+    found, code = codes_of(text)
+    meanings = _meanings(table, name, names, found, labels, faults)
+    faults.stop()
+    meaning = np.array(meanings, np.int64)[code]
+    outcome = np.zeros(table.rows, np.int8)
+    is_left, is_right = (
+        (meaning == left) | (meaning == _LEFT),
+        (meaning == right) | (meaning == _RIGHT),
+    )
+    outcome[is_left], outcome[is_right] = 1, -1
+    tie = names.get("tie", "tie")
+
+    def verdict(row: int) -> str:
+        pair = f"{quoted(labels[left[row]])} or {quoted(labels[right[row]])}"
+        return f"{name} is {quoted(found[code[row]])}; allowed: {pair}, left, right or {tie}"
+
+    faults.say_of_rows(np.flatnonzero(~(is_left | is_right | (meaning == _TIE))), verdict)
+    return outcome
+
+
+def _meanings(
+    table: Table,
+    name: str,
+    names: Names,
+    found: tuple[str, ...],
+    labels: tuple[str, ...],
+    faults: Faults,
+) -> list[int]:
+    """For each value an index into labels, a side, a tie, or that it means nothing."""
+    place = {label: index for index, label in enumerate(labels)}
+    words: dict[Any, int] = {
+        names.get("left_word"): _LEFT,
+        names.get("right_word"): _RIGHT,
+        names.get("tie", "tie"): _TIE,
+    }
+    meanings = []
+    for cell in found:
+        for each in dict.fromkeys((cell, unlisted(cell))):
+            meaning = place.get(each, words.get(each, SIDES.get(each.casefold(), _UNKNOWN)))
+            if meaning != _UNKNOWN:
+                break
+        meanings.append(meaning)
+    codes = {
+        cell: code[1]
+        for cell, meaning in zip(found, meanings, strict=True)
+        if meaning == _UNKNOWN and (code := _CODE.fullmatch(unlisted(cell)))
+    }
+    if not codes or "left_word" in names or "right_word" in names:
+        return meanings
+    sides = _sides_of(table, set(codes.values()))
+    if sides is None:
+        both = " and ".join(sorted(set(codes.values())))
+        faults.say(
+            f"{name} holds {both}, and either side may be meant; allowed: labels, left and right, "
+            f"or the word for each side, such as {_word_options(table)}"
+        )
+        return meanings
+    return [
+        sides[codes[cell]] if cell in codes else meaning
+        for cell, meaning in zip(found, meanings, strict=True)
+    ]
+
+
+def _sides_of(table: Table, codes: set[str]) -> dict[str, int] | None:
+    """The sides that numbers stand for: the first and second, or jsPsych's buttons from 0."""
+    if codes == {"1", "2"}:
+        return {"1": _LEFT, "2": _RIGHT}
+    if codes <= {"0", "1"} and program_of(table) is JSPSYCH:
+        return {"0": _LEFT, "1": _RIGHT}
+    return None
+
+
+def _word_options(table: Table) -> str:
+    if table.place == "table":
+        return "left_word='1', right_word='0'"
+    return "--left 1 --right 0"

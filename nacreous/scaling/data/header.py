@@ -1,0 +1,172 @@
+"""Where a CSV file's column names stand, and what separates its cells."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from unicodedata import normalize
+
+from nacreous.problem import InputError
+from nacreous.scaling.data.fault import quoted
+
+SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
+#: How far down column names are looked for, and how much of a file is looked at for them.
+_MOST_ROWS = 25
+_MOST_BYTES = 2**20
+
+
+@dataclass(frozen=True)
+class Header:
+    """The first lines of a file.
+
+    separator: of cells. names: of columns, "" where a column has none. rows: how many rows of the
+    file stand above the first row of data. top, begin: the bytes at which the line of names and the
+    first row of data begin. texts: what Qualtrics says of each column below its name.
+    """
+
+    separator: str
+    names: list[str]
+    rows: int
+    top: int
+    begin: int
+    texts: list[str]
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A row of the file as it is parsed: its cells, and how many bytes there are to its end."""
+
+    cells: list[str]
+    end: int
+
+    @property
+    def filled(self) -> int:
+        return sum(bool(cell) for cell in self.cells)
+
+
+def find_header(
+    place: str, content: bytes, wanted: Sequence[Collection[str]] = (), skip_rows: int = 0
+) -> Header:
+    """The header of a file in UTF-8.
+
+    wanted: sets of names, one of which a line of column names has. Above it only titles may stand,
+    which fill one cell; anything else has to be skipped by skip_rows. Without such a line the first
+    that is not blank has the names.
+    """
+    text = content[:_MOST_BYTES].decode("utf-8", errors="ignore")
+    said, after_said = _said_separator(text, skip_rows)
+    found = {mark: _rows(place, text, mark) for mark in ([said] if said else SEPARATORS)}
+    begin = skip_rows + after_said
+    hits = [
+        (mark, at)
+        for mark, rows in found.items()
+        if (at := _named_row(rows, begin, wanted)) is not None
+    ]
+    if len(hits) == 1:
+        mark, at = hits[0]
+        _check_titles(place, found[mark], begin, at)
+    else:
+        mark = said or _likely_separator(place, found, begin)
+        at = next((i for i, row in enumerate(found[mark]) if i >= begin and row.filled), -1)
+        if at < 0:
+            below = f" below the first {skip_rows} rows" if skip_rows else ""
+            allowed = "allowed: a line of column names, then answers"
+            raise InputError(f"{place}: is empty{below}; {allowed}")
+    header = _header(found[mark], mark, at)
+    if any(re.search(r"[\n\r]", name) for name in header.names):
+        line = content[header.top : found[mark][at].end].decode("utf-8")
+        try:
+            list(csv.reader(io.StringIO(line, newline=""), delimiter=mark, strict=True))
+        except csv.Error as problem:
+            raise _unclosed(place, at + 1) from problem
+    return header
+
+
+def _header(rows: list[_Row], mark: str, at: int) -> Header:
+    texts: list[str] = []
+    last = at
+    if at + 2 < len(rows) and all('"ImportId"' in cell for cell in rows[at + 2].cells if cell):
+        texts, last = (rows[at + 1].cells, at + 2) if rows[at + 2].filled else ([], at)
+    top = rows[at - 1].end if at else 0
+    return Header(mark, rows[at].cells, last + 1, top, rows[last].end, texts)
+
+
+def _said_separator(text: str, skip_rows: int) -> tuple[str | None, int]:
+    """The separator that a first line such as sep=; names, and how many rows end with it."""
+    lines = io.StringIO(text, newline="").readlines()[skip_rows:]
+    for number, line in enumerate(lines, 1):
+        said = re.fullmatch(r'\ufeff?"?sep=(.)"?[,;\t]*', line.strip("\r\n "), re.IGNORECASE)
+        if said:
+            return said[1], number
+        if line.strip("\r\n "):
+            break
+    return None, 0
+
+
+def _rows(place: str, text: str, mark: str) -> list[_Row]:
+    """The first rows, blank ones too, for spreadsheets count them."""
+    lines = io.StringIO(text, newline="").readlines()
+    reader = csv.reader(lines, delimiter=mark)
+    rows: list[_Row] = []
+    end, read = 0, 0
+    try:
+        for cells in reader:
+            end += sum(len(line.encode()) for line in lines[read : reader.line_num])
+            read = reader.line_num
+            rows.append(_Row([name_of(cell) for cell in cells], end))
+            if len(rows) > _MOST_ROWS:
+                break
+    except csv.Error as problem:  # a cell beyond 131072 characters
+        if not rows:
+            raise _unclosed(place, 1) from problem
+    return rows
+
+
+def _unclosed(place: str, row: int) -> InputError:
+    return InputError(
+        f"{place}: row {row}: a quotation mark is not closed; allowed: quotation marks in pairs "
+        "around a cell"
+    )
+
+
+def name_of(cell: object) -> str:
+    """A column's name without space around it, in Unicode's form NFC."""
+    return normalize("NFC", str(cell).strip().strip("\ufeff").strip())
+
+
+def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) -> int | None:
+    for at, row in enumerate(rows):
+        names = {cell.casefold() for cell in row.cells}
+        if at >= begin and any({name.casefold() for name in each} <= names for each in wanted):
+            return at
+    return None
+
+
+def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:
+    for row in range(begin, at):
+        if rows[row].filled > 1:
+            raise InputError(
+                f"{place}: row {at + 1} holds the names of columns, and row {row + 1} above it "
+                f"more than a title; allowed: names first, or --skip-rows {at}"
+            )
+
+
+def _likely_separator(place: str, found: dict[str, list[_Row]], begin: int) -> str:
+    """What parts the first filled row into most cells."""
+    sizes = {
+        mark: next((len(row.cells) for row in rows[begin:] if row.filled), 0)
+        for mark, rows in found.items()
+    }
+    most = max(sizes.values())
+    likely = [mark for mark, size in sizes.items() if size == most]
+    if most > 1 and len(likely) > 1:
+        kinds = " or ".join(SEPARATORS[mark] for mark in likely)
+        cell = next(row.cells[0] for row in found[likely[0]][begin:] if row.filled)
+        raise InputError(
+            f"{place}: cells may be separated by {kinds} in the line that begins with "
+            f"{quoted(cell)}; allowed: one kind, or a first line sep={likely[0]}"
+        )
+    return likely[0]

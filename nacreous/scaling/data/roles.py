@@ -1,0 +1,187 @@
+"""Which column of a table is what: by the names given, the usual ones, or a program's own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypedDict
+
+import numpy as np
+
+from nacreous.problem import InputError
+from nacreous.scaling.data.column import number_column, text_column
+from nacreous.scaling.data.fault import Faults, listed, nearest
+from nacreous.scaling.data.header import name_of
+from nacreous.scaling.data.table import Table
+
+
+class Names(TypedDict, total=False):
+    """What the columns are called, where not as usual, and what `chosen` holds for no label."""
+
+    person: str
+    left: str
+    right: str
+    chosen: str
+    winner: str
+    loser: str
+    time: str
+    trial: str
+    response_s: str
+    response_ms: str
+    tie: str
+    left_word: str
+    right_word: str
+
+
+@dataclass(frozen=True)
+class Program:
+    """A program of experiments: by which columns its files are known, and what its own ones are."""
+
+    name: str
+    marks: frozenset[str]
+    columns: Mapping[str, str]
+
+
+JSPSYCH = Program(
+    "jsPsych",
+    frozenset({"trial_type", "trial_index", "time_elapsed"}),
+    {"chosen": "response", "response_ms": "rt", "trial": "trial_index"},
+)
+LABJS = Program(
+    "lab.js",
+    frozenset({"sender", "sender_type", "sender_id"}),
+    {"chosen": "response", "response_ms": "duration"},
+)
+PROGRAMS = (JSPSYCH, LABJS)
+
+LONG = ("left", "right", "chosen")
+WINNERS = ("winner", "loser")
+OPTIONAL = ("person", "time", "trial", "response_s", "response_ms")
+WORDS = ("tie", "left_word", "right_word")
+
+#: Names under which other programs write who answered.
+PEOPLE = (
+    "participant",
+    "participant_id",
+    "participantid",
+    "subject",
+    "subject_id",
+    "subjectid",
+    "subject_nr",
+    "responseid",
+    "prolific_pid",
+    "observer",
+)
+
+
+def check_names(names: Names) -> Names:
+    """The names as they are compared, or one message about a role that is none."""
+    roles = (*LONG, *WINNERS, *OPTIONAL, *WORDS)
+    unknown = sorted(set(names) - set(roles))
+    if unknown:
+        near = nearest(unknown[0], roles)
+        hint = f"did you mean {near}?" if near else f"allowed: {', '.join(roles)}"
+        raise InputError(f"{unknown[0]} is no role of a column; {hint}")
+    given: Any = {role: name_of(name) for role, name in names.items() if name is not None}
+    if set(given) & set(WINNERS) and set(given) & {*LONG, *WORDS}:
+        raise InputError("winner and loser are given with left, right or chosen; allowed: either")
+    found: Names = given
+    return found
+
+
+def wanted_of(names: Names) -> list[set[str]]:
+    """Names of columns, one of these sets being in the line of names."""
+    given: Any = names
+    pairs = (LONG[:2], WINNERS)
+    return [{str(given.get(role) or role) for role in pair} for pair in pairs]
+
+
+def program_of(table: Table) -> Program | None:
+    """The program whose columns these are."""
+    return next((each for each in PROGRAMS if each.marks <= set(table.columns)), None)
+
+
+def column_of(table: Table, role: str, names: Names) -> str | None:
+    """The column that has a role, or None: as given, as usual, or as the program calls it."""
+    given: Any = names.get(role)
+    if given is not None:
+        return given if given in table.columns else None
+    if role in table.columns:
+        return role
+    alike = [name for name in table.columns if name.casefold() == role]
+    if len(alike) == 1:
+        return alike[0]
+    if role == "trial" and _holds_numbers(table, "order"):
+        return "order"
+    program = program_of(table)
+    own = program.columns.get(role) if program else None
+    return own if own in table.columns else None
+
+
+def has_winners(table: Table, names: Names) -> bool:
+    """Whether the answers are winner and loser, and not left, right and chosen."""
+    if set(names) & set(WINNERS):
+        return True
+    return not has_long(table, names) and all(column_of(table, role, names) for role in WINNERS)
+
+
+def has_long(table: Table, names: Names) -> bool:
+    """Whether there are columns for left, right and chosen."""
+    return all(column_of(table, role, names) for role in LONG)
+
+
+def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
+    """For each role the name of the column that has it; optional ones only where they are."""
+    needed = WINNERS if has_winners(table, names) else LONG
+    found: dict[str, str] = {}
+    for role in (*needed, *OPTIONAL):
+        column = column_of(table, role, names)
+        if role == "person" and column is None and "person" not in names:
+            column = _people(table, {*found.values()})
+        name = str(names.get(role) or role)
+        if column is not None:
+            found[role] = column
+        elif role in needed or role in names:
+            faults.say(f"has no column {name}; {_hint(table, role, name)}")
+    if "response_s" in found and "response_ms" in found:
+        faults.say("has both response_s and response_ms; allowed: one of them")
+    for name in dict.fromkeys(found.values()):
+        roles = [role for role in found if found[role] == name]
+        if len(roles) > 1:
+            faults.say(f"column {name} is used as {' and as '.join(roles)}; allowed: one of them")
+    return found
+
+
+def _people(table: Table, taken: Iterable[str]) -> str | None:
+    """The column of people by another program's name for it, where one is not empty."""
+    likely = [name for name in table.columns if name.casefold() in PEOPLE and name not in taken]
+    likely = [name for name in likely if text_column(table, name).null_count < table.rows]
+    if len(likely) > 1:
+        raise InputError(
+            f"{table.place}: people may be in the columns {listed(likely)}; allowed: one, named by "
+            f"{option(table, 'person', likely[0])}"
+        )
+    return likely[0] if likely else None
+
+
+def _holds_numbers(table: Table, name: str) -> bool:
+    """Whether a column is there and numbers the trials; AB and BA in it would be a group."""
+    scratch = Faults(table.place)
+    if name in table.columns:
+        number_column(table, name, scratch, -np.inf)
+    return name in table.columns and not scratch
+
+
+def _hint(table: Table, role: str, name: str) -> str:
+    near = nearest(name, table.columns)
+    if near:
+        return f"did you mean {near}? ({option(table, role, near)})"
+    hint = f"columns here: {listed(table.columns)}; name it by {option(table, role, 'NAME')}"
+    if table.place != "table" and len(table.columns) < 3:
+        hint += ", or skip rows above the names by --skip-rows N"
+    return hint
+
+
+def option(table: Table, role: str, name: str) -> str:
+    """How a column is named: on the command line, or in Python for a table that is no file."""
+    return f"{role}={name!r}" if table.place == "table" else f"--column {role}={name}"

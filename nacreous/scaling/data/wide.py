@@ -1,0 +1,87 @@
+"""Answers with a row a person and a column a pair, as survey programs write them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.roles import PEOPLE, Names, column_of
+from nacreous.scaling.data.table import Table
+
+_VERSUS = re.compile(r"(.*?\S)[\s_.\-]+(?:vs|versus)\.?[\s_.\-]+(\S.*)", re.IGNORECASE)
+#: What parts a question from the pair below or behind it.
+_PARTS = re.compile(r"[?:\n\r]|？|：|<[^>]*>")
+
+
+def is_wide(table: Table) -> bool:
+    """Whether columns are called after pairs, such as "A vs B", or Qualtrics says so of them."""
+    return bool(_pairs(table))
+
+
+def long_of(table: Table, names: Names, faults: Faults) -> Table:
+    """The same answers, one a row, in the columns left, right and chosen.
+
+    Who answered is in the column of people, Qualtrics's ResponseId, or else the row. Empty cells
+    are questions that were not put. A cell that names neither of its pair is noted as a fault,
+    except codes and words for sides where the column's own name gives the pair.
+    """
+    import pyarrow as pa
+
+    pairs = _pairs(table)
+    lefts: list[str] = []
+    rights: list[str] = []
+    chosen: list[str] = []
+    rows: list[int] = []
+    for column, (left, right, exact) in pairs.items():
+        for row, cell in enumerate(text_column(table, column).to_pylist()):
+            if cell is None or (cell not in (left, right) and cell.lower() in NOTHING):
+                continue
+            if not exact and cell not in (left, right, "left", "right", names.get("tie", "tie")):
+                allowed = f"{quoted(left)} or {quoted(right)}, of which its question speaks"
+                verdict = f"{column} is {quoted(cell)}; allowed: {allowed}, as text"
+                faults.say_of_rows(np.array([row]), lambda _, said=verdict: said)  # type: ignore[misc]
+            lefts.append(left)
+            rights.append(right)
+            chosen.append(cell)
+            rows.append(row)
+    order = np.argsort(np.array(rows, np.int64), kind="stable")
+    source = np.array(rows, np.int64)[order]
+    columns: dict[str, Any] = {
+        name: column.take(pa.array(source))
+        for name, column in table.columns.items()
+        if name not in pairs
+    }
+    for name, cells in (("left", lefts), ("right", rights), ("chosen", chosen)):
+        columns[name] = pa.array([cells[at] for at in order], pa.large_string())
+    person = _person(table, names)
+    if person != "person":
+        own = [f"row {number}" for number in table.numbers[source]]
+        columns["person"] = columns.pop(person) if person else pa.array(own, pa.large_string())
+    return replace(table, columns=columns, numbers=table.numbers[source])
+
+
+def _person(table: Table, names: Names) -> str | None:
+    """The column of people; Qualtrics's own number of a response before others."""
+    given = column_of(table, "person", names)
+    if given is not None or "person" in names:
+        return given
+    known = {name.casefold(): name for name in table.columns if name.casefold() in PEOPLE}
+    return known.get("responseid") or next(iter(known.values()), None)
+
+
+def _pairs(table: Table) -> dict[str, tuple[str, str, bool]]:
+    """For each column of a pair both labels, and whether its name alone gives them."""
+    found: dict[str, tuple[str, str, bool]] = {}
+    for name in table.columns:
+        parts = [name] if name not in table.texts else _PARTS.split(table.texts[name])
+        hits = [hit for part in parts if (hit := _VERSUS.fullmatch(part.strip()))]
+        if len(hits) == 1:
+            left, right = label_of(hits[0][1]), label_of(hits[0][2])
+            found[name] = (left, right, name not in table.texts)
+    return found

@@ -1,0 +1,138 @@
+"""The errors of a fitted scale: a covariance, and of how many degrees of freedom it is known."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.number import said
+from nacreous.problem import InputError
+from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.fit import clustering, row_means, uncertainty
+from nacreous.scaling.fit.clustering import Clusters
+from nacreous.scaling.fit.unit import factor
+from nacreous.value import value_class
+
+if TYPE_CHECKING:
+    from nacreous.scaling.fit.scale import Scale
+
+__all__ = ["KINDS", "Errors", "clusters_of", "errors_of", "kind_of", "parameter_covariance"]
+
+Array = NDArray[np.float64]
+
+KINDS = ("expected", "observed", "people")
+#: A variance over people below this share of the expected one is none at all.
+_NOTHING = 1e-12
+
+
+@value_class
+class Errors:
+    """Of the values of a scale, in its unit.
+
+    covariance  float64 [stimulus, stimulus], mean held at 0
+    clusters    the people that it comes from, or None
+    values      float64 [stimulus, parameter]: from parameters to values
+    """
+
+    covariance: Array
+    clusters: Clusters | None
+    values: Array
+
+    def freedom(self, contrasts: Array) -> Array:
+        """Degrees of freedom of contrasts of values [k, stimulus]; infinite without people."""
+        if self.clusters is None:
+            return np.full(len(contrasts), np.inf)
+        return self.clusters.freedom(contrasts @ self.values)
+
+
+def kind_of(fit: Scale, kind: str | None) -> str:
+    """What errors are asked for: by default over people where a fit by likelihood knows them."""
+    if kind is None:
+        known = fit.answers is not None and fit.answers.person is not None
+        return "people" if known and fit.method == "maximum-likelihood" else "expected"
+    if kind not in KINDS:
+        raise InputError(f"kind is {said(kind)}; allowed: {', '.join(KINDS)}")
+    return kind
+
+
+def errors_of(fit: Scale, kind: str | None) -> Errors:
+    """Errors of a kind, None being the default."""
+    chosen = kind_of(fit, kind)
+    if fit.method == "least-squares":
+        own = fit.scale * factor(fit.unit, "z")
+        table = row_means.covariance(fit.comparisons, own, chosen)
+        return Errors(table * factor("z", fit.unit) ** 2, None, np.eye(len(own)))
+    values = _values(fit)
+    if chosen != "people":
+        return Errors(_brought(fit, parameter_covariance(fit, chosen), values), None, values)
+    found = clusters_of(fit)
+    covariance = _brought(fit, found.covariance, values)
+    _require_difference(fit, covariance, _brought(fit, _inverse(fit, expected=True), values))
+    return Errors(covariance, found, values)
+
+
+def parameter_covariance(fit: Scale, kind: str | None) -> Array:
+    """Covariance of the parameters in the model's own unit: coefficients, side, ties."""
+    chosen = kind_of(fit, kind)
+    if fit.method == "least-squares":
+        own = fit.scale * factor(fit.unit, "z")
+        return row_means.covariance(fit.comparisons, own, chosen)
+    if chosen == "people":
+        return clusters_of(fit).covariance
+    return _inverse(fit, chosen == "expected")
+
+
+def clusters_of(fit: Scale) -> Clusters:
+    """The people behind a fit by maximum likelihood, three or more for each stimulus."""
+    answers = clustering.require_people(fit.answers)
+    like = (
+        fit.model,
+        fit.tie_threshold is not None and bool(fit.comparisons.ties.any()),
+        fit.order_effect is not None,
+        fit.design,
+    )
+    inverses = (_inverse(fit, expected=False), _inverse(fit, expected=True))
+    return clustering.clusters(fit.room, answers, fit.parameters, inverses, like)
+
+
+def _inverse(fit: Scale, expected: bool) -> Array:
+    floats = fit.design is None and fit.prior is None
+    information = fit.room.information(fit.parameters, expected)
+    return uncertainty.inverse(information, len(fit.stimuli) if floats else 0)
+
+
+def _values(fit: Scale) -> Array:
+    """From parameters to values with mean 0."""
+    count = len(fit.stimuli)
+    table = np.eye(count) if fit.design is None else fit.design
+    found = np.zeros((count, len(fit.parameters)))
+    found[:, : table.shape[1]] = table - table.mean(axis=0)
+    return found
+
+
+def _brought(fit: Scale, covariance: Array, values: Array) -> Array:
+    """The covariance of parameters as that of values, in the scale's unit."""
+    if fit.design is None:
+        count = len(fit.stimuli)
+        table = uncertainty.centred(covariance[:count, :count])
+    else:
+        table = values @ covariance @ values.T
+    return np.asarray(table * factor(fit.own_unit, fit.unit) ** 2)
+
+
+def _require_difference(fit: Scale, over_people: Array, expected: Array) -> None:
+    """Refuse people who all answered so alike that nothing tells how people differ."""
+    own, alone = (
+        np.add.outer(np.diag(table), np.diag(table)) - 2 * table
+        for table in (over_people, expected)
+    )
+    alike = (own <= _NOTHING * alone) & (alone > _NOTHING * alone.max())
+    alike |= np.diag(np.diag(over_people) <= _NOTHING * np.diag(expected))
+    if alike.any():
+        about = dict.fromkeys(quoted(fit.stimuli[int(at)]) for at in np.argwhere(alike)[0])
+        raise InputError(
+            f"all people answered alike about {' and '.join(about)}, so that it is not known how "
+            f"people differ; allowed: people who differ, or {clustering.INSTEAD}"
+        )

@@ -1,0 +1,139 @@
+"""Things that nobody changes any more: read-only arrays, tuples and mappings, and what they equal.
+
+NumPy is loaded where there is an array to look at, and `dataclasses` where one is to be made, for
+the shortest way to a picture has neither.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NoReturn, TypeGuard, TypeVar
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["ReadOnlyMapping", "Unchanging", "keep", "key_of", "released", "settled"]
+
+K = TypeVar("K")
+V = TypeVar("V", covariant=True)
+
+
+class ReadOnlyMapping(Mapping[K, V]):
+    """A dict that nobody changes any more.
+
+    >>> shares = ReadOnlyMapping({"mika": 0.5})
+    >>> shares["mika"], shares == {"mika": 0.5}
+    (0.5, True)
+    """
+
+    __slots__ = ("_items",)
+
+    def __init__(self, items: Mapping[K, V]) -> None:
+        self._items: dict[K, V] = {key: settled(item) for key, item in items.items()}
+
+    def __getitem__(self, key: K) -> V:
+        """The item of a key."""
+        return self._items[key]
+
+    def __iter__(self) -> Iterator[K]:
+        """The keys in their order."""
+        return iter(self._items)
+
+    def __len__(self) -> int:
+        """How many items."""
+        return len(self._items)
+
+    def __eq__(self, other: object) -> bool:
+        """Equal items under equal keys."""
+        return key_of(self) == key_of(other) if isinstance(other, Mapping) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Equal mappings have equal hashes."""
+        return hash(key_of(self))
+
+    def __repr__(self) -> str:
+        """As the dict."""
+        return repr(self._items)
+
+
+class Unchanging:
+    """What refuses that an attribute is set or deleted, as a frozen dataclass does."""
+
+    __slots__ = ()
+
+    def __setattr__(self, name: str, _: object) -> NoReturn:
+        """Refused."""
+        raise _frozen(f"cannot assign to field {name!r}")
+
+    def __delattr__(self, name: str) -> NoReturn:
+        """Refused."""
+        raise _frozen(f"cannot delete field {name!r}")
+
+
+def _frozen(message: str) -> AttributeError:
+    from dataclasses import FrozenInstanceError
+
+    return FrozenInstanceError(message)
+
+
+def settled(item: Any) -> Any:
+    """A thing that nobody can change any more, as `value_class` keeps it."""
+    if is_array(item):
+        return _read_only(item)
+    if type(item) in (list, tuple):
+        return tuple(map(settled, item))
+    if isinstance(item, Mapping) and not isinstance(item, ReadOnlyMapping):
+        return ReadOnlyMapping(item)
+    return item
+
+
+def released(array: NDArray[Any]) -> NDArray[Any]:
+    """An array that nobody else holds, made read-only where it lies, so that it need not be copied.
+
+    >>> import numpy as np
+    >>> released(np.arange(6).reshape(2, 3)).flags.writeable
+    False
+    """
+    held: Any = array
+    while is_array(held):
+        held.flags.writeable = False
+        held = held.base
+    return array
+
+
+def key_of(item: Any) -> Any:
+    """What equal things have in common, for comparison and hash: numbers by value, NaN as NaN."""
+    if is_array(item):
+        numbers = item + 0.0 if item.dtype.kind in "fc" else item  # -0.0 is 0.0
+        return item.dtype.str, item.shape, numbers.tobytes()
+    if isinstance(item, Mapping):
+        return frozenset((key, key_of(part)) for key, part in item.items())
+    if isinstance(item, (tuple, list)):
+        return tuple(map(key_of, item))
+    if isinstance(item, (float, complex)) and item != item:
+        return "nan"
+    return item
+
+
+def is_array(item: object) -> TypeGuard[NDArray[Any]]:
+    """Whether it is an array; where NumPy was never loaded, nothing is."""
+    numpy = sys.modules.get("numpy")
+    return numpy is not None and isinstance(item, numpy.ndarray)
+
+
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    held: Any = array
+    while is_array(held):
+        if held.flags.writeable:
+            copy = array.copy()
+            copy.flags.writeable = False
+            return copy
+        held = held.base
+    return array
+
+
+def keep(self: object, **fields: Any) -> None:
+    """Set fields of a frozen object while it is made."""
+    for name, item in fields.items():
+        object.__setattr__(self, name, settled(item))

@@ -1,0 +1,80 @@
+"""Results as values: they never change, and compare, hash, copy and pickle as their numbers.
+
+So a result can be a key of a dict, go to another process and come back equal, and be handed on
+without fear that somebody writes into it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, TypeVar, dataclass_transform
+
+from nacreous.unchanging import keep, key_of
+
+__all__ = ["value_class"]
+
+T = TypeVar("T")
+
+
+@dataclass_transform(
+    eq_default=False, frozen_default=True, field_specifiers=(dataclasses.field, dataclasses.Field)
+)
+def value_class(cls: type[T]) -> type[T]:
+    """A frozen dataclass that is a value, its arrays, lists and dicts included.
+
+    Arrays become read-only copies, unless they are read-only already; lists become tuples, mappings
+    a `ReadOnlyMapping`. Equal are objects of one class whose fields are equal, NaN to NaN; a field
+    of `compare=False` does not count. Pickled and copied are the fields, from which an object is
+    made again; so a class with an `__init__` of its own takes the fields by their names.
+
+    >>> import numpy as np
+    >>> @value_class
+    ... class Spectrum:
+    ...     values: np.ndarray
+    >>> Spectrum(np.ones(3)) == Spectrum(np.ones(3)), Spectrum(np.ones(3)) == Spectrum(np.ones(4))
+    (True, False)
+    >>> Spectrum(np.ones(3)).values[0] = 2
+    Traceback (most recent call last):
+    ValueError: assignment destination is read-only
+    """
+    own = cls.__dict__.get("__post_init__")
+
+    def finish(self: Any) -> None:
+        if own is not None:
+            own(self)
+        keep(self, **vars(self))
+
+    cls.__post_init__ = finish  # type: ignore[attr-defined]
+    cls.__eq__ = _equal  # type: ignore[method-assign]
+    cls.__hash__ = _hash  # type: ignore[method-assign]
+    cls.__getstate__ = _state  # type: ignore[method-assign]
+    cls.__setstate__ = _set_state  # type: ignore[attr-defined]
+    return dataclasses.dataclass(frozen=True, eq=False)(cls)
+
+
+def _key(self: Any) -> tuple[Any, ...]:
+    fields = (field.name for field in dataclasses.fields(self) if field.compare)
+    return tuple(key_of(getattr(self, name)) for name in fields)
+
+
+def _equal(self: Any, other: object) -> bool:
+    """Equal fields of the same class."""
+    if type(other) is not type(self):
+        return NotImplemented  # type: ignore[no-any-return]
+    return self is other or bool(_key(self) == _key(other))
+
+
+def _hash(self: Any) -> int:
+    """Equal values have equal hashes."""
+    return hash((type(self), *_key(self)))
+
+
+def _state(self: Any) -> dict[str, Any]:
+    """What it is made from, and nothing that was kept beside."""
+    fields = (field.name for field in dataclasses.fields(self) if field.init)
+    return {name: getattr(self, name) for name in fields}
+
+
+def _set_state(self: Any, state: dict[str, Any]) -> None:
+    """Made and checked again."""
+    self.__init__(**state)

@@ -1,0 +1,143 @@
+"""Every public result is a value: unchanging; copied, pickled, compared, hashed as its numbers."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import pickle
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import pydantic
+import pytest
+
+import nacreous as nc
+from nacreous.value import value_class
+from tests.support.values import examples, public_classes
+
+#: What is offered and is no result: it holds nothing, or is an error.
+NO_RESULTS = {"nacreous.problem.InputError"}
+
+each_result = pytest.mark.parametrize("result", examples(), ids=lambda item: type(item).__name__)
+
+
+def copies(item: Any) -> Iterator[Any]:
+    yield copy.copy(item)
+    yield copy.deepcopy(item)
+    for protocol in (2, pickle.HIGHEST_PROTOCOL):
+        yield pickle.loads(pickle.dumps(item, protocol))
+
+
+def arrays(item: Any) -> Iterator[np.ndarray[Any, Any]]:
+    """Those that people can reach in a result."""
+    if isinstance(item, np.ndarray):
+        yield item
+    elif isinstance(item, Mapping):
+        for part in item.values():
+            yield from arrays(part)
+    elif isinstance(item, tuple):
+        for part in item:
+            yield from arrays(part)
+    elif dataclasses.is_dataclass(item):
+        for field in dataclasses.fields(item):
+            yield from arrays(getattr(item, field.name))
+    elif isinstance(item, nc.Image):
+        yield from arrays((item.linear, item.layers))
+
+
+def test_every_public_class_has_an_example() -> None:
+    known = {f"{type(item).__module__}.{type(item).__qualname__}" for item in examples()}
+    assert set(public_classes()) - known <= NO_RESULTS
+
+
+@each_result
+def test_a_result_refuses_that_a_field_is_set_or_deleted(result: Any) -> None:
+    named = getattr(result, "__dataclass_fields__", None) or getattr(result, "_fields", None)
+    named = named or getattr(type(result), "model_fields", None) or ["recipe", "anything"]
+    for name in [*named, "anything"]:
+        with pytest.raises((AttributeError, pydantic.ValidationError)):
+            setattr(result, name, 1)
+        with pytest.raises((AttributeError, pydantic.ValidationError)):
+            delattr(result, name)
+
+
+@each_result
+def test_no_array_of_a_result_can_be_written_to_however_it_was_made(result: Any) -> None:
+    for item in (result, *copies(result)):
+        assert not any(array.flags.writeable for array in arrays(item))
+
+
+@each_result
+def test_a_result_comes_back_equal_from_copies_and_pickles(result: Any) -> None:
+    for other in copies(result):
+        assert other == result
+        assert hash(other) == hash(result)
+        assert {result: "known"}[other] == "known"
+        assert repr(other) == repr(result)
+
+
+@each_result
+def test_results_of_other_numbers_are_not_equal(result: Any) -> None:
+    assert result != 1
+    assert sum(result == other for other in examples()) == 1
+    for field in dataclasses.fields(result) if dataclasses.is_dataclass(result) else ():
+        item = getattr(result, field.name)
+        if field.init and field.compare and isinstance(item, np.ndarray) and item.dtype.kind == "f":
+            assert dataclasses.replace(result, **{field.name: item + 1e-9}) != result
+
+
+def test_the_arrays_that_people_give_stay_theirs() -> None:
+    thickness_nm = np.array([400.0, 410.0])
+    stack = nc.LayerStack(thickness_nm)
+    thickness_nm[0] = 500.0
+    assert stack.thickness_nm.tolist() == [400.0, 410.0]
+
+
+def test_a_sweep_over_a_field_is_refused_and_replacing_it_makes_another_stack() -> None:
+    stack = nc.LayerStack([400.0] * 10)
+    with pytest.raises(AttributeError, match="protein_nm"):
+        stack.protein_nm = 40.0  # type: ignore[misc]
+    thicker = dataclasses.replace(stack, protein_nm=40.0)
+    R = [nc.optics.reflectance(each, 0.0, 500.0)[0, 0] for each in (stack, thicker)]
+    assert R[0] != R[1]
+    assert thicker == nc.LayerStack([400.0] * 10, 40.0)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "equal"),
+    [
+        (0.0, -0.0, True),
+        (np.nan, float("nan"), True),
+        (np.array([0.0, np.nan]), np.array([-0.0, np.nan]), True),
+        (np.array([1.0]), np.array([[1.0]]), False),
+        ([1, [2, 3]], (1, (2, 3)), True),
+        ({"a": 1, "b": 2}, {"b": 2, "a": 1}, True),
+        ({"a": np.zeros(2)}, {"a": np.ones(2)}, False),
+    ],
+)
+def test_values_compare_as_their_numbers(one: Any, other: Any, equal: bool) -> None:
+    first, second = Kept(one), Kept(other)
+    assert (first == second) is equal
+    assert (hash(first) == hash(second)) or not equal
+
+
+def test_values_of_different_classes_are_never_equal() -> None:
+    @value_class
+    class Other:
+        item: Any
+
+    assert Kept(1) != Other(1)
+
+
+@value_class
+class Kept:
+    """A value of one field."""
+
+    item: Any
+
+
+def test_a_medium_of_a_module_pickles_and_a_lambda_says_so() -> None:
+    unpickled: Callable[[Any], Any] = lambda nm: 1.5 + 0 * nm  # noqa: E731
+    with pytest.raises((pickle.PicklingError, AttributeError)):
+        pickle.dumps(nc.LayerStack([400.0], protein=unpickled))
