@@ -98,8 +98,9 @@ def scene(folder: Path, job: dict[str, Any]) -> mi.Scene:
     """The ball, the camera and the world; y is up, z towards the viewer, as in our scenes."""
     elevation, distance_mm = math.radians(job["elevation_deg"]), job["distance_mm"]
     eye = [0.0, distance_mm * math.sin(elevation), distance_mm * math.cos(elevation)]
-    # Mitsuba's panoramas run the other way round.
-    world = np.ascontiguousarray(np.load(folder / "panorama.npy")[:, ::-1])
+    # Mitsuba's panoramas begin where the middle of ours is.
+    world = np.load(folder / "panorama.npy")
+    world = np.ascontiguousarray(np.roll(world, world.shape[1] // 2, axis=1))
     return mi.load_dict(
         {
             "type": "scene",

@@ -1,8 +1,8 @@
 """A made-up world in high range for benchmarks: sky, sun, windows, ground.
 
-Rows run from the zenith down, columns from behind the pearl round by the left to the right; the
-middle column is the viewer's side, as in a scene's `sky.path`. Nothing is random: same size, same
-pixels.
+Rows run from the zenith down, columns clockwise as seen from above: from the viewer's side by the
+left to what lies behind the pearl, the middle column, as in a scene's `sky.path`. Nothing is
+random: same size, same pixels.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ SUN = ((20.0, 52.0, 2.5), (120.0, 108.0, 90.0))
 def pixels(height_px: int = HEIGHT_PX) -> NDArray[np.float32]:
     """Linear RGB, float32 [row, column, rgb], twice as wide as high."""
     elevation_deg = 90 - (np.arange(height_px) + 0.5) * 180 / height_px
-    azimuth_deg = (np.arange(2 * height_px) + 0.5) * 180 / height_px - 180
+    azimuth_deg = _turn(-(np.arange(2 * height_px) + 0.5) * 180 / height_px)
     azimuth, elevation = np.meshgrid(azimuth_deg, elevation_deg)
     world = np.where((elevation > 0)[..., None], _sky(elevation), _ground(azimuth, elevation))
     for (azimuth_of, elevation_of, half_width, half_height), rgb in WINDOWS:

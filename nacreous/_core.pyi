@@ -58,6 +58,9 @@ def write_png(
     space: str,
     text: list[tuple[str, str]],
 ) -> None: ...
+def png_bytes(
+    pixels: NDArray[np.uint8] | NDArray[np.uint16], space: str, text: list[tuple[str, str]]
+) -> bytes: ...
 def write_exr(
     path: str | PathLike[str],
     planes: list[tuple[str, NDArray[np.float32]]],
@@ -66,6 +69,7 @@ def write_exr(
 def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_png_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
+def read_exr_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
 
 # nacre
 _Medium: TypeAlias = (
@@ -162,6 +166,8 @@ _Grain: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.f
 
 @final
 class Picture:
+    @property
+    def size_px(self) -> int: ...
     def parts(self) -> tuple[NDArray[np.float32], list[tuple[str, int, int]]]: ...
     def save_png(
         self,

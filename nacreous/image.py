@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 from nacreous import _core, file
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.recipe import Recipe, recipe
+from nacreous.recipe import PREFIX, Recipe, recipe
 from nacreous.unchanging import Unchanging, keep, key_of, released
 
 if TYPE_CHECKING:
@@ -32,9 +32,10 @@ class Image(Unchanging):
 
     linear: float32 [row, column, rgb] in the primaries of sRGB, relative to the scene's white; may
     leave 0..1. layers: of a rendered picture, the parts "interference", "diffuse", "mirror" and
-    "surroundings", which add up to linear, and "texture" (hue, value, chroma) and "coverage" (of
-    all pearls). recipe: texts "pearl" (of several different pearls "pearl.0", "pearl.1" and so on),
-    "scene" and others. A picture never changes; it compares, hashes, copies and pickles as its
+    "surroundings", which add up to linear, and "texture" (hue, value, chroma), "coverage" (of all
+    pearls) and "shadow" (the share of its light that the table lacks for the pearls). recipe: texts
+    "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others. A
+    picture never changes; it compares, hashes, copies and pickles as its
     numbers and its recipe.
     """
 
@@ -58,8 +59,13 @@ class Image(Unchanging):
         return image
 
     def __repr__(self) -> str:
-        """Its size and what is in it."""
-        return f"Image(linear {self.linear.shape}, layers: {', '.join(self.layers) or 'none'})"
+        """Its size and what is in it, on one line."""
+        height, width = self.linear.shape[:2]
+        return f"Image({width} x {height} pixels, layers: {', '.join(self.layers) or 'none'})"
+
+    def _repr_png_(self) -> bytes:
+        """The picture as notebooks show it, in sRGB."""
+        return _core.png_bytes(self.develop()[0], "srgb", self._texts())
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
@@ -104,18 +110,24 @@ class Image(Unchanging):
         bits: Literal[8, 16] = 8,
         space: str = "srgb",
         gamut: str = "soft",
+        alpha: bool = False,
     ) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], float]:
         """Codes [row, column, rgb] for a screen, and the share of pixels that were out of gamut.
 
         space: "srgb" or "display-p3". gamut: "soft" keeps hue and bends saturation and highlights,
-        "clip" cuts each channel (formulas: `nacreous.colour`).
+        "clip" cuts each channel (formulas: `nacreous.colour`). alpha: the pearls alone, as codes
+        [row, column, rgba], colours not multiplied by how much of the pixel the pearls cover.
 
-        >>> codes, outside = render("paper", size=8, samples=1).develop()
+        >>> codes, outside = render("paper", size=8, samples=1).develop(alpha=True)
         >>> codes.dtype, codes.shape
-        (dtype('uint8'), (8, 8, 3))
+        (dtype('uint8'), (8, 8, 4))
         """
         _check_bits(bits)
-        return _core.develop(self.linear, str(space), str(gamut), bits)
+        if not alpha:
+            return _core.develop(self.linear, str(space), str(gamut), bits)
+        from nacreous.alpha import codes_with_alpha, pearls_alone
+
+        return codes_with_alpha(pearls_alone(self.layers), bits, str(space), str(gamut))
 
     def save(
         self,
@@ -123,37 +135,51 @@ class Image(Unchanging):
         bits: Literal[8, 16] = 8,
         space: str = "srgb",
         gamut: str = "soft",
+        alpha: bool = False,
     ) -> float:
         """Write the picture; the ending decides. Returns the share of pixels out of gamut.
 
         .png: developed, with its colour profile. .exr: linear, with all layers; nothing is clipped
-        and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. The file
-        is whole or not there. Raises `InputError` for an ending or a place that cannot be.
+        and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. alpha: the
+        pearls alone, cut out (docs/picture.md); without it a PNG has no alpha and an EXR's is 1.
+        The file is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
         _check_bits(bits)
         outside = 0.0
         with file.atomic(path) as temporary:
-            if self._picture is None or self._arrays is not None:
-                outside = self._save_arrays(temporary, suffix, (bits, str(space), str(gamut)))
+            if self._picture is None or self._arrays is not None or alpha:
+                outside = self._save_arrays(
+                    temporary, suffix, (bits, str(space), str(gamut), alpha)
+                )
             elif suffix == ".exr":
                 self._picture.save_exr(temporary, self._texts())
             else:
-                texts = self._texts()
+                texts = self._texts(bits, space, gamut, alpha)
                 outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
         return outside
 
-    def _save_arrays(self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str]) -> float:
+    def _save_arrays(
+        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool]
+    ) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
-            _core.write_exr(path, [("", self.linear), *self.layers.items()], self._texts())
+            from nacreous.alpha import opaque, pearls_alone
+
+            rgba = pearls_alone(self.layers) if how[3] else opaque(self.linear)
+            _core.write_exr(path, [("", rgba), *self.layers.items()], self._texts())
             return 0.0
         codes, outside = self.develop(*how)
-        _core.write_png(path, codes, how[1], self._texts())
+        _core.write_png(path, codes, how[1], self._texts(*how))
         return outside
 
-    def _texts(self) -> list[tuple[str, str]]:
-        return [(f"nacreous:{name}", text) for name, text in self.recipe.items()]
+    def _texts(self, *how: object) -> list[tuple[str, str]]:
+        """The recipe, and of a PNG how it was developed."""
+        texts = dict(self.recipe)
+        if how and texts:
+            names = ("bits", "space", "gamut", "alpha")
+            texts["developed"] = json.dumps(dict(zip(names, how, strict=True)))
+        return [(PREFIX + name, text) for name, text in texts.items()]
 
 
 def render(
@@ -170,8 +196,9 @@ def render(
     number, 1 to 1024; where the first are alike, it takes fewer. progress: called with the finished
     share, 0 to 1, now and then; what it raises stops the render, as Ctrl-C does.
 
-    Same pearl, scene, size and samples: same bytes. Memory: 76 bytes a pixel, some 60 MB, and up to
-    25 MB for each different grain (24 different pearls in 1024 x 1024: 460 MB).
+    Same pearl, scene, size and samples: same bytes. Memory: some 90 bytes a pixel with a PNG of
+    it, 300 with an OpenEXR file, 50 MB (docs/picture.md has the measurement), and up to 25 MB for
+    each different grain (24 different pearls in 1024 x 1024: 460 MB).
 
     >>> image = render("paper", size=16, samples=4)
     >>> parts = ("interference", "diffuse", "mirror", "surroundings")
@@ -227,7 +254,7 @@ def field_mm(
     Arguments, and `InputError`, as for `render`.
 
     >>> field_mm("paper", "paper")
-    11.5
+    12.0
     """
     return _core.field_mm(recipe_json(pearl, scene, 1, 1))
 

@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     Spec = TypeVar("Spec", Pearl, Scene)
     Given: TypeAlias = str | Path | Pearl
 
-__all__ = ["Recipe", "recipe"]
+__all__ = ["PREFIX", "Recipe", "recipe"]
+
+#: What the keywords of a recipe's texts begin with in a picture file.
+PREFIX = "nacreous:"
 
 
 class Recipe(NamedTuple):

@@ -5,10 +5,15 @@ from __future__ import annotations
 import argparse
 import json
 import time
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
+
+from nacreous.problem import InputError
 
 if TYPE_CHECKING:
     from nacreous.recipe import Recipe
+
+Value = TypeVar("Value")
 
 _EXAMPLES = """\
 examples:
@@ -17,6 +22,8 @@ examples:
   nacreous render a.toml b.toml --scene tray.toml  two pearls in the rows of a scene
   nacreous render my.toml --scene booth --size 1024  your pearl in another scene
   nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
+  nacreous render pearl.png --size 2048            a picture again, larger, as pearl-again.png
+  nacreous render paper --alpha -o cut-out.png     the pearl alone
 """
 
 
@@ -33,31 +40,33 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument(
         "pearl",
         nargs="+",
-        help="a pearl file, or a preset's name; several take the scene's places in turn",
+        help="a pearl file, or a preset's name; several take the scene's places in turn; or one "
+        "picture of ours, .png or .exr, which is made again",
     )
-    parser.add_argument("--scene", default="paper", help="a scene file, or a preset's name (paper)")
-    parser.add_argument("--size", type=_whole, default=512, help="pixels a side, 1 to 8192 (512)")
+    parser.add_argument("--scene", help="a scene file, or a preset's name (paper)")
+    parser.add_argument("--size", type=_whole, help="pixels a side, 1 to 8192 (512)")
     parser.add_argument(
         "--samples",
         type=_whole,
-        default=16,
         help="samples a pixel at most, a square number up to 1024 (16); alike ones are spared",
     )
-    parser.add_argument("-o", "--output", default="pearl.png", help=".png or .exr (pearl.png)")
+    parser.add_argument("-o", "--output", help=".png or .exr (pearl.png)")
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
     )
+    parser.add_argument("--bits", type=_whole, choices=(8, 16), help="a channel in PNG (8)")
     parser.add_argument(
-        "--bits", type=_whole, choices=(8, 16), default=8, help="a channel in PNG (8)"
-    )
-    parser.add_argument(
-        "--space", choices=("srgb", "display-p3"), default="srgb", help="colour space of PNG (srgb)"
+        "--space", choices=("srgb", "display-p3"), help="colour space of PNG (srgb)"
     )
     parser.add_argument(
         "--gamut",
         choices=("soft", "clip"),
-        default="soft",
         help="colours that the screen cannot show: bent softly, or cut (soft)",
+    )
+    parser.add_argument(
+        "--alpha",
+        action=argparse.BooleanOptionalAction,
+        help="the pearls alone, cut out by the share of each pixel that they cover (no)",
     )
     parser.set_defaults(run=run)
 
@@ -74,21 +83,33 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file, image
     from nacreous.commands.progress import bar
 
-    made = _recipe(args)
-    file.check_output(args.output, image.SUFFIXES)
+    job = _again(args) if _is_picture(args.pearl[0]) else _first(args)
+    output = _output(args)
+    file.check_output(output, image.SUFFIXES)
     begin = time.monotonic()
     with bar("rendering") as show:
-        picture = image.render_recipe(made, show)
-    outside = picture.save(args.output, args.bits, args.space, args.gamut)
-    print(_report(args, made, time.monotonic() - begin, outside))
+        picture = image.render_recipe(job.made, show)
+    outside = picture.save(output, job.bits, job.space, job.gamut, job.alpha)
+    print(_report(output, job, time.monotonic() - begin, outside))
     return 0
 
 
-def _recipe(args: argparse.Namespace) -> Recipe:
+class _Job(NamedTuple):
+    """What to make, how to write it, and which version made it first; arguments of `Image.save`."""
+
+    made: Recipe
+    bits: Literal[8, 16]
+    space: str
+    gamut: str
+    alpha: bool
+    version: str | None = None
+
+
+def _first(args: argparse.Namespace) -> _Job:
     """Pearls and scene, with single keys changed."""
     from nacreous.recipe import recipe
 
-    pearls, scene = args.pearl, args.scene
+    pearls, scene = args.pearl, args.scene or "paper"
     if args.set:
         from nacreous.spec import Pearl, Scene
         from nacreous.spec.load import shared_out
@@ -96,14 +117,63 @@ def _recipe(args: argparse.Namespace) -> Recipe:
         of_pearl, of_scene = shared_out(args.set)
         pearls = [Pearl.load(pearl, of_pearl) for pearl in pearls]
         scene = Scene.load(scene, of_scene)
-    return recipe(pearls[0] if len(pearls) == 1 else pearls, scene, args.size, args.samples)
+    size, samples = _either(args.size, 512), _either(args.samples, 16)
+    made = recipe(pearls[0] if len(pearls) == 1 else pearls, scene, size, samples)
+    bits: Literal[8, 16] = args.bits or 8
+    return _Job(made, bits, args.space or "srgb", args.gamut or "soft", bool(args.alpha))
 
 
-def _report(args: argparse.Namespace, made: Recipe, seconds: float, outside: float) -> str:
+def _again(args: argparse.Namespace) -> _Job:
+    """A picture's own recipe, with what the caller changes."""
+    from nacreous import __version__
+    from nacreous.embedded import read_embedded
+    from nacreous.recipe import recipe
+    from nacreous.spec import Scene
+    from nacreous.spec.load import shared_out
+
+    of_pearl, of_scene = shared_out(args.set)
+    scene = None if args.scene is None else Scene.load(args.scene, of_scene)
+    kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else ())
+    size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)
+    made = recipe(kept.pearls, scene or kept.scene, size, samples)
+    bits, space, gamut, alpha = kept.developed
+    return _Job(
+        made,
+        args.bits or bits,
+        args.space or space,
+        args.gamut or gamut,
+        _either(args.alpha, alpha),
+        None if kept.version == __version__ else kept.version,
+    )
+
+
+def _either(given: Value | None, otherwise: Value) -> Value:
+    return otherwise if given is None else given
+
+
+def _is_picture(name: str) -> bool:
+    from nacreous.image import SUFFIXES
+
+    return Path(name).suffix.lower() in SUFFIXES
+
+
+def _output(args: argparse.Namespace) -> str:
+    """Where the picture goes: beside the one whose recipe it is made from, never over it."""
+    if len(args.pearl) > 1 and any(map(_is_picture, args.pearl)):
+        raise InputError("pearl is a picture among others; allowed: one picture, or pearls")
+    if args.output is not None:
+        return str(args.output)
+    if not _is_picture(args.pearl[0]):
+        return "pearl.png"
+    picture = Path(args.pearl[0])
+    return f"{picture.stem}-again{picture.suffix}"
+
+
+def _report(output: str, job: _Job, seconds: float, outside: float) -> str:
     """One line: what was made, where, and how far the screen falls short of it."""
-    from nacreous import _core
+    from nacreous import __version__, _core
 
-    values = json.loads(made.json)
+    values = json.loads(job.made.json)
     pearl, *others = values["pearls"]
     shown = f"{1 + len(others)} different pearls"
     if not others:
@@ -111,11 +181,13 @@ def _report(args: argparse.Namespace, made: Recipe, seconds: float, outside: flo
         nacre = f"{len(stack)} layers, {stack.total_um():.0f} um of nacre"
         shown = f"pearl {pearl['name']} ({nacre})"
     line = (
-        f"{args.output}: {shown} in scene {values['scene']['name']}, "
-        f"{args.size} x {args.size}, {args.samples} samples a pixel, {seconds:.1f} s"
+        f"{output}: {shown} in scene {values['scene']['name']}, {values['size']} x "
+        f"{values['size']}, {values['samples']} samples a pixel, {seconds:.1f} s"
     )
+    if job.version is not None:
+        line += f"; first made by nacreous {job.version}, this is {__version__}"
     if outside:
-        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[args.gamut]}"
+        line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[job.gamut]}"
     return line
 
 

@@ -109,7 +109,8 @@ class Sky(Section):
     path: Annotated[str | None, Field(pattern=f"^{ending(*_PANORAMAS)}$"), FilePath(_PANORAMAS)] = (
         key(
             None,
-            "High-range panorama in latitude and longitude; its path is relative to this file.",
+            "High-range panorama in latitude and longitude; its path is relative to this file. Its "
+            "middle lies at azimuth 180, straight ahead of a camera at azimuth 0.",
             allowed=f"a path ending in {' or '.join(_PANORAMAS)}",
             left_out="no panorama",
             source="**(ours)**",
@@ -117,7 +118,7 @@ class Sky(Section):
     )
     rotation_deg: float = quantity(
         0.0,
-        "Turn of the panorama about the y axis.",
+        "Turn of the panorama about the y axis; seen from above, counter-clockwise.",
         least=-360,
         most=360,
         unit="degrees",

@@ -141,10 +141,10 @@ def test_a_view_with_strides_is_written_as_seen(tmp_path: Path) -> None:
         ),
         (np.zeros((2, 2), np.uint8), "srgb", [], r"uint8 of shape \[2, 2\]; allowed: uint8"),
         (
-            np.zeros((2, 2, 4), np.uint8),
+            np.zeros((2, 2, 5), np.uint8),
             "srgb",
             [],
-            r"shape \[2, 2, 4\]; allowed: \[row, column, 3",
+            r"shape \[2, 2, 5\]; allowed: \[row, column, 3 or 4",
         ),
         (np.zeros((0, 2, 3), np.uint8), "srgb", [], r"shape \[0, 2, 3\]"),
         ([[1]], "srgb", [], r"no array but <class 'list'>"),

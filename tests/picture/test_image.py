@@ -48,7 +48,7 @@ def test_the_four_parts_add_up_to_the_picture_exactly(scene: str) -> None:
         first = first + part
     np.testing.assert_array_equal(image.linear, first)
     assert image.linear.dtype == np.float32
-    assert set(image.layers) == {*SUM, "texture", "coverage"}
+    assert set(image.layers) == {*SUM, "texture", "coverage", "shadow"}
     for name in ("interference", "diffuse", "mirror"):
         assert np.all(image.layers[name][image.layers["coverage"][..., 0] == 0] == 0)
     assert np.all(image.layers["surroundings"][covered(image)] == 0)
@@ -273,4 +273,4 @@ def test_an_image_goes_from_process_to_process_with_all_that_it_holds() -> None:
         np.testing.assert_array_equal(other.linear, image.linear)
         assert list(other.layers) == list(image.layers)
         assert other.recipe == image.recipe
-    assert repr(image).startswith("Image(linear (8, 8, 3), layers: interference, diffuse")
+    assert repr(image).startswith("Image(8 x 8 pixels, layers: interference, diffuse")

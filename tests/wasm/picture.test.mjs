@@ -119,7 +119,7 @@ test("the layers name all numbers of a pixel, and the first four are its light",
   const parts = layers();
   assert.deepEqual(
     parts.map(({ name }) => name),
-    ["interference", "diffuse", "mirror", "surroundings", "texture", "coverage"],
+    ["interference", "diffuse", "mirror", "surroundings", "texture", "coverage", "shadow"],
   );
   assert.deepEqual(parts.map(({ first }) => first), [0, ...parts.slice(0, -1).map(({ end }) => end)]);
   assert.equal(parts.at(-1).end, CHANNELS);

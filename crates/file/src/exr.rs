@@ -8,14 +8,18 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
+use std::path::Path;
 
 use exr::meta::attribute::{AttributeValue, Chromaticities, Text};
+use exr::meta::header::Header;
 use exr::prelude::{
     AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels,
     ReadLayers, Vec2, WritableImage,
 };
 
-use crate::picture::{PictureFileError, check_finite, check_sample_count, check_size, check_text};
+use crate::picture::{
+    PictureFileError, check_finite, check_sample_count, check_size, check_text, guarded, read_bytes,
+};
 
 /// The channels of a plane.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -205,21 +209,49 @@ pub fn read_exr(bytes: &[u8]) -> Result<Layers, PictureFileError> {
         .from_chunks(reader)
         .map_err(damaged)?;
     let Vec2(width, height) = image.layer_data.size;
-    let mut text: Vec<_> = image
-        .attributes
-        .other
-        .iter()
-        .chain(&image.layer_data.attributes.other)
-        .filter_map(|(keyword, value)| match value {
-            AttributeValue::Text(text) => {
-                Some((keyword.to_string(), String::from_utf8_lossy(text.as_slice()).into_owned()))
-            }
-            _ => None,
-        })
-        .collect();
-    text.sort();
+    let own = &image.layer_data.attributes.other;
+    let text = texts(image.attributes.other.iter().chain(own));
     let planes = group(&image.layer_data.channel_data.list)?;
     Ok(Layers { width, height, planes, text })
+}
+
+/// The text attributes of the EXR file at `path`, sorted by keyword; its pixels are passed over.
+///
+/// # Errors
+/// A path that is no readable EXR file, with the path in the message.
+pub fn read_exr_text(path: &Path) -> Result<Vec<(String, String)>, PictureFileError> {
+    read_bytes(path)
+        .and_then(|bytes| guarded(|| header_text(&bytes)))
+        .map_err(|problem| problem.at(path))
+}
+
+fn header_text(bytes: &[u8]) -> Result<Vec<(String, String)>, PictureFileError> {
+    if !bytes.starts_with(&exr::meta::magic_number::BYTES) {
+        return Err(PictureFileError::Format { allowed: "OpenEXR (.exr)" });
+    }
+    let reader = exr::block::read(Cursor::new(bytes), false)
+        .map_err(|problem| PictureFileError::damaged(&problem))?;
+    let attributes = |header: &Header| {
+        let own = header.own_attributes.other.clone().into_iter();
+        header.shared_attributes.other.clone().into_iter().chain(own).collect::<Vec<_>>()
+    };
+    let all: Vec<_> = reader.headers().iter().flat_map(attributes).collect();
+    Ok(texts(all.iter().map(|(keyword, value)| (keyword, value))))
+}
+
+/// The attributes that are texts, sorted.
+fn texts<'a>(
+    attributes: impl Iterator<Item = (&'a Text, &'a AttributeValue)>,
+) -> Vec<(String, String)> {
+    let text = |(keyword, value): (&Text, &AttributeValue)| match value {
+        AttributeValue::Text(text) => {
+            Some((keyword.to_string(), String::from_utf8_lossy(text.as_slice()).into_owned()))
+        }
+        _ => None,
+    };
+    let mut texts: Vec<_> = attributes.filter_map(text).collect();
+    texts.sort();
+    texts
 }
 
 /// Channels back to planes; a sorted map keeps the picture, whose name is empty, in front.
@@ -244,83 +276,4 @@ fn group(list: &[AnyChannel<FlatSamples>]) -> Result<Vec<Plane<'static>>, Pictur
         Ok(Plane { name, channels, samples })
     };
     layers.into_iter().map(plane).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SIZE: (usize, usize) = (19, 35);
-
-    fn plane(name: &str, channels: Channels) -> Plane<'static> {
-        let count = SIZE.0 * SIZE.1 * channels.names().len();
-        let mut samples: Vec<f32> =
-            (0..count).map(|index| (index as f32 * 0.37).sin() * 2.0).collect();
-        samples[..6].copy_from_slice(&[f32::MAX, f32::MIN, 1e-45, -0.0, f32::MIN_POSITIVE, 0.1]);
-        Plane { name: name.to_owned(), channels, samples: samples.into() }
-    }
-
-    fn planes() -> Vec<Plane<'static>> {
-        let own = [("", Channels::Rgba), ("diffuse", Channels::Rgb), ("texture-V", Channels::Grey)];
-        own.map(|(name, channels)| plane(name, channels)).to_vec()
-    }
-
-    fn text() -> Vec<(String, String)> {
-        let keys = ["Software", "nacreous:seed", "nacreous:spec", "nacreous:version"];
-        keys.map(|key| (key.to_owned(), format!("the {key} of 真珠, {}", "µ".repeat(300)))).to_vec()
-    }
-
-    fn written() -> Vec<u8> {
-        let mut file = Vec::new();
-        write_exr(&mut file, SIZE.0, SIZE.1, &planes(), &text()).unwrap();
-        file
-    }
-
-    #[test]
-    fn every_bit_of_every_layer_comes_back() {
-        let read = read_exr(&written()).unwrap();
-        assert_eq!((read.width, read.height), SIZE);
-        let bits = |planes: &[Plane<'_>]| -> Vec<_> {
-            let of = |plane: &Plane<'_>| -> Vec<u32> {
-                plane.samples.iter().map(|sample| sample.to_bits()).collect()
-            };
-            planes.iter().map(|plane| (plane.name.clone(), plane.channels, of(plane))).collect()
-        };
-        assert_eq!(bits(&read.planes), bits(&planes()));
-        assert_eq!(read.text, text());
-    }
-
-    #[test]
-    fn equal_input_gives_equal_bytes() {
-        let first = written();
-        assert!((0..20).all(|_| written() == first));
-    }
-
-    #[test]
-    fn what_an_exr_cannot_hold_is_refused() {
-        let message = |planes: &[Plane<'_>], text: &[(String, String)]| {
-            write_exr(&mut Vec::new(), SIZE.0, SIZE.1, planes, text).unwrap_err().to_string()
-        };
-        let main = plane("", Channels::Rgb);
-        let layer = |name: &str| plane(name, Channels::Rgb);
-        assert!(message(&[layer("diffuse")], &[]).contains("is missing"));
-        assert!(message(&[main.clone(), layer("a.b")], &[]).contains("no layer name"));
-        let twice = [main.clone(), layer("mirror"), layer("mirror")];
-        assert_eq!(
-            message(&twice, &[]),
-            "layer \"mirror\" is given twice; allowed: each layer once"
-        );
-        let mut short = layer("mirror");
-        short.samples.to_mut().pop();
-        assert!(message(&[main.clone(), short], &[]).ends_with("samples; 19 x 35 x 3 are needed"));
-        let mut broken = layer("mirror");
-        broken.samples.to_mut()[3 * 20 + 1] = f32::NAN;
-        assert_eq!(
-            message(&[main.clone(), broken], &[]),
-            "layer \"mirror\" holds 1 values that are not finite, the first at row 1, column 1, \
-             channel 1"
-        );
-        let reserved = [("channels".to_owned(), "x".to_owned())];
-        assert!(message(&[main], &reserved).contains("`channels` is reserved"));
-    }
 }

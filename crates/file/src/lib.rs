@@ -11,6 +11,8 @@
 
 #[cfg(feature = "exr")]
 pub mod exr;
+#[cfg(any(feature = "photograph", feature = "png"))]
+pub mod icc;
 #[cfg(feature = "panorama")]
 pub mod panorama;
 #[cfg(feature = "photograph")]
@@ -20,3 +22,5 @@ pub mod picture;
 pub mod png;
 #[cfg(any(feature = "panorama", feature = "photograph", feature = "png"))]
 pub mod profile;
+#[cfg(feature = "panorama")]
+mod radiance;

@@ -1,23 +1,23 @@
 //! A panorama, the light from all around, from a user's file.
 //!
-//! Radiance `.hdr` (RGBE) and EXR `.exr` (the first part with channels R, G and B), both
-//! linear. An EXR file that states other primaries is converted; a `.hdr` is taken as Rec. 709
-//! and its `EXPOSURE` line is not applied. Values below zero, as resampling leaves them around
-//! lamps, become zero; NaN and infinity are refused. Limits: [`crate::picture`].
+//! Radiance `.hdr` (`radiance.rs`) and EXR `.exr`, both linear. Of an EXR file, the first part with channels R, G
+//! and B; else its one layer of colour, such as `ViewLayer.Combined.R`, or of several the one called Combined.
+//! Files that state other primaries are converted, all others are taken as Rec. 709. Values below zero, as
+//! resampling leaves them around lamps, become zero; NaN and infinity are refused. Limits: [`crate::picture`].
 
+use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::Path;
 
 use exr::meta::attribute::Chromaticities;
 use exr::meta::header::Header;
-use exr::prelude::{ReadChannels, ReadLayers, Vec2};
-use image::codecs::hdr::HdrDecoder;
-use image::{DynamicImage, ImageDecoder, ImageFormat};
+use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel, Vec2};
 
 use crate::picture::{
     LinearPicture, PictureFileError, check_finite, check_size, guarded, read_bytes,
 };
-use crate::profile::srgb_from_rgb;
+use crate::profile::{convert, srgb_from_rgb};
+use crate::radiance;
 
 /// Reads the panorama at `path`; see [`decode_panorama`].
 ///
@@ -35,9 +35,9 @@ pub fn read_panorama(path: &Path) -> Result<LinearPicture, PictureFileError> {
 /// Another format, a damaged file, no R, G and B channels, a cropped picture, NaN or infinity, and
 /// a size beyond the limits, found in the header before anything is decoded.
 pub fn decode_panorama(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
-    let mut picture = match image::guess_format(bytes) {
-        Ok(ImageFormat::Hdr) => decode_hdr(bytes)?,
-        Ok(ImageFormat::OpenExr) => decode_exr(bytes)?,
+    let mut picture = match bytes {
+        _ if bytes.starts_with(radiance::SIGNATURE) => radiance::decode(bytes)?,
+        _ if bytes.starts_with(&exr::meta::magic_number::BYTES) => decode_exr(bytes)?,
         _ => return Err(PictureFileError::Format { allowed: "Radiance (.hdr), OpenEXR (.exr)" }),
     };
     check_finite(&picture.rgb, picture.width, 3)?;
@@ -47,24 +47,17 @@ pub fn decode_panorama(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> 
     Ok(picture)
 }
 
-fn decode_hdr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
-    let damaged = |problem: image::ImageError| PictureFileError::damaged(&problem);
-    let decoder = HdrDecoder::new(Cursor::new(bytes)).map_err(damaged)?;
-    let (width, height) = decoder.dimensions();
-    check_size(width.into(), height.into())?;
-    let rgb = DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb32f().into_raw();
-    Ok(LinearPicture { width: width as usize, height: height as usize, rgb })
-}
-
 fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
     let damaged = |problem: exr::error::Error| PictureFileError::damaged(&problem);
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(damaged)?;
     for header in reader.headers() {
         check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
     }
-    let header = reader.headers().iter().find(|header| has_rgb(header)).ok_or_else(|| {
-        PictureFileError::Unsupported("has no channels R, G and B; a panorama needs them".into())
-    })?;
+    let layer = layer_of_colour(reader.headers())?;
+    let [red, green, blue] = COLOURS.map(|letter| format!("{layer}{letter}"));
+    let Some(header) = reader.headers().iter().find(|header| has_colour(header, &layer)) else {
+        return Err(PictureFileError::Damaged("its channels are gone".to_owned()));
+    };
     if header.data_window() != header.shared_attributes.display_window {
         let problem = "is cropped (its data and display windows differ); a panorama must be whole";
         return Err(PictureFileError::Unsupported(problem.to_owned()));
@@ -73,7 +66,11 @@ fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
     let image = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
-        .rgb_channels(
+        .specific_channels()
+        .required(red.as_str())
+        .required(green.as_str())
+        .required(blue.as_str())
+        .collect_pixels(
             |size, _| LinearPicture {
                 width: size.width(),
                 height: size.height(),
@@ -96,10 +93,50 @@ fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
     Ok(picture)
 }
 
-fn has_rgb(header: &Header) -> bool {
-    ["R", "G", "B"]
-        .into_iter()
-        .all(|name| header.channels.list.iter().any(|channel| channel.name.eq(name)))
+/// The last part of a channel's name that holds colour.
+const COLOURS: [&str; 3] = ["R", "G", "B"];
+
+/// What stands before R, G and B in the names of the picture's own channels: nothing, or a layer and a dot.
+fn layer_of_colour(headers: &[Header]) -> Result<String, PictureFileError> {
+    let names = headers.iter().flat_map(|header| &header.channels.list);
+    let names: BTreeSet<String> = names.map(|channel| channel.name.to_string()).collect();
+    let layers = names.iter().filter_map(|name| name.strip_suffix(COLOURS[0]));
+    let whole = |layer: &&str| {
+        (layer.is_empty() || layer.ends_with('.'))
+            && headers.iter().any(|header| has_colour(header, layer))
+    };
+    let layers: Vec<&str> = layers.filter(whole).collect();
+    let combined = |layer: &&&str| layer.to_ascii_lowercase().ends_with("combined.");
+    let combined: Vec<&&str> = layers.iter().filter(combined).collect();
+    match (&layers[..], &combined[..]) {
+        ([], _) => {
+            let found = shown(names.iter().map(String::as_str));
+            let problem =
+                format!("has no channels R, G and B, which a panorama needs, but {found}");
+            Err(PictureFileError::Unsupported(problem))
+        }
+        (["", ..] | [_], _) => Ok(layers[0].to_owned()),
+        (_, [layer]) => Ok((**layer).to_owned()),
+        _ => {
+            let layers = shown(layers.iter().map(|layer| layer.trim_end_matches('.')));
+            let problem =
+                format!("has colours in several layers ({layers}); save one as R, G and B");
+            Err(PictureFileError::Unsupported(problem))
+        }
+    }
+}
+
+fn has_colour(header: &Header, layer: &str) -> bool {
+    COLOURS.iter().all(|letter| {
+        let name = format!("{layer}{letter}");
+        header.channels.list.iter().any(|channel| channel.name.eq(name.as_str()))
+    })
+}
+
+/// The first of some names, as a message shows them.
+fn shown<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.take(8).map(|name| format!("{name:?}")).collect();
+    names.join(", ")
 }
 
 /// The matrix to linear sRGB, or nothing where the file says or implies Rec. 709.
@@ -115,15 +152,6 @@ fn conversion(stated: Option<Chromaticities>) -> Result<Option<[[f64; 3]; 3]>, P
         PictureFileError::ColourProfile("its chromaticities span no colour space".to_owned())
     })?;
     Ok(Some(matrix))
-}
-
-fn convert(rgb: &mut [f32], matrix: [[f64; 3]; 3]) {
-    for pixel in rgb.chunks_exact_mut(3) {
-        let source = [pixel[0], pixel[1], pixel[2]].map(f64::from);
-        for (value, row) in pixel.iter_mut().zip(matrix) {
-            *value = row.iter().zip(source).map(|(a, b)| a * b).sum::<f64>() as f32;
-        }
-    }
 }
 
 #[cfg(test)]

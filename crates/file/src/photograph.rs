@@ -5,12 +5,14 @@
 //! clipped). Alpha is ignored: the colour of a transparent pixel is used as it stands. The
 //! orientation that a camera noted (EXIF) is applied. Limits: [`crate::picture`].
 //!
-//! Not read: CMYK, floating-point TIFF, the PNG chunks `gAMA` and `cICP`.
+//! TIFF also as BigTIFF. Not read: CMYK, TIFF of floats or of more than 16 bits, which are refused by name, and the
+//! PNG chunks `gAMA` and `cICP`.
 
 use std::io::Cursor;
 use std::path::Path;
 
 use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, tiff::TiffDecoder};
+use image::error::UnsupportedErrorKind;
 use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageFormat, Limits};
 
 use crate::picture::{
@@ -67,7 +69,9 @@ pub fn decode_photograph(bytes: &[u8]) -> Result<LinearPicture, PictureFileError
 fn open<'a>(bytes: &'a [u8]) -> Result<Box<dyn ImageDecoder + 'a>, PictureFileError> {
     let damaged = |problem: image::ImageError| PictureFileError::damaged(&problem);
     let file = Cursor::new(bytes);
-    Ok(match image::guess_format(bytes) {
+    let format =
+        if is_big_tiff(bytes) { Ok(ImageFormat::Tiff) } else { image::guess_format(bytes) };
+    Ok(match format {
         Ok(ImageFormat::Png) => {
             // The `image` crate allocates rows as it opens a PNG, so the header is read before.
             let mut header = png::Decoder::new(file.clone());
@@ -81,14 +85,34 @@ fn open<'a>(bytes: &'a [u8]) -> Result<Box<dyn ImageDecoder + 'a>, PictureFileEr
         }
         Ok(ImageFormat::Tiff) => {
             Box::new(TiffDecoder::new(file).map_err(|problem| match problem {
-                image::ImageError::Unsupported(kind) => {
-                    PictureFileError::Unsupported(format!("is a TIFF of another kind ({kind})"))
+                image::ImageError::Unsupported(problem) => {
+                    PictureFileError::Unsupported(foreign_tiff(problem.kind()))
                 }
                 other => PictureFileError::damaged(&other),
             })?)
         }
         _ => return Err(ALLOWED),
     })
+}
+
+/// What a TIFF has that is not read here.
+fn foreign_tiff(kind: UnsupportedErrorKind) -> String {
+    let what = match kind {
+        UnsupportedErrorKind::Color(ExtendedColorType::Unknown(bits)) => {
+            format!("{bits} bits a pixel, floating-point or whole")
+        }
+        // TIFF 6.0, section 19: the kinds of numbers by their own numbers.
+        UnsupportedErrorKind::GenericFeature(feature) => feature
+            .replace("sample format 2", "signed whole numbers")
+            .replace("sample format 3", "floating-point numbers"),
+        other => format!("{other:?}"),
+    };
+    format!("is a TIFF of another kind ({what}); save it with 8 or 16 bits a channel, grey or RGB")
+}
+
+/// TIFF with offsets of eight bytes: 43 in place of 42, from either end.
+fn is_big_tiff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"II\x2b\0") || bytes.starts_with(b"MM\0\x2b")
 }
 
 /// Limits for the decoders themselves: 16 bytes for each pixel allowed, decoded and in between.
@@ -106,7 +130,7 @@ fn check_kind(kind: ExtendedColorType) -> Result<(), PictureFileError> {
             "has CMYK pixels, whose colours depend on a printer; save it as RGB"
         }
         ExtendedColorType::Rgb32F | ExtendedColorType::Rgba32F => {
-            "has floating-point pixels; save it with 16 bits a channel"
+            "has 32 bits a channel, floating-point or whole; save it with 8 or 16"
         }
         _ => return Ok(()),
     };

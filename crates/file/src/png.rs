@@ -4,17 +4,17 @@
 //! PNG, in `iCCP` for all others. `sRGB` is left out, because the standard (section 11.3.2.3)
 //! forbids it beside `iCCP`. Equal input gives equal bytes.
 //!
-//! Out of scope: alpha, palettes, animation; encoding light for a display is the colour room's.
+//! Out of scope: palettes, animation; encoding light for a display is the colour room's.
 
-use std::io::{BufRead, Cursor, Seek, Write};
+use std::io::{self, BufRead, Cursor, Seek, Write};
 use std::path::Path;
 
 use nacreous_colour::RgbSpace;
 
+use crate::icc::{icc_name, icc_profile};
 use crate::picture::{
     PictureFileError, TEXT_BYTES_MAX, check_sample_count, check_text, guarded, read_bytes,
 };
-use crate::profile::icc_profile;
 
 /// Primaries, transfer function, matrix (0: RGB) and full range, as ITU-T H.273 numbers them.
 const fn cicp(space: RgbSpace) -> [u8; 4] {
@@ -24,7 +24,8 @@ const fn cicp(space: RgbSpace) -> [u8; 4] {
     }
 }
 
-/// Display-referred pixels in the order [row, column, rgb], 0 black and the largest integer white.
+/// Display-referred pixels in the order [row, column, channel], 0 black and the largest integer white: red, green, blue, and
+/// where there is a fourth channel, how opaque they are (colours not multiplied by it: section 6.2).
 #[derive(Clone, Copy, Debug)]
 pub enum PngPixels<'a> {
     /// 8 bits a channel.
@@ -33,7 +34,8 @@ pub enum PngPixels<'a> {
     Sixteen(&'a [u16]),
 }
 
-/// Writes a picture of `width` x `height` pixels, its colour profile and its `text`.
+/// Writes a picture of `width` x `height` pixels, its colour profile and its `text`; four samples a pixel make a
+/// picture with alpha.
 ///
 /// `text` is a list of (keyword, text); each becomes one uncompressed `iTXt` chunk ahead of the
 /// pixels, so that any program, even a text search, finds it.
@@ -62,12 +64,15 @@ pub fn write_png(
         PngPixels::Eight(samples) => (png::BitDepth::Eight, samples.len()),
         PngPixels::Sixteen(samples) => (png::BitDepth::Sixteen, samples.len()),
     };
-    check_sample_count("the picture", given, (width as usize, height as usize, 3))?;
+    let (columns, rows) = (width as usize, height as usize);
+    let with_alpha = check_sample_count("the picture", given, (columns, rows, 4)).is_ok();
+    if !with_alpha {
+        check_sample_count("the picture", given, (columns, rows, 3))?;
+    }
     check_text(text)?;
     let mut info = png::Info::with_size(width, height);
-    info.color_type = png::ColorType::Rgb;
+    info.color_type = if with_alpha { png::ColorType::Rgba } else { png::ColorType::Rgb };
     info.bit_depth = depth;
-    info.icc_profile = Some(icc_profile(space)?.into());
     info.utf8_text =
         text.iter().map(|(key, value)| png::text_metadata::ITXtChunk::new(key, value)).collect();
     encode(out, info, pixels, space).map_err(|problem| match problem {
@@ -91,6 +96,7 @@ fn encode(
     encoder.set_deflate_compression(png::DeflateCompression::Level(level));
     let mut writer = encoder.write_header()?;
     writer.write_chunk(png::chunk::ChunkType(*b"cICP"), &cicp(space))?;
+    writer.write_chunk(png::chunk::iCCP, &named_profile(space)?)?;
     match pixels {
         PngPixels::Eight(samples) => writer.write_image_data(samples)?,
         PngPixels::Sixteen(samples) => {
@@ -99,6 +105,16 @@ fn encode(
         }
     }
     writer.finish()
+}
+
+/// What `iCCP` holds (section 11.3.2.3): the profile's name, a zero, 0 for deflate, and the profile. The `png` crate's own
+/// calls every profile `_`.
+fn named_profile(space: RgbSpace) -> io::Result<Vec<u8>> {
+    let mut chunk = [icc_name(space).as_bytes(), &[0, 0]].concat();
+    let mut packed = flate2::write::ZlibEncoder::new(&mut chunk, flate2::Compression::best());
+    packed.write_all(&icc_profile(space))?;
+    packed.finish()?;
+    Ok(chunk)
 }
 
 /// All texts of the PNG file at `path`, as [`png_text`] finds them.
@@ -186,9 +202,20 @@ mod tests {
             let cicp = place(&file, b"cICP").unwrap();
             assert_eq!(file[cicp + 4..cicp + 8], [primaries, 13, 0, 1]);
             let pixels = place(&file, b"IDAT").unwrap();
+            let (profile, name) = (place(&file, b"iCCP").unwrap() + 4, icc_name(space));
+            assert_eq!(&file[profile..][..name.len()], name.as_bytes());
             assert!(cicp < pixels && place(&file, b"iCCP").unwrap() < pixels);
             assert_eq!(place(&file, b"sRGB"), None); // the standard forbids both
         }
+    }
+
+    #[test]
+    fn a_fourth_sample_is_alpha() {
+        let codes: Vec<u16> = (0..SIZE.0 * SIZE.1 * 4).map(|i| i as u16 * 257).collect();
+        let file = written(PngPixels::Sixteen(&codes), RgbSpace::Srgb, &[]);
+        let read = image::load_from_memory(&file).unwrap();
+        assert_eq!(read.color(), image::ColorType::Rgba16);
+        assert_eq!(read.into_rgba16().into_raw(), codes);
     }
 
     #[test]

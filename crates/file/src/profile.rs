@@ -1,5 +1,4 @@
-//! Colour profiles: the ICC profile that a PNG carries, and the way from a photograph's own profile
-//! or a panorama's own primaries to sRGB.
+//! The way from a photograph's own ICC profile, or a panorama's own primaries, to sRGB.
 //!
 //! A profile describes colours relative to D50; D65 is brought there by the Bradford transform
 //! (ICC.1:2022, annex E).
@@ -7,68 +6,19 @@
 use std::sync::Arc;
 
 use moxcms::{
-    Chromaticity, CmsError, ColorPrimaries, ColorProfile, DataColorSpace, Layout,
-    LocalizableString, Matrix3d, ProfileText, ToneReprCurve, TransformF32Executor,
-    TransformOptions, XyY, Xyzd, adaption_matrix_d,
+    Chromaticity, CmsError, ColorPrimaries, ColorProfile, DataColorSpace, Layout, Matrix3d,
+    ToneReprCurve, TransformF32Executor, TransformOptions, XyY, Xyzd, adaption_matrix_d,
 };
 
 use crate::picture::PictureFileError;
-use nacreous_colour::RgbSpace;
 
 /// The white of sRGB and Display P3 (IEC 61966-2-1).
-const D65: XyY = XyY { x: 0.3127, y: 0.3290, yb: 1.0 };
+pub(crate) const D65: XyY = XyY { x: 0.3127, y: 0.3290, yb: 1.0 };
 /// The white of the profile connection space (ICC.1:2022, 7.2.16).
-const D50: Xyzd = Xyzd { x: 0.9642, y: 1.0, z: 0.8249 };
-
-/// The bytes of the ICC profile for this space, always the same.
-///
-/// # Errors
-/// None for the two spaces there are; the encoder's own, passed on.
-pub fn icc_profile(space: RgbSpace) -> Result<Vec<u8>, PictureFileError> {
-    let (primaries, name) = match space {
-        RgbSpace::Srgb => (ColorPrimaries::BT_709, "sRGB IEC61966-2.1"),
-        RgbSpace::DisplayP3 => (ColorPrimaries::SMPTE_432, "Display P3"),
-    };
-    let mut bytes = rgb_profile(primaries, name)
-        .encode()
-        .map_err(|problem| PictureFileError::Encoder(problem.to_string()))?;
-    // The encoder stamps the time (bytes 24 to 35: six numbers of two bytes); equal pictures have
-    // equal bytes, so the profile keeps the day of its making.
-    for (slot, number) in bytes[24..36].chunks_exact_mut(2).zip([2025_u16, 1, 1, 0, 0, 0]) {
-        slot.copy_from_slice(&number.to_be_bytes());
-    }
-    Ok(bytes)
-}
-
-/// A display profile with these primaries, D65 white and the transfer function of sRGB.
-fn rgb_profile(primaries: ColorPrimaries, name: &str) -> ColorProfile {
-    let text = |text: &str| {
-        let (language, country) = ("en".to_owned(), "US".to_owned());
-        Some(ProfileText::Localizable(vec![LocalizableString::new(
-            language,
-            country,
-            text.to_owned(),
-        )]))
-    };
-    let mut profile = ColorProfile::new_srgb();
-    let colourants = d50_from_rgb(primaries, D65);
-    let column = |channel: usize| {
-        let [x, y, z] = colourants.v.map(|row| row[channel]);
-        Xyzd { x, y, z }
-    };
-    (profile.red_colorant, profile.green_colorant, profile.blue_colorant) =
-        (column(0), column(1), column(2));
-    profile.white_point = D50;
-    profile.media_white_point = Some(D50); // of a display: adapted (ICC.1:2022, 9.2.36)
-    profile.chromatic_adaptation = Some(adaption_matrix_d(D65.to_xyz(), D50.to_xyz()));
-    profile.cicp = None; // said by the PNG's own chunk
-    profile.description = text(name);
-    profile.copyright = text("No copyright: use freely.");
-    profile
-}
+pub(crate) const D50: Xyzd = Xyzd { x: 0.9642, y: 1.0, z: 0.8249 };
 
 /// The matrix from linear RGB with these primaries and white to XYZ relative to D50.
-fn d50_from_rgb(primaries: ColorPrimaries, white: XyY) -> Matrix3d {
+pub(crate) fn d50_from_rgb(primaries: ColorPrimaries, white: XyY) -> Matrix3d {
     let columns = [primaries.red, primaries.green, primaries.blue].map(|xy| xy.to_xyzd());
     let directions = Matrix3d {
         v: [columns.map(|xyz| xyz.x), columns.map(|xyz| xyz.y), columns.map(|xyz| xyz.z)],
@@ -91,6 +41,16 @@ pub(crate) fn srgb_from_rgb(primaries: [[f32; 2]; 3], white: [f32; 2]) -> Option
     let srgb = d50_from_rgb(ColorPrimaries::BT_709, D65);
     let matrix = srgb.inverse().mat_mul(source).v;
     matrix.iter().flatten().all(|entry| entry.is_finite()).then_some(matrix)
+}
+
+/// Turns linear RGB, three values a pixel, by a matrix.
+pub(crate) fn convert(rgb: &mut [f32], matrix: [[f64; 3]; 3]) {
+    for pixel in rgb.chunks_exact_mut(3) {
+        let source = [pixel[0], pixel[1], pixel[2]].map(f64::from);
+        for (value, row) in pixel.iter_mut().zip(matrix) {
+            *value = row.iter().zip(source).map(|(a, b)| a * b).sum::<f64>() as f32;
+        }
+    }
 }
 
 /// Sixteen-bit samples of a decoded photograph.
@@ -147,7 +107,15 @@ fn to_linear_srgb(
     source: &ColorProfile,
     layout: Layout,
 ) -> Result<Arc<TransformF32Executor>, CmsError> {
-    let mut linear = rgb_profile(ColorPrimaries::BT_709, "linear sRGB");
+    let mut linear = ColorProfile::new_srgb();
+    let colourants = d50_from_rgb(ColorPrimaries::BT_709, D65).v;
+    let column = |channel: usize| {
+        let [x, y, z] = colourants.map(|row| row[channel]);
+        Xyzd { x, y, z }
+    };
+    (linear.red_colorant, linear.green_colorant, linear.blue_colorant) =
+        (column(0), column(1), column(2));
+    linear.cicp = None;
     let identity = Some(ToneReprCurve::Lut(Vec::new()));
     (linear.red_trc, linear.green_trc, linear.blue_trc) =
         (identity.clone(), identity.clone(), identity);
@@ -158,41 +126,14 @@ fn to_linear_srgb(
 
 #[cfg(test)]
 mod tests {
+    use nacreous_colour::RgbSpace;
+
     use super::*;
-
-    fn colourants(space: RgbSpace) -> [[f64; 3]; 3] {
-        let profile = ColorProfile::new_from_slice(&icc_profile(space).unwrap()).unwrap();
-        [profile.red_colorant, profile.green_colorant, profile.blue_colorant]
-            .map(|Xyzd { x, y, z }| [x, y, z])
-    }
-
-    #[test]
-    fn srgb_colourants_are_the_published_ones() {
-        // The ICC's sRGB2014 profile. Its own sum is off the white of the connection space by
-        // 2e-4, hence the tolerance.
-        let published =
-            [[0.4361, 0.2225, 0.0139], [0.3851, 0.7169, 0.0971], [0.1431, 0.0606, 0.7141]];
-        for (own, other) in
-            colourants(RgbSpace::Srgb).as_flattened().iter().zip(published.as_flattened())
-        {
-            assert!((own - other).abs() < 2.5e-4, "{own} {other}");
-        }
-    }
-
-    #[test]
-    fn colourants_add_up_to_the_white_of_the_connection_space() {
-        for space in [RgbSpace::Srgb, RgbSpace::DisplayP3] {
-            let [red, green, blue] = colourants(space);
-            for (axis, white) in [D50.x, D50.y, D50.z].into_iter().enumerate() {
-                let sum = red[axis] + green[axis] + blue[axis];
-                assert!((sum - white).abs() < 2.5 / 65_536.0, "{space:?}, axis {axis}: {sum}");
-            }
-        }
-    }
+    use crate::icc::icc_profile;
 
     #[test]
     fn a_profile_of_srgb_gives_the_light_of_srgb() {
-        let profile = icc_profile(RgbSpace::Srgb).unwrap();
+        let profile = icc_profile(RgbSpace::Srgb);
         let samples: Vec<u16> =
             (0..=u16::MAX).step_by(5).flat_map(|own| [own, 65_535 - own, 999]).collect();
         let light = light_from_profile(&profile, Samples::Rgb(samples.clone())).unwrap();
@@ -212,7 +153,7 @@ mod tests {
         // CSS Color Module Level 4, sample conversions: color(display-p3 0.91749 0.20029 0.13856).
         let p3 =
             [0.917_488, 0.200_287, 0.138_561].map(|value: f64| (value * 65_535.0).round() as u16);
-        let profile = icc_profile(RgbSpace::DisplayP3).unwrap();
+        let profile = icc_profile(RgbSpace::DisplayP3);
         let light = light_from_profile(&profile, Samples::Rgb(p3.to_vec())).unwrap();
         for (own, other) in light.iter().zip([1.0, 0.0, 0.0]) {
             assert!((own - other).abs() < 2e-4, "{light:?}");

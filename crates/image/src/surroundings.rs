@@ -11,6 +11,7 @@ pub(crate) mod lit;
 pub(crate) mod pane;
 pub(crate) mod panorama;
 pub(crate) mod seen;
+pub(crate) mod shadow;
 pub(crate) mod sky;
 pub(crate) mod table;
 pub(crate) mod table_light;

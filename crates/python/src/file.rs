@@ -14,12 +14,13 @@ use numpy::ndarray::{Array3, ArrayView3, CowArray, Ix3};
 use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::InputError;
 
 pub type Text = Vec<(String, String)>;
 
-/// Writes integer pixels [row, column, rgb], uint8 or uint16, as a PNG; space is "srgb" or
+/// Writes integer pixels [row, column, rgb or rgba], uint8 or uint16, as a PNG; space is "srgb" or
 /// "display-p3". Raises `OSError` where the system refuses, for nacreous.file to translate.
 #[pyfunction]
 pub fn write_png(
@@ -29,19 +30,45 @@ pub fn write_png(
     space: &str,
     text: Text,
 ) -> PyResult<()> {
+    with_pixels(py, pixels, space, |size, pixels, space| {
+        save_png(&path, size, pixels, space, &text)
+    })
+}
+
+/// The bytes of such a PNG.
+#[pyfunction]
+pub fn png_bytes<'py>(
+    py: Python<'py>,
+    pixels: &Bound<'py, PyAny>,
+    space: &str,
+    text: Text,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let file = with_pixels(py, pixels, space, |(width, height), pixels, space| {
+        let mut file = Vec::new();
+        png::write_png(&mut file, width, height, pixels, space, &text).map_err(raised)?;
+        Ok(file)
+    })?;
+    Ok(PyBytes::new(py, &file))
+}
+
+/// Does something with integer pixels of (width, height), without Python.
+fn with_pixels<T: Send>(
+    py: Python<'_>,
+    pixels: &Bound<'_, PyAny>,
+    space: &str,
+    work: impl FnOnce((u32, u32), PngPixels<'_>, RgbSpace) -> PyResult<T> + Send,
+) -> PyResult<T> {
     let space: RgbSpace = space.parse().map_err(crate::refused)?;
     if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u8>>() {
-        let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
-        return py
-            .detach(|| save_png(&path, size, PngPixels::Eight(slice(&samples)), space, &text));
+        let (size, samples) = (picture_size(array.shape())?, in_order(array.as_array()));
+        return py.detach(|| work(size, PngPixels::Eight(slice(&samples)), space));
     }
     if let Ok(array) = pixels.extract::<PyReadonlyArray3<'_, u16>>() {
-        let (size, samples) = (rgb_size(array.shape())?, in_order(array.as_array()));
-        return py
-            .detach(|| save_png(&path, size, PngPixels::Sixteen(slice(&samples)), space, &text));
+        let (size, samples) = (picture_size(array.shape())?, in_order(array.as_array()));
+        return py.detach(|| work(size, PngPixels::Sixteen(slice(&samples)), space));
     }
     let given = describe(pixels);
-    let message = format!("pixels are {given}; allowed: uint8 or uint16 [row, column, 3]");
+    let message = format!("pixels are {given}; allowed: uint8 or uint16 [row, column, 3 or 4]");
     Err(InputError::new_err(message))
 }
 
@@ -148,6 +175,12 @@ pub fn read_png_text(py: Python<'_>, path: PathBuf) -> PyResult<Text> {
     py.detach(|| png::read_png_text(&path)).map_err(raised)
 }
 
+/// The texts in an EXR as (keyword, text).
+#[pyfunction]
+pub fn read_exr_text(py: Python<'_>, path: PathBuf) -> PyResult<Text> {
+    py.detach(|| exr::read_exr_text(&path)).map_err(raised)
+}
+
 /// What the system refused to write is an `OSError`, all else is the user's to mend.
 fn raised(problem: PictureFileError) -> PyErr {
     match problem {
@@ -164,16 +197,16 @@ fn refused(refusal: io::Error) -> PyErr {
     }
 }
 
-/// (width, height) of [row, column, rgb].
-fn rgb_size(shape: &[usize]) -> PyResult<(u32, u32)> {
+/// (width, height) of [row, column, rgb or rgba].
+fn picture_size(shape: &[usize]) -> PyResult<(u32, u32)> {
     match *shape {
-        [height, width, 3] if height.min(width) > 0 => {
+        [height, width, 3 | 4] if height.min(width) > 0 => {
             u32::try_from(width).ok().zip(u32::try_from(height).ok())
         }
         _ => None,
     }
     .ok_or_else(|| {
-        let message = format!("pixels have the shape {shape:?}; allowed: [row, column, 3]");
+        let message = format!("pixels have the shape {shape:?}; allowed: [row, column, 3 or 4]");
         InputError::new_err(message)
     })
 }

@@ -38,7 +38,10 @@ mod _core {
         xyz_from_lab, xyz_from_rgb, xyz_from_spectrum,
     };
     #[pymodule_export]
-    use super::file::{read_panorama, read_photograph, read_png_text, write_exr, write_png};
+    use super::file::{
+        png_bytes, read_exr_text, read_panorama, read_photograph, read_png_text, write_exr,
+        write_png,
+    };
     #[pymodule_export]
     use super::image::develop;
     #[pymodule_export]

@@ -106,6 +106,12 @@ fn resources(
 
 #[pymethods]
 impl Picture {
+    /// Pixels a side.
+    #[getter]
+    fn size_px(&self) -> usize {
+        self.size_px
+    }
+
     /// Linear light [row, column, channel] in all parts: (array, (name, first channel, end) of each part).
     /// The first four parts add up to the picture.
     #[allow(clippy::type_complexity)]
@@ -167,11 +173,17 @@ impl Picture {
                 let channels = pixels.chunks_exact(CHANNELS).flat_map(|pixel| &pixel[part.clone()]);
                 plane(name, channels.copied().collect())
             });
-            let planes = [plane("", light_of(pixels))].into_iter().chain(parts);
+            let opaque = light_of(pixels).chunks_exact(3).flat_map(opaque).collect();
+            let planes = [plane("", opaque)].into_iter().chain(parts);
             let planes: Vec<Plane<'_>> = planes.collect::<PyResult<_>>()?;
             save_exr(&path, (self.size_px, self.size_px), &planes, &text)
         })
     }
+}
+
+/// A pixel of a picture without holes.
+fn opaque(light: &[f32]) -> [f32; 4] {
+    [light[0], light[1], light[2], 1.0]
 }
 
 impl Picture {

@@ -16,6 +16,8 @@ use crate::{
 const ROOM: f64 = 1.1;
 /// A lone pearl's view is this many diameters wide **(ours)**.
 const LONE_FIELD: f64 = 1.5;
+/// Nor narrower than its outline by less than this, which an eye near to it sees larger **(ours)**.
+const NEAR_FIELD: f64 = 1.1;
 /// The eye is at least this many times as far from the middle as the farthest pearl **(ours)**.
 const CLEAR: f64 = 1.2;
 
@@ -68,7 +70,9 @@ impl Arrangement {
         let frames = frames(scene, &places)?;
         let field_mm = match (scene.camera.field_mm, scene.rows.is_empty()) {
             (Some(field_mm), _) => field_mm,
-            (None, true) => LONE_FIELD * largest_mm,
+            (None, true) => {
+                (LONE_FIELD * largest_mm).max(NEAR_FIELD * field_of(&scene.camera, &places))
+            }
             (None, false) => field_of(&scene.camera, &places) + 0.5 * largest_mm,
         };
         Ok(Self { places, frames, field_mm, camera: scene.camera.clone() })

@@ -55,7 +55,7 @@ impl Job {
         Ok(self.view.is_some())
     }
 
-    /// Light of some rows from the top, before the look: 16 numbers a pixel, named by `layers`. Rows beyond
+    /// Light of some rows from the top, before the look: 17 numbers a pixel, named by `layers`. Rows beyond
     /// the last are left out.
     pub fn rows(&mut self, first: usize, end: usize) -> Result<Vec<f32>, JsError> {
         let size_px = self.size();

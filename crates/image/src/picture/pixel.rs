@@ -20,6 +20,8 @@ pub(crate) struct Pixel {
     surroundings: Rgb,
     texture: Rgb,
     coverage: f64,
+    /// Share of the table's light behind the pearls that they take away.
+    pub(crate) shadow: f64,
 }
 
 impl Pixel {
@@ -88,7 +90,7 @@ impl Pixel {
             self.mirror,
             self.surroundings,
             self.texture,
-            [self.coverage, 0.0, 0.0],
+            [self.coverage, self.shadow, 0.0],
         ];
         for (channel, value) in out.iter_mut().zip(parts.into_iter().flatten()) {
             *channel = value as f32;

@@ -23,10 +23,7 @@ pub struct Seen {
 impl Lit {
     /// What `ray` meets of table, walls and sky.
     pub(crate) fn ground(&self, ray: &Ray, cone: &Cone) -> Seen {
-        let table = self
-            .table
-            .as_ref()
-            .and_then(|table| Some((table, distance_down(ray, self.table_y_mm)?)));
+        let table = self.table_ahead(ray);
         let wall = self.walls.and_then(|walls| {
             let (distance_mm, inward) = walls.ahead(ray, self.table_y_mm)?;
             Some((walls.colour, distance_mm, inward))
@@ -50,6 +47,11 @@ impl Lit {
                 distance_mm: f64::INFINITY,
             },
         }
+    }
+
+    /// The table and how far off a ray meets it, were there no walls.
+    pub(super) fn table_ahead(&self, ray: &Ray) -> Option<(&Table, f64)> {
+        Some((self.table.as_ref()?, distance_down(ray, self.table_y_mm)?))
     }
 
     /// Radiance far away in a direction, which distant things fade into.

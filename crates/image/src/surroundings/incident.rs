@@ -43,7 +43,7 @@ impl Surroundings {
 
     /// Light of all windows on a white matt surface, in place of the sky behind them. `shadows` says
     /// whether pearls throw theirs.
-    fn windows_on(&self, point: DVec3, normal: DVec3, shadows: bool) -> Rgb {
+    pub(super) fn windows_on(&self, point: DVec3, normal: DVec3, shadows: bool) -> Rgb {
         let mut light = [0.0; 3];
         for window in &self.windows {
             let factor = window.form_factor(point, normal);

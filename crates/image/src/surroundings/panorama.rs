@@ -27,8 +27,8 @@ struct Level {
 }
 
 impl Panorama {
-    /// `pixels` row by row from the zenith down, each row from the back (azimuth -180 degrees) round by
-    /// the left to the right. At least one row and one column, `width * height` pixels, all finite:
+    /// `pixels` row by row from the zenith down, each row clockwise as seen from above: from the viewer's side (azimuth 0)
+    /// by the left to straight ahead (azimuth 180 degrees), the middle of the picture, and by the right back. At least one row and one column, `width * height` pixels, all finite:
     /// the readers of picture files see to that.
     pub fn new(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Self {
         let mut levels = vec![Level { width, height, pixels }];
@@ -42,7 +42,7 @@ impl Panorama {
 
     /// Radiance from `along`, the picture turned by `rotation_rad`, over about `spread_rad`.
     pub(crate) fn radiance(&self, along: DVec3, rotation_rad: f64, spread_rad: f64) -> Rgb {
-        let place = Place::towards(DVec3::new(along.z, along.x, along.y));
+        let place = Place::towards(DVec3::new(-along.z, along.x, along.y));
         let turns = (f64::from(place.longitude) + rotation_rad) / (2.0 * PI) + 0.5;
         let u = turns - turns.floor();
         let v = f64::from(place.colatitude) / PI;

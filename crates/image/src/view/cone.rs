@@ -18,7 +18,7 @@ pub struct Cone {
     wide_rad: f64,
     /// The root of their product: the angle of a round cone of the same solid angle.
     mean_rad: f64,
-    /// Unit vector across the line, along which the cone is wide.
+    /// Unit vector across the line, along which the cone is wide; zero where it is round.
     wide: DVec3,
 }
 
@@ -37,7 +37,7 @@ impl Cone {
     /// Its angle along a unit vector.
     #[inline]
     pub fn along_rad(&self, direction: DVec3) -> f64 {
-        if self.narrow_rad == self.wide_rad {
+        if self.wide == DVec3::ZERO {
             return self.wide_rad;
         }
         let (narrow2, wide2) = (self.narrow_rad * self.narrow_rad, self.wide_rad * self.wide_rad);

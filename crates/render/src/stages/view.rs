@@ -43,14 +43,14 @@ impl View {
     }
 
     /// Some rows from the top, [`CHANNELS`] numbers a pixel, before the look; rows beyond the last are left
-    /// out. `None` once `progress` says to stop. Memory: 64 bytes a pixel.
+    /// out. `None` once `progress` says to stop. Memory: 68 bytes a pixel.
     pub fn rows(&self, rows: Range<usize>, progress: &Progress) -> Option<Vec<f32>> {
         let end = rows.end.min(self.size_px);
         self.sampler.rows(rows.start.min(end)..end, progress)
     }
 
-    /// Turns the light of the whole picture into what lens, eye and exposure leave of it. Texture and
-    /// coverage are no light and stay.
+    /// Turns the light of the whole picture into what lens, eye and exposure leave of it. Texture,
+    /// coverage and shadow are no light and stay.
     pub fn look(&self, pixels: &mut [f32]) {
         spread_glare(pixels, self.size_px, self.look.glare, self.look.glare_px);
         self.expose(pixels);
