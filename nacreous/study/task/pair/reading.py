@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
+from nacreous.printable import printable
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.task.row import Row, Tallied, person_of
 
@@ -56,14 +57,15 @@ def chosen_of(row: Row | Tallied) -> str | None:
 def answers(rows: Sequence[Row], groups: Mapping[str, Sequence[str | None]]) -> Answers:
     """Rows as `nacreous.scaling` takes them; groups: by name, a level a row.
 
-    People are named by number, erased ones by their random names. Trials give the order.
+    People are named by number, erased ones by their random names. Trials give the order. Labels
+    are as they can be shown.
     """
     from nacreous.scaling import Answers
 
     pairs = [_columns(row) for row in rows]
     table: dict[str, Any] = {
-        "left": [pair["left"] for pair in pairs],
-        "right": [pair["right"] for pair in pairs],
+        "left": [printable(pair["left"]) for pair in pairs],
+        "right": [printable(pair["right"]) for pair in pairs],
         "chosen": [pair["chosen"] for pair in pairs],
     }
     table["person"] = [person_of(row) for row in rows]
@@ -104,4 +106,4 @@ def _counted(labels: Sequence[str], rows: list[Tallied]) -> Comparisons:
         else:
             won = index[chosen]
             wins[won, left + right - won] += row["count"]
-    return Comparisons.of_counts(wins, ties, labels)
+    return Comparisons.of_counts(wins, ties, [printable(label) for label in labels])
