@@ -7,14 +7,17 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
+from nacreous.number import said
 from nacreous.printable import printable
+from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.task.row import Row, Tallied, person_of
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
+    from nacreous.scaling.report.settings import Settings
 
-__all__ = ["CHOICES", "answers", "chosen_of", "comparisons", "pair_of", "sides_of"]
+__all__ = ["CHOICES", "answers", "chosen_of", "comparisons", "pair_of", "settings", "sides_of"]
 
 CHOICES = ("left", "right", "tie")
 
@@ -52,6 +55,27 @@ def chosen_of(row: Row | Tallied) -> str | None:
     if pair["chosen"] == "tie":
         return None
     return pair["left"] if pair["chosen"] == "left" else pair["right"]
+
+
+def settings(chosen_by: str | None) -> Settings:
+    """How a report fits answers to pairs that were chosen so (`Pairs.chosen_by`).
+
+    The most telling ones stretch the most likely scale and want the prior under which they were
+    chosen; ones drawn by lot are left without a prior, and bias reduction holds them.
+
+    >>> settings("greedy").prior, settings("drawn").method
+    ('hierarchical', 'bias-reduced')
+    """
+    from nacreous.scaling.report.settings import Settings
+
+    known = {
+        None: Settings(),
+        "greedy": Settings(prior="hierarchical"),
+        "drawn": Settings(method="bias-reduced"),
+    }
+    if chosen_by not in known:
+        raise InputError(f"pairs_chosen_by is {said(chosen_by)}; allowed: greedy, drawn, or empty")
+    return known[chosen_by]
 
 
 def answers(rows: Sequence[Row], groups: Mapping[str, Sequence[str | None]]) -> Answers:
