@@ -91,7 +91,7 @@ impl Chord {
     fn place_of(&self, cosine: f64, [from, to]: [f64; 2]) -> Option<f64> {
         let (first, last) = (self.cosine(from), self.cosine(to));
         let part = (cosine * cosine - first * first) / (last * last - first * first);
-        (0.0..=1.0).contains(&part).then(|| from + (to - from) * part)
+        (0.0..=1.0).contains(&part).then_some(from + (to - from) * part)
     }
 
     fn cosine(&self, x: f64) -> f64 {

@@ -7,8 +7,9 @@ use crate::{
     pearl::sight::{Sight, Spread},
     picture::{
         chord::{Chord, Piece},
-        sampler::{Sampler, View},
+        sampler::Sampler,
         tent::{place, share_left_of, tent_of_full_width},
+        view::View,
     },
     view::ray::Ray,
 };
@@ -46,20 +47,17 @@ impl Sampler {
             for stretch in self.stretches(&chords, view, ray_at) {
                 let (left, right) = (share_left_of(stretch.from), share_left_of(stretch.to));
                 let count = ((right - left) * lines as f64).ceil() as usize;
-                match stretch.ball {
-                    Some((place, chord)) => {
-                        for piece in chord.pieces(stretch.from, stretch.to, count) {
-                            let ray = ray_at(piece.place);
-                            self.piece(&ray, place, &piece, (lines, part), view);
-                            part += 1;
-                        }
+                if let Some((place, chord)) = stretch.ball {
+                    for piece in chord.pieces(stretch.from, stretch.to, count) {
+                        let ray = ray_at(piece.place);
+                        self.piece(&ray, place, &piece, (lines, part), view);
+                        part += 1;
                     }
-                    None => {
-                        let step = (right - left) / count as f64;
-                        for i in 0..count {
-                            let ray = ray_at(place(left + step * (i as f64 + 0.5)));
-                            self.behind(&ray, step / lines as f64, width_px, view);
-                        }
+                } else {
+                    let step = (right - left) / count as f64;
+                    for i in 0..count {
+                        let ray = ray_at(place(left + step * (i as f64 + 0.5)));
+                        self.behind(&ray, step / lines as f64, width_px, view);
                     }
                 }
             }
