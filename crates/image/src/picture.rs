@@ -10,3 +10,4 @@ pub(crate) mod resampling;
 pub(crate) mod rim;
 pub(crate) mod sampler;
 pub(crate) mod tent;
+pub(crate) mod view;

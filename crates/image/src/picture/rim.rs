@@ -7,8 +7,9 @@ use crate::{
     pearl::sight::{Sight, Spread},
     picture::{
         chord::{Chord, Piece},
-        sampler::{Sampler, View},
+        sampler::Sampler,
         tent::{place, share_left_of, tent_of_full_width},
+        view::View,
     },
     view::ray::Ray,
 };

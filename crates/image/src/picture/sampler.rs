@@ -19,6 +19,7 @@ use crate::{
         detail::{ALIKE, DARK, Detail, FEWEST_ALIKE, FINE, RIM, RIM_PX},
         pixel::Pixel,
         tent::{rook, tent, width_between},
+        view::View,
     },
     progress::Progress,
     rgb::{self, Rgb},
@@ -317,32 +318,5 @@ impl Sampler {
         let far_mm = |hit: &Hit| hit.point.distance_squared(ray.from);
         let hits = view.balls.iter().enumerate().filter_map(met);
         hits.min_by(|a, b| far_mm(&a.1).total_cmp(&far_mm(&b.1)))
-    }
-}
-
-/// What a pixel shows, while it is being made.
-#[derive(Default)]
-pub(super) struct View {
-    pub(super) balls: Vec<usize>,
-    /// Light of each of those balls.
-    pub(super) parts: Vec<Pixel>,
-    /// Light of what lies behind them all.
-    behind: Rgb,
-}
-
-impl View {
-    /// Counts all light that was gathered so many times.
-    fn brighten(&mut self, times: f64) {
-        for part in &mut self.parts {
-            part.brighten(times);
-        }
-        self.behind = rgb::scaled(self.behind, times);
-    }
-
-    /// Forgets the light that was gathered.
-    fn clear(&mut self) {
-        self.parts.clear();
-        self.parts.resize(self.balls.len(), Pixel::default());
-        self.behind = [0.0; 3];
     }
 }

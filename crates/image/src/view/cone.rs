@@ -18,7 +18,7 @@ pub struct Cone {
     wide_rad: f64,
     /// The root of their product: the angle of a round cone of the same solid angle.
     mean_rad: f64,
-    /// Unit vector across the line, along which the cone is wide; zero where it is round.
+    /// Unit vector across the line, along which the cone is wide.
     wide: DVec3,
 }
 
@@ -29,15 +29,16 @@ impl Cone {
         Self { narrow_rad, wide_rad, mean_rad, wide: DVec3::ZERO }
     }
 
-    /// Of `wide_rad` along the unit vector `wide`, across the line, and of `narrow_rad`, no more, the other way.
+    /// Of `narrow_rad` all around, and along the unit vector `wide`, across the line, of `wide_rad` where that is more.
     pub fn stretched(narrow_rad: f64, wide_rad: f64, wide: DVec3) -> Self {
+        let wide_rad = wide_rad.max(narrow_rad);
         Self { narrow_rad, wide_rad, mean_rad: (narrow_rad * wide_rad).sqrt(), wide }
     }
 
     /// Its angle along a unit vector.
     #[inline]
     pub fn along_rad(&self, direction: DVec3) -> f64 {
-        if self.wide == DVec3::ZERO {
+        if self.narrow_rad >= self.wide_rad {
             return self.wide_rad;
         }
         let (narrow2, wide2) = (self.narrow_rad * self.narrow_rad, self.wide_rad * self.wide_rad);
