@@ -126,7 +126,10 @@ def _chosen_by(store: Store, study: str) -> str | None:
     stored = store.manifest(study).get("design")
     if not isinstance(stored, dict):
         return None
-    design = Design.check(copy.deepcopy(stored), f"study {study[:12]}", Path())
+    try:
+        design = Design.check(copy.deepcopy(stored), f"study {study[:12]}", Path())
+    except InputError:  # of another version, say; what was collected is exported all the same
+        return None
     return TASKS[design.task].chosen_by(design.asked)
 
 
