@@ -119,7 +119,8 @@ def _first(args: argparse.Namespace) -> _Job:
         scene = Scene.load(scene, of_scene)
     size, samples = _either(args.size, 512), _either(args.samples, 16)
     made = recipe(pearls[0] if len(pearls) == 1 else pearls, scene, size, samples)
-    bits, space, gamut = args.bits or 8, args.space or "srgb", args.gamut or "soft"
+    bits: Literal[8, 16] = args.bits or 8
+    space, gamut = args.space or "srgb", args.gamut or "soft"
     return _Job(made, bits, space, gamut, bool(args.alpha))
 
 
