@@ -120,7 +120,8 @@ def _first(args: argparse.Namespace) -> _Job:
     size, samples = _either(args.size, 512), _either(args.samples, 16)
     made = recipe(pearls[0] if len(pearls) == 1 else pearls, scene, size, samples)
     bits: Literal[8, 16] = args.bits or 8
-    return _Job(made, bits, args.space or "srgb", args.gamut or "soft", bool(args.alpha))
+    space, gamut = args.space or "srgb", args.gamut or "soft"
+    return _Job(made, bits, space, gamut, bool(args.alpha))
 
 
 def _again(args: argparse.Namespace) -> _Job:

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * f0d4b8e99ae6491e59168273cccd547c7209cb469482a711df4864b705ad0580
+ * 02c2f2db476065ce11f58f905df8023b55e27e4ab386e6353a36a70477ff1b7b
  */
 
 /**
@@ -573,11 +573,11 @@ export interface Sky {
    */
   intensity?: number;
   /**
-   * High-range panorama in latitude and longitude; its path is relative to this file. Allowed: a path ending in .hdr or .exr. Left out: no panorama. Source: **(ours)**.
+   * High-range panorama in latitude and longitude; its path is relative to this file. Its middle lies at azimuth 180, straight ahead of a camera at azimuth 0. Allowed: a path ending in .hdr or .exr. Left out: no panorama. Source: **(ours)**.
    */
   path?: string;
   /**
-   * Turn of the panorama about the y axis. Allowed: -360 to 360 degrees. Source: **(ours)**.
+   * Turn of the panorama about the y axis; seen from above, counter-clockwise. Allowed: -360 to 360 degrees. Source: **(ours)**.
    */
   rotation_deg?: number;
 }
