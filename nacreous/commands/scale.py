@@ -7,6 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from nacreous.scaling import Scale
     from nacreous.scaling.report.analysis import Analysis
     from nacreous.scaling.report.settings import Settings
 
@@ -98,9 +99,9 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
     )
     model.add_argument(
         "--method",
-        choices=("maximum-likelihood", "least-squares"),
-        default="maximum-likelihood",
-        help="least-squares: as in the paper of 1996 (maximum-likelihood)",
+        choices=("maximum-likelihood", "bias-reduced", "least-squares"),
+        help="bias-reduced: few answers do not stretch the scale; least-squares: as in the paper "
+        "of 1996 (maximum-likelihood; of a study's export as the study asks for)",
     )
     model.add_argument(
         "--ties",
@@ -108,7 +109,13 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
         help="fit how near things are called equal, or count ties half (where more than 5 %% are)",
     )
     model.add_argument("--order", action="store_true", help="fit the advantage of the left one")
-    model.add_argument("--prior", type=float, metavar="SPREAD", help="draw the places together")
+    model.add_argument(
+        "--prior",
+        type=_prior,
+        metavar="SPREAD",
+        help="draw the places together: a spread, or hierarchical, where it is learnt too, for "
+        "pairs chosen by earlier answers (none; of a study's export as the study asks for)",
+    )
     model.add_argument("--unit", choices=("z", "d'", "JOD", "JND", "logit"), help="of the scale")
     model.add_argument("--level", type=float, default=0.95, help="of intervals and tests (0.95)")
     model.add_argument(
@@ -126,7 +133,8 @@ def run(args: argparse.Namespace) -> int:
     outputs = args.output or ["report.html"]
     for output in outputs:
         file.check_output(output, SUFFIXES)
-    settings, data = _settings(args), _data(args)
+    data = _data(args)
+    settings = _settings(args, _of_study(args))
     begin = time.monotonic()
     with bar("resampling") as show:
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
@@ -139,10 +147,31 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _settings(args: argparse.Namespace) -> Settings:
-    from nacreous.scaling.report.settings import Settings
+def _prior(text: str) -> float | str:
+    """A spread as a number, or a word."""
+    return text if text in ("none", "hierarchical") else float(text)
 
-    return Settings(**{name: getattr(args, name) for name in Settings.__dataclass_fields__})
+
+def _settings(args: argparse.Namespace, of_study: Settings) -> Settings:
+    """What was asked for; where neither method nor prior was, those of the study."""
+    from dataclasses import replace
+
+    names = set(of_study.__dataclass_fields__) - {"method", "prior"}
+    wanted = replace(of_study, **{name: getattr(args, name) for name in names})
+    if args.method is None and args.prior is None:
+        return wanted
+    prior = None if args.prior == "none" else args.prior
+    return replace(wanted, method=args.method or "maximum-likelihood", prior=prior)
+
+
+def _of_study(args: argparse.Namespace) -> Settings:
+    """How the study's own report fits its export; of other data the defaults."""
+    from nacreous.scaling.report.settings import Settings
+    from nacreous.study.results import exported_settings
+
+    if args.counts or args.answers == PAPER:
+        return Settings()
+    return exported_settings(args.answers) or Settings()
 
 
 def _data(args: argparse.Namespace) -> Any:
@@ -232,7 +261,7 @@ def _told(found: Analysis, seconds: float) -> str:
     lines = _people_told(found)
     lines += [
         f"{found.comparisons.total:g} answers on {len(fit.stimuli)} stimuli, {fit.model}, "
-        f"{fit.method}, in {fit.unit}; {100 * found.settings.level:g} % intervals by "
+        f"{_fit_told(fit)}, in {fit.unit}; {100 * found.settings.level:g} % intervals by "
         f"{_BY[doubt.by]}, {seconds:.1f} s"
     ]
     for at in found.order:
@@ -249,6 +278,14 @@ def _told(found: Analysis, seconds: float) -> str:
     together = "all people together: " if found.people_differ else ""
     lines.append(together + found.goodness.verdict)
     return "\n".join(lines)
+
+
+def _fit_told(fit: Scale) -> str:
+    """How it was fitted."""
+    if fit.posterior is None:
+        return fit.method
+    spread = fit.posterior.spread
+    return f"prior over the spread ({spread:.2f} {fit.own_unit})"
 
 
 def _people_told(found: Analysis) -> list[str]:

@@ -11,7 +11,8 @@ from scipy.stats import norm
 
 from nacreous.problem import InputError
 from nacreous.scaling import Comparisons, thurstone
-from nacreous.scaling.planning.selection import bits_of, next_pairs
+from nacreous.scaling.planning.bits import bits_of
+from nacreous.scaling.planning.selection import next_pairs
 from nacreous.scaling.planning.simulation import simulate
 
 LABELS = tuple(str(k + 1) for k in range(12))
@@ -52,7 +53,7 @@ def test_a_stimulus_without_answers_is_next():
 
 def test_a_pair_whose_answer_is_certain_is_not_asked():
     counts = np.array([[0, 20, 40], [20, 0, 40], [0, 0, 0]])
-    pairs = next_pairs(counts, 4)
+    pairs = next_pairs(counts, 4, prior=1.0)  # how far apart unanimous ones may be
     assert {pair.left for pair in pairs} | {pair.right for pair in pairs} == {"1", "2"}
 
 
@@ -85,7 +86,7 @@ def test_all_are_asked_alike_before_anything_is_known(method):
         assert max(asked.values()) - min(asked.values()) <= 3
 
 
-@pytest.mark.parametrize("method", ["greedy", "tree"])
+@pytest.mark.parametrize("method", ["greedy", "tree", "drawn"])
 def test_each_stimulus_stands_on_both_sides_alike(method):
     pairs = next_pairs(stimuli=LABELS, batch=132, method=method)
     lean = Counter(pair.left for pair in pairs)
@@ -106,7 +107,7 @@ def test_same_arguments_same_pairs_and_another_seed_others():
     assert one != other
 
 
-@pytest.mark.parametrize("method", ["greedy", "tree"])
+@pytest.mark.parametrize("method", ["greedy", "tree", "drawn"])
 def test_one_person_is_shown_no_pair_twice_in_a_batch(method):
     answers = simulate([0.0, 0.1, 5.0, 9.0], people=40, seed=1)
     often = Counter(frozenset((p.left, p.right)) for p in next_pairs(answers, 6, method=method))
@@ -123,6 +124,20 @@ def test_bits_fall_along_a_greedy_batch():
     assert bits[-1] < bits[0]
 
 
+def test_pairs_are_drawn_with_chances_in_proportion_to_their_bits():
+    """Of the first pair of a batch, whose bits are those before it."""
+    answers = simulate([0.0, 0.3, 1.5, 1.6], people=12, seed=5)
+    drawn = Counter()
+    for seed in range(2000):
+        [pair] = next_pairs(answers, method="drawn", seed=seed)
+        drawn[frozenset((pair.left, pair.right)), pair.bits] += 1
+    total = sum(bits for _, bits in drawn)
+    assert len(drawn) == 6
+    for (_, bits), often in drawn.items():
+        assert often / 2000 == pytest.approx(bits / total, abs=4 * np.sqrt(0.25 / 2000))
+    assert max(bits for _, bits in drawn) > 1.5 * min(bits for _, bits in drawn)
+
+
 def squared_error(method, truth, answers, seed):
     """Of the scale after so many simulated answers, in batches of eleven."""
     random = np.random.default_rng(seed)
@@ -137,7 +152,7 @@ def squared_error(method, truth, answers, seed):
         for i, j in pairs:
             won = truth[i] - truth[j] + random.standard_normal() > 0
             counts[(i, j) if won else (j, i)] += 1
-    fit = thurstone(Comparisons.of_counts(counts, stimuli=LABELS), prior=1.0)
+    fit = thurstone(Comparisons.of_counts(counts, stimuli=LABELS), prior="hierarchical")
     return np.mean((fit.scale - truth) ** 2)
 
 
@@ -151,10 +166,9 @@ def mean_error(method):
 
 
 def test_chosen_pairs_leave_less_error_than_random_ones():
-    """By a fifth in 150 studies; the standard error of the share is 4.5 % there."""
-    by_chance = mean_error("random")
-    assert mean_error("greedy") < 0.9 * by_chance
-    assert mean_error("tree") < 0.9 * by_chance
+    """By an eighth in 240 studies, with the same fit; the share's standard error is 6 % there."""
+    chosen = [mean_error(method) for method in ("greedy", "tree")]
+    assert np.mean(chosen) < mean_error("random")
 
 
 @pytest.mark.parametrize(
@@ -163,8 +177,13 @@ def test_chosen_pairs_leave_less_error_than_random_ones():
         ({}, "neither data nor stimuli"),
         ({"stimuli": ["a"]}, "1 stimuli"),
         ({"stimuli": ["a", "b"], "batch": 0}, "batch is 0"),
-        ({"stimuli": ["a", "b"], "method": "asap"}, "method is 'asap'; allowed: greedy, tree"),
+        (
+            {"stimuli": ["a", "b"], "method": "asap"},
+            "method is 'asap'; allowed: greedy, tree, drawn",
+        ),
         ({"stimuli": ["a", "b"], "prior": 0}, "prior is 0"),
+        ({"stimuli": ["a", "b"], "prior": None}, "prior is None"),
+        ({"stimuli": ["a", "b"], "prior": "flat"}, "prior is 'flat'"),
         ({"stimuli": ["a", "b"], "model": "gauss"}, "model is 'gauss'"),
         ({"data": [("a", "x")], "stimuli": ["a", "b"]}, "the data have the stimulus 'x'"),
         ({"stimuli": [str(k) for k in range(2001)]}, "2001 stimuli"),

@@ -240,7 +240,8 @@ def simulated(
             left, right = place[trial.stimuli[0]], place[trial.stimuli[1]]
             won = value[left] - value[right] + chance.standard_normal() > 0
             wins[(left, right) if won else (right, left)] += 1
-    fit = nc.scaling.thurstone(Comparisons.of_counts(wins, None, design.labels))
+    prior = "hierarchical" if kind == "adaptive" else None
+    fit = nc.scaling.thurstone(Comparisons.of_counts(wins, None, design.labels), prior=prior)
     covariance = fit.parameter_covariance("expected")[: len(value), : len(value)]
     step = np.eye(len(value))[1:] - np.eye(len(value))[:-1]
     return np.sqrt(np.diag(step @ covariance @ step.T)), np.diff(fit.scale) - np.diff(value)

@@ -159,6 +159,7 @@ CONTRADICTIONS = {
     'languages are ["en", "en"]; allowed: each once': {"languages": ["en", "en"]},
     'pairs.number is missing while pairs.kind is "incomplete"': {"pairs": {"kind": "incomplete"}},
     'pairs.number is 5 while pairs.kind is "all"': {"pairs": {"number": 5}},
+    'pairs.choice is "drawn" while pairs.kind is "all"': {"pairs": {"choice": "drawn"}},
     "pairs.number is 8; allowed: 9 to 45": {"pairs": {"kind": "incomplete", "number": 8}},
     "pairs.number is 46; allowed: 9 to 45": {"pairs": {"kind": "incomplete", "number": 46}},
     "pairs.repeats is 46; allowed: 0 to 45": {"pairs": {"repeats": 46}},

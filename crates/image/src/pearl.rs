@@ -1,6 +1,7 @@
 //! What a pearl does with light, by either model, point by point.
 
 pub(crate) mod body;
+pub(crate) mod glint;
 pub(crate) mod illuminant;
 pub(crate) mod knob;
 pub(crate) mod model;

@@ -1,10 +1,13 @@
 //! From pearls in their surroundings to pixels, and from linear light to codes for a screen.
 
 pub(crate) mod channels;
+pub(crate) mod chord;
 pub(crate) mod detail;
 pub(crate) mod develop;
 pub(crate) mod glare;
 pub(crate) mod pixel;
 pub(crate) mod resampling;
+pub(crate) mod rim;
 pub(crate) mod sampler;
 pub(crate) mod tent;
+pub(crate) mod view;

@@ -10,7 +10,8 @@ use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
     BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Microfacets, Model, Panorama,
-    Pearl, Place, Projection, Response, Sight, Sky, Source, Surface, Surroundings, Transport,
+    Pearl, Place, Projection, Response, Sight, Sky, Source, Spread, Surface, Surroundings,
+    Transport,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
@@ -75,11 +76,12 @@ impl Scene {
     fn seen_with(&self, pearl: &Pearl, (x, y): (f64, f64), side: usize) -> ([f64; 3], [f64; 3]) {
         let camera = Camera::new(Projection::Orthographic, 0.0, 0.0, 8.0);
         let ray = camera.ray(x, y);
-        let hit = self.surroundings.balls[0].hit(&ray, 0.01).unwrap();
+        let hit = self.surroundings.balls[0].hit(&ray).unwrap();
         let (mut inside, mut mirror) = ([0.0; 3], [0.0; 3]);
+        let spread = Spread::of_square(0.01 / self.surroundings.balls[0].radius_mm, hit.cos_view);
         for part in 0..side {
             let view = -ray.along;
-            let sight = Sight { ball: 0, hit, view, pixel_mm: 0.01, part, around: None };
+            let sight = Sight { ball: 0, hit, view, pixel_mm: 0.01, spread, part, around: None };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
                 inside[i] += (parts.interference[i] + parts.diffuse[i]) / side as f64;

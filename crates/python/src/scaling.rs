@@ -17,6 +17,10 @@ type Row<'py> = Bound<'py, PyArray1<f64>>;
 type Table<'py> = Bound<'py, PyArray2<f64>>;
 type Column<'py> = Bound<'py, PyArray1<i64>>;
 
+/// So many pairs are fitted before anybody could press Ctrl-C, in less time than a thread may take to
+/// be woken.
+const SHORT: usize = 1000;
+
 /// A model of paired comparisons and the counts it is fitted to.
 #[pyclass(frozen, module = "nacreous._core")]
 pub struct PairModel {
@@ -104,7 +108,11 @@ impl PairModel {
     fn fit<'py>(&self, py: Python<'py>) -> PyResult<(Row<'py>, Row<'py>, f64, usize)> {
         let stop = AtomicBool::new(false);
         let work = || nacreous_scaling::fit(&self.model, &self.counts, &stop);
-        let fit = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
+        let fit = if self.counts.pairs.len() <= SHORT {
+            py.detach(work)
+        } else {
+            watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?
+        };
         let fit = fit.map_err(refused)?;
         let (parameters, values) = (fit.parameters.into_pyarray(py), fit.values.into_pyarray(py));
         Ok((parameters, values, fit.log_likelihood, fit.steps))

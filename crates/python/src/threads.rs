@@ -15,23 +15,23 @@ struct Threads {
     of_child: OnceLock<Box<Threads>>,
 }
 
-static THREADS: OnceLock<Box<Threads>> = OnceLock::new();
+static THREADS: OnceLock<Threads> = OnceLock::new();
 
 /// The pool of the process that asks, as many threads as rayon would take (`RAYON_NUM_THREADS`).
 pub fn pool() -> &'static ThreadPool {
     let process = std::process::id();
     let mut threads = THREADS.get_or_init(|| Threads::of(process));
     while threads.process != process {
-        threads = threads.of_child.get_or_init(|| Threads::of(process));
+        threads = threads.of_child.get_or_init(|| Box::new(Threads::of(process)));
     }
     &threads.pool
 }
 
 impl Threads {
-    fn of(process: u32) -> Box<Self> {
+    fn of(process: u32) -> Self {
         // Where the system gives no more threads rayon's own pool would end the program likewise.
         let pool = rayon::ThreadPoolBuilder::new().build().expect("the system gives threads");
-        Box::new(Self { process, pool, of_child: OnceLock::new() })
+        Self { process, pool, of_child: OnceLock::new() }
     }
 }
 

@@ -19,6 +19,7 @@ from nacreous._core import PairModel, PersonalAnswers
 from nacreous.number import said, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit.clustering import personal, require_people
 from nacreous.scaling.fit.errors import errors_of, kind_of
 from nacreous.scaling.fit.uncertainty import control_of, level_of, root_of_diagonal
@@ -116,6 +117,7 @@ class Bootstrap:
         True
         """
         miss = 1 - level_of(level)
+        first, second = (label_of(x) if isinstance(x, str) else x for x in (first, second))
         for label in (first, second):
             if label not in self.stimuli:
                 raise InputError(
@@ -156,8 +158,13 @@ def resampled(
     fit: Scale, samples: int, by: str | None, seed: int, progress: Progress | None
 ) -> Bootstrap:
     """The samples of a fit, in its unit; see `Scale.bootstrap`."""
-    if fit.method == "least-squares":
-        raise InputError("method is 'least-squares'; allowed here: maximum-likelihood")
+    if fit.method != "maximum-likelihood":
+        raise InputError(f"method is {said(fit.method)}; allowed here: maximum-likelihood")
+    if fit.posterior is not None:
+        raise InputError(
+            "prior is 'hierarchical', whose intervals need no samples; allowed here: a spread, or "
+            "None"
+        )
     chosen = by if by is not None else ("people" if kind_of(fit, None) == "people" else "answers")
     if chosen not in ("people", "answers"):
         raise InputError(f"by is {said(by)}; allowed: people, answers")

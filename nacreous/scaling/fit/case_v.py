@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.fit.least_squares import least_squares
-from nacreous.scaling.fit.maximum_likelihood import fitted
+from nacreous.scaling.fit.maximum_likelihood import fitted, reduced, require_plain
 from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.spread import Prior
 
 
 def thurstone(
@@ -18,7 +19,7 @@ def thurstone(
     method: str = "maximum-likelihood",
     ties: bool | None = None,
     order: bool = False,
-    prior: float | None = None,
+    prior: Prior = None,
     design: ArrayLike | None = None,
     extremes: float = 0.5,
 ) -> Scale:
@@ -26,13 +27,15 @@ def thurstone(
 
     - `data`: `Answers`, `Comparisons`, a file or table of answers, a matrix of counts, or a list of
       (winner, loser)
-    - `method`: "maximum-likelihood", or "least-squares", the row means of z of the paper (1996)
+    - `method`: "maximum-likelihood"; "bias-reduced", which few answers do not stretch (Firth 1993),
+      ties counted half; or "least-squares", the row means of z of the paper (1996)
     - `ties`: True fits a threshold below which nobody chooses (Glenn and David 1960); False counts
       a tie as half a choice for either; None, the default, fits it where ties are more than 5 % of
       the answers and tell how wide it is
     - `order`: True fits how much being on the left helps, in z; needs answers with sides
-    - `prior`: None, or the spread in z of a normal prior on each value (on each coefficient), 0.001
-      to 1000, which pulls the scale together and is always there if the answers alone give none
+    - `prior`: None; the spread in z of a normal prior on each value (on each coefficient), 0.001 to
+      1000, which pulls the scale together and is always there if the answers alone give none; or
+      "hierarchical", where the spread has a prior too, for pairs chosen by the answers so far
     - `design`: None, or [stimulus, coefficient]: the values are then design x coefficients
     - `extremes`: for least squares only: a pair on which all n agree counts as this many answers
       against it, p = 0.5 / n by default; 0.001 to 1
@@ -50,8 +53,13 @@ is preferred, or a prior, as prior=1.0
     """
     if method == "maximum-likelihood":
         return fitted(data, "probit", ties, order, prior, design)
+    if method == "bias-reduced":
+        require_plain(prior, design)
+        return reduced(data, "probit", ties, order)
     if method != "least-squares":
-        raise InputError(f"method is {said(method)}; allowed: maximum-likelihood, least-squares")
+        raise InputError(
+            f"method is {said(method)}; allowed: maximum-likelihood, bias-reduced, least-squares"
+        )
     if ties or order or prior is not None or design is not None:
         raise InputError(
             "method is 'least-squares', which has no ties, order, prior or design of its own; "

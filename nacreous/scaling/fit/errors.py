@@ -51,7 +51,7 @@ def kind_of(fit: Scale, kind: str | None) -> str:
     """What errors are asked for: by default over people where a fit by likelihood knows them."""
     if kind is None:
         known = fit.answers is not None and fit.answers.person is not None
-        return "people" if known and fit.method == "maximum-likelihood" else "expected"
+        return "people" if known and fit.method != "least-squares" else "expected"
     if kind not in KINDS:
         raise InputError(f"kind is {said(kind)}; allowed: {', '.join(KINDS)}")
     return kind
@@ -68,7 +68,7 @@ def errors_of(fit: Scale, kind: str | None) -> Errors:
     if chosen != "people":
         return Errors(_brought(fit, parameter_covariance(fit, chosen), values), None, values)
     found = clusters_of(fit)
-    covariance = _brought(fit, found.covariance, values)
+    covariance = _brought(fit, found.covariance + _beside_people(fit), values)
     _require_difference(fit, covariance, _brought(fit, _inverse(fit, expected=True), values))
     return Errors(covariance, found, values)
 
@@ -80,12 +80,13 @@ def parameter_covariance(fit: Scale, kind: str | None) -> Array:
         own = fit.scale * factor(fit.unit, "z")
         return row_means.covariance(fit.comparisons, own, chosen)
     if chosen == "people":
-        return clusters_of(fit).covariance
-    return _inverse(fit, chosen == "expected")
+        return np.asarray(clusters_of(fit).covariance + _beside_people(fit))
+    within = _inverse(fit, chosen == "expected")
+    return within if fit.posterior is None else within + fit.posterior.between
 
 
 def clusters_of(fit: Scale) -> Clusters:
-    """The people behind a fit by maximum likelihood, three or more for each stimulus."""
+    """The people behind a fit by the likelihood, three or more for each stimulus."""
     answers = clustering.require_people(fit.answers)
     like = (
         fit.model,
@@ -97,7 +98,22 @@ def clusters_of(fit: Scale) -> Clusters:
     return clustering.clusters(fit.room, answers, fit.parameters, inverses, like)
 
 
+def _beside_people(fit: Scale) -> Array:
+    """What a prior over the spread leaves unknown whatever people answer, of the parameters.
+
+    If people were independent answers, the sum with theirs were the posterior's covariance: of that
+    their information I takes the part V I V, for V within a spread.
+    """
+    if fit.posterior is None:
+        return np.zeros((len(fit.parameters),) * 2)
+    within = fit.posterior.expected
+    told = fit.room.information(fit.parameters, True)
+    return np.asarray(within - within @ told @ within + fit.posterior.between)
+
+
 def _inverse(fit: Scale, expected: bool) -> Array:
+    if fit.posterior is not None:
+        return fit.posterior.expected if expected else fit.posterior.observed
     floats = fit.design is None and fit.prior is None
     information = fit.room.information(fit.parameters, expected)
     return uncertainty.inverse(information, len(fit.stimuli) if floats else 0)

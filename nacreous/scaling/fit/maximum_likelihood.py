@@ -1,21 +1,25 @@
-"""Maximum likelihood, the same for both models: check, fit, make a `Scale` of it."""
+"""Fits by the likelihood, the same for both models: check, fit, make a `Scale` of it."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from os import PathLike
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nacreous._core import PairModel
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.data.table import is_table
+from nacreous.scaling.fit.bias_reduction import bias_reduced
 from nacreous.scaling.fit.existence import pair_model, require_maximum
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.separation import require_design
+from nacreous.scaling.fit.spread import HIERARCHICAL, Prior, spread_posterior
 from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.fit.unit import Model
 
@@ -25,49 +29,108 @@ def fitted(
     model: Model,
     ties: bool | None = None,
     order: bool = False,
-    prior: float | None = None,
+    prior: Prior = None,
     design: ArrayLike | None = None,
 ) -> Scale:
     """The most likely scale in the model's own unit; see `thurstone` for the arguments."""
     data, comparisons = counted(data)
-    if not isinstance(order, bool):
-        raise InputError(f"order is {said(order)}; allowed: True, False")
-    if order and not comparisons.sided:
-        raise InputError("order=True, but left and right are no sides here; allowed: order=False")
-    if prior is not None and not 1e-3 <= number_of("prior", prior) <= 1e3:
-        raise InputError(f"prior is {said(prior)}; allowed: a spread, 0.001 to 1000, or None")
+    _check_order(order, comparisons)
+    spread = _prior_of(prior)
     table = None if design is None else _design_of(design, comparisons)
+    if spread == HIERARCHICAL and table is not None:
+        raise InputError("prior is 'hierarchical'; allowed with a design: a spread, or None")
     ties = fits_ties(ties, [comparisons], model, order)
     with_ties = ties and bool(comparisons.ties.any())
-    spread = None if prior is None else float(prior)
-    room = pair_model(comparisons, model, with_ties, order, spread, table)
+    # Whatever the spread, a prior holds the same fits.
+    held = 1.0 if spread == HIERARCHICAL else spread
+    room = pair_model(comparisons, model, with_ties, order, held, table)
     if table is None:
         require_maximum(comparisons, room)
     else:
-        require_design(comparisons, table, with_ties, order, spread)
-    parameters, values, log_likelihood, _ = room.fit()
-    count = len(comparisons.stimuli) if table is None else table.shape[1]
-    threshold = None
-    if ties:  # without a tie the most likely threshold is 0
-        width = float(parameters[-1]) if with_ties else 0.0
-        threshold = float(np.exp(width)) if model == "logit" and with_ties else width
+        require_design(comparisons, table, with_ties, order, held)
+    posterior = None
+    if spread == HIERARCHICAL:
+        posterior = spread_posterior(comparisons, model, with_ties, order)
+        room = pair_model(comparisons, model, with_ties, order)
+    parameters = room.fit()[0] if posterior is None else posterior.mean
+    found = _scale(data, comparisons, room, model, parameters, order, table)
+    # Without a tie the most likely threshold is 0.
+    threshold = _threshold(parameters, model, with_ties) if ties else None
+    return replace(found, tie_threshold=threshold, prior=spread, posterior=posterior)
+
+
+def reduced(data: Any, model: Model, ties: bool | None = None, order: bool = False) -> Scale:
+    """The scale by bias reduction in the model's own unit; see `thurstone` for the arguments."""
+    data, comparisons = counted(data)
+    _check_order(order, comparisons)
+    if ties:
+        raise InputError(
+            "ties is True; allowed with method 'bias-reduced': False, each counts half"
+        )
+    room = pair_model(comparisons, model, False, order)
+    parameters = bias_reduced(room, comparisons, model, order)
+    found = _scale(data, comparisons, room, model, parameters, order, None)
+    return replace(found, method="bias-reduced")
+
+
+def require_plain(prior: Prior, design: ArrayLike | None) -> None:
+    """Raise `InputError` for what bias reduction does not take."""
+    for name, value in (("prior", prior), ("design", design)):
+        if value is not None:
+            raise InputError(f"{name} is given; allowed with method 'bias-reduced': None")
+
+
+def _scale(
+    data: Any,
+    comparisons: Comparisons,
+    room: PairModel,
+    model: Model,
+    parameters: NDArray[np.float64],
+    order: bool,
+    design: NDArray[np.float64] | None,
+) -> Scale:
+    """The parameters as a scale, still without ties and prior."""
+    count = len(comparisons.stimuli) if design is None else design.shape[1]
+    values = parameters[:count] if design is None else design @ parameters[:count]
     return Scale(
         stimuli=comparisons.stimuli,
-        scale=values,
+        scale=values - values.mean(),
         unit="z" if model == "probit" else "logit",
         model=model,
         method="maximum-likelihood",
         comparisons=comparisons,
-        log_likelihood=log_likelihood,
+        log_likelihood=room.log_likelihood(parameters),
         order_effect=float(parameters[count]) if order else None,
-        tie_threshold=threshold,
-        prior=spread,
-        coefficients=None if table is None else parameters[:count],
-        design=table,
+        coefficients=None if design is None else parameters[:count],
+        design=design,
         answers=data if isinstance(data, Answers) else None,
         parameters=parameters,
         pair_model=room,
     )
+
+
+def _threshold(parameters: NDArray[np.float64], model: Model, with_ties: bool) -> float:
+    width = float(parameters[-1]) if with_ties else 0.0
+    return float(np.exp(width)) if model == "logit" and with_ties else width
+
+
+def _check_order(order: bool, comparisons: Comparisons) -> None:
+    if not isinstance(order, bool):
+        raise InputError(f"order is {said(order)}; allowed: True, False")
+    if order and not comparisons.sided:
+        raise InputError("order=True, but left and right are no sides here; allowed: order=False")
+
+
+def _prior_of(prior: Prior) -> Prior:
+    if prior is None:
+        return None
+    if isinstance(prior, str) and prior == HIERARCHICAL:
+        return HIERARCHICAL
+    if isinstance(prior, str) or not 1e-3 <= number_of("prior", prior) <= 1e3:
+        raise InputError(
+            f"prior is {said(prior)}; allowed: a spread, 0.001 to 1000, 'hierarchical', or None"
+        )
+    return float(prior)
 
 
 def counted(data: Any) -> tuple[Any, Comparisons]:

@@ -17,6 +17,7 @@ from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit import bootstrap, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
 from nacreous.scaling.fit.errors import errors_of, kind_of, parameter_covariance
+from nacreous.scaling.fit.spread import Prior, SpreadPosterior
 from nacreous.scaling.fit.unit import Unit, factor, unit_of
 from nacreous.value import value_class
 
@@ -32,12 +33,14 @@ class Scale:
 
     - `stimuli`, `scale`: labels and float64 [n], mean 0, in `unit`
     - `unit`: "z", "d'", "JOD", "JND" or "logit", see `nacreous.scaling.fit.unit`
-    - `model`: "probit" or "logit"; `method`: "maximum-likelihood" or "least-squares"
+    - `model`: "probit" or "logit"; `method`: "maximum-likelihood", "bias-reduced" or
+      "least-squares"
     - `log_likelihood`: natural logarithm, without constant terms and without the prior
     - `order_effect`: by how much being on the left helps, in `unit`; None where not fitted
     - `tie_threshold`: where not fitted None. Probit: a lead below it is a tie, in `unit`; logit:
       Davidson's nu, how many ties there are for each choice between equals, no unit
-    - `prior`: spread of a normal prior on the values in the model's own unit, z or logit; or None
+    - `prior`: spread of a normal prior on the values in the model's own unit, z or logit; or None;
+      or "hierarchical", a prior over that spread, with `posterior`, what was learnt of it
     - `coefficients`: float64 [k], in the model's own unit, where a design matrix was given
     - `comparisons`: the counts; `answers`: the answers behind them where they are known
 
@@ -57,24 +60,26 @@ class Scale:
     scale: Array
     unit: Unit
     model: Literal["probit", "logit"]
-    method: Literal["maximum-likelihood", "least-squares"]
+    method: Literal["maximum-likelihood", "bias-reduced", "least-squares"]
     comparisons: Comparisons
     log_likelihood: float
     order_effect: float | None = None
     tie_threshold: float | None = None
-    prior: float | None = None
+    prior: Prior = None
     coefficients: Array | None = None
     design: Array | None = None
     answers: Answers | None = None
     parameters: Array = field(default_factory=lambda: np.zeros(0), repr=False)
     pair_model: PairModel | None = field(default=None, repr=False, compare=False)
+    posterior: SpreadPosterior | None = field(default=None, repr=False)
 
     def __str__(self) -> str:
         """A line for each stimulus, with its unit above and standard errors beside.
 
         Where people are known a last line says whose errors these are, or why there are none.
         """
-        of = f"{self.model}, {self.method}, {self.comparisons.total:g} answers"
+        how = self.method if self.posterior is None else "prior over the spread"
+        of = f"{self.model}, {how}, {self.comparisons.total:g} answers"
         width = max(map(len, self.stimuli))
         rows = zip(self.stimuli, self.scale, strict=True)
         lines = [f"{label:{width}}  {value:6.3f}" for label, value in rows]
@@ -258,8 +263,9 @@ class Scale:
         by: "people", each with all answers, the default where people are known, or "answers".
         samples: 2 to 1 000 000. seed: 0 to 2^63 - 1; same seed, same bytes. progress: called
         with the finished share, 0 to 1, now and then. Ctrl-C interrupts.
-        Raises `InputError` for what is out of range, for least squares, for people that are not
-        known and for answers of counts that are not whole numbers.
+        Raises `InputError` for what is out of range, for fits that are not of maximum likelihood or
+        have a prior over the spread, for people that are not known and for answers of counts that
+        are not whole numbers.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> fit = thurstone(paper())

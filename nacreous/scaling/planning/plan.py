@@ -21,6 +21,7 @@ from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
+from nacreous.scaling.data.label import label_of
 from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.planning.forecast import Needed, Power, Precision
 from nacreous.scaling.planning.simulation import Pairs, simulate, truth_of
@@ -221,11 +222,12 @@ class Plan:
         return {name: getattr(self, name) for name in (*names, "lapse")}
 
     def _place(self, label: object) -> int:
-        if str(label) not in self.stimuli:
+        found = label_of(str(label))
+        if found not in self.stimuli:
             raise InputError(
                 f"there is no stimulus {quoted(label)}; allowed: {listed(self.stimuli)}"
             )
-        return self.stimuli.index(str(label))
+        return self.stimuli.index(found)
 
     def _estimate(self, study: int) -> Estimate | None:
         answers = self.answers(study)

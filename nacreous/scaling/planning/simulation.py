@@ -16,7 +16,7 @@ from nacreous.number import number_of, row_of, said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.data.label import check_number, natural, numbered
+from nacreous.scaling.data.label import check_alike, check_number, label_of, natural, numbered
 from nacreous.scaling.fit.unit import check_model
 from nacreous.scaling.planning.design import PairDesign
 
@@ -98,9 +98,14 @@ def simulate(
 def truth_of(scale: Mapping[str, float] | ArrayLike) -> tuple[tuple[str, ...], NDArray[np.float64]]:
     """Labels in natural order and finite values of a scale that a caller states."""
     if isinstance(scale, Mapping):
-        stimuli = tuple(natural(map(str, scale)))
+        names = [label_of(str(label)) for label in scale]
+        again = next((label for k, label in enumerate(names) if label in names[:k]), None)
+        if again is not None:
+            raise InputError(f"scale has {quoted(again)} again; allowed: each label once")
+        check_alike(names, "scale")
+        stimuli = tuple(natural(names))
         values = [number_of(f'scale["{label}"]', value) for label, value in scale.items()]
-        by_label = dict(zip(map(str, scale), values, strict=True))
+        by_label = dict(zip(names, values, strict=True))
         truth = np.array([by_label[label] for label in stimuli])
     else:
         truth = row_of("scale", scale)
@@ -127,12 +132,13 @@ def pairs_of(
     for row, pair in enumerate(pairs):
         if isinstance(pair, str) or not isinstance(pair, Sequence) or len(pair) != 2:
             raise InputError(f"pairs[{row}] is {said(pair)}; allowed: two labels")
-        for label in pair:
-            if str(label) not in index:
+        left, right = (label_of(str(label)) for label in pair)
+        for label in (left, right):
+            if label not in index:
                 raise InputError(f"pairs[{row}] names {quoted(label)}; allowed: {listed(stimuli)}")
-        if str(pair[0]) == str(pair[1]):
-            raise InputError(f"pairs[{row}] is {quoted(pair[0])} twice; allowed: two stimuli")
-        found.append((index[str(pair[0])], index[str(pair[1])]))
+        if left == right:
+            raise InputError(f"pairs[{row}] is {quoted(left)} twice; allowed: two stimuli")
+        found.append((index[left], index[right]))
     if not found:
         raise InputError("pairs is empty; allowed: one pair or more")
     both = np.array(found, np.int64)

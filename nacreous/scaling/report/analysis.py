@@ -162,9 +162,10 @@ def _settings(settings: Settings | None, asked: dict[str, Any]) -> Settings:
 
 
 def _fitted(data: Any, wanted: Settings) -> Scale:
-    if wanted.model == "logit":
-        return bradley_terry(data, ties=wanted.ties, order=wanted.order, prior=wanted.prior)
-    return thurstone(data, wanted.method, ties=wanted.ties, order=wanted.order, prior=wanted.prior)
+    fitted: Callable[..., Scale] = bradley_terry if wanted.model == "logit" else thurstone
+    return fitted(
+        data, method=wanted.method, ties=wanted.ties, order=wanted.order, prior=wanted.prior
+    )
 
 
 def _groups(answers: Answers | None, wanted: Settings, with_ties: bool) -> GroupComparison | None:

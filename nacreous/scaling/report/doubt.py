@@ -74,13 +74,15 @@ class Pair:
 def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -> Doubt:
     """Over people wherever three or more are known, else over answers.
 
-    Without resamplings, and over fewer than 20 people, margins follow from each one's scores.
+    Without resamplings, and over fewer than 20 people, margins follow from each one's scores; so
+    they do with bias reduction or a prior over the spread.
     """
     known = kind_of(fit, None) == "people"
     over_people = _over_people(fit) if known else None
     # The row means of 1996 and the fractions of printed tables give nothing to draw from.
     counts = np.stack([fit.comparisons.left_wins, fit.comparisons.right_wins, fit.comparisons.ties])
-    fixed = settings.bootstrap == 0 or fit.method == "least-squares" or bool(np.any(counts % 1))
+    drawable = fit.method == "maximum-likelihood" and fit.posterior is None
+    fixed = settings.bootstrap == 0 or not drawable or bool(np.any(counts % 1))
     if over_people is not None:
         people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
         if fixed or people < FEW_PEOPLE:

@@ -6,12 +6,13 @@ import shlex
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
+from nacreous.scaling.fit.spread import Prior
 from nacreous.value import value_class
 
 __all__ = ["BOOTSTRAP", "LEVELS", "METHODS", "MODELS", "Settings"]
 
 MODELS = {"probit": "z", "logit": "logit"}
-METHODS = ("maximum-likelihood", "least-squares")
+METHODS = ("maximum-likelihood", "bias-reduced", "least-squares")
 #: Resamplings allowed; 0: none, margins come from the number of answers alone.
 BOOTSTRAP = (100, 100_000)
 LEVELS = (0.5, 0.9999)
@@ -24,8 +25,8 @@ class Settings:
     question: as it was put to people, or None. unit: "z", "d'", "JOD", "JND", "logit"; None: the
     model's own. ties: whether to fit how wide they are; None: where they are more than a few.
     level: of all intervals and tests. bootstrap: resamplings, 0 for none. group: a column of the
-    answers, or None. prior: its spread in the model's own unit, or None. simulated: nobody gave the
-    answers, which the report then says first.
+    answers, or None. prior: its spread in the model's own unit, "hierarchical" or None. simulated:
+    nobody gave the answers, which the report then says first.
     Raises `InputError` for what cannot be.
     """
 
@@ -34,7 +35,7 @@ class Settings:
     method: str = "maximum-likelihood"
     ties: bool | None = None
     order: bool = False
-    prior: float | None = None
+    prior: Prior = None
     unit: str | None = None
     level: float = 0.95
     bootstrap: int = 1000

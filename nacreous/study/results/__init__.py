@@ -1,6 +1,6 @@
 """What a study has found so far: the people, the scale, the report."""
 
-from nacreous.study.results.exported import exported_answers
+from nacreous.study.results.exported import exported_answers, exported_settings
 from nacreous.study.results.people import people_flags
 from nacreous.study.results.report import report
 from nacreous.study.results.scale import Placed, ScaleSoFar, scale_so_far
@@ -11,6 +11,7 @@ __all__ = [
     "Placed",
     "ScaleSoFar",
     "exported_answers",
+    "exported_settings",
     "people_flags",
     "report",
     "scale_so_far",

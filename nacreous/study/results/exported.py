@@ -10,17 +10,19 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.study.results.scale import called_simulated
-from nacreous.study.store.codebook import COLUMNS
+from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
 from nacreous.study.task.counting import counts
 from nacreous.study.task.row import Row
 from nacreous.study.task.tasks import task_of
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
+    from nacreous.scaling.report.settings import Settings
 
-__all__ = ["exported_answers"]
+__all__ = ["exported_answers", "exported_settings"]
 
 _NAMES = tuple(column.name for column in COLUMNS)
+_KNOWN = (*_NAMES, CHOSEN_BY.name)
 
 
 def exported_answers(
@@ -58,12 +60,32 @@ def exported_answers(
         others = any(row["question"] == question and counts(row, simulated=True) for row in rows)
         hint = "; those of simulated observers do with --simulated" if others else ""
         raise InputError(f"{path}: no answers to {question!a} count; wanted: at least one{hint}")
-    groups = {name: _texts(table, name) for name in table.columns if name not in _NAMES}
+    groups = {name: _texts(table, name) for name in table.columns if name not in _KNOWN}
     answers = task_of(rows[which[0]]).answers(
         [rows[place] for place in which],
         {name: [levels[place] for place in which] for name, levels in groups.items()},
     )
     return called_simulated(answers) if simulated else answers
+
+
+def exported_settings(path: str | PathLike[str]) -> Settings | None:
+    """How the study's own report fits the answers of such a file; None for any other table.
+
+    Raises `InputError` for what cannot be read, and for words that no export has.
+    """
+    if not set(_NAMES) <= set(column_names(path, [_NAMES])):
+        return None
+    table = read_table(path, [_NAMES])
+    if CHOSEN_BY.name not in table.columns or not table.rows:
+        return task_of({}).settings(None)
+    words = sorted({word or "" for word in _texts(table, CHOSEN_BY.name)})
+    try:
+        found = [task_of({}).settings(word or None) for word in words]
+    except InputError as problem:
+        raise InputError(f"{path}: {problem}") from None
+    if len(found) > 1:
+        raise InputError(f"{path}: {CHOSEN_BY.name} is {', '.join(words)}; allowed: one of them")
+    return found[0]
 
 
 def _rows(table: Table, where: str) -> list[Row]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
@@ -11,7 +12,6 @@ from nacreous.study.store.codebook import group_column
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
-    from nacreous.scaling.report.analysis import Analysis
     from nacreous.study.running import Running
 
 __all__ = ["report"]
@@ -31,6 +31,7 @@ def report(
     factors by which they can be. Raises `InputError` for what there is not, and while there is no
     scale (`scale_so_far` says why).
     """
+    from nacreous.scaling import analyse
     from nacreous.scaling.report.page import html
 
     asked = question_of(running, question)
@@ -45,33 +46,21 @@ def report(
     column = None if group is None else group_column(group).name
     if group is None:
         column = _comparable(answers, [group_column(name).name for name in known])
-    return html(_analysis(answers, text, column, simulated, progress), language)
+    wanted = replace(running.settings, question=text, group=column, simulated=simulated)
+    return html(analyse(answers, wanted, progress=progress), language)
 
 
 def _comparable(answers: Answers, columns: list[str]) -> str | None:
-    """The first column whose groups each have a scale, so that they can be compared."""
-    from nacreous.scaling import thurstone
+    """The first column whose groups each have a scale with its errors, so that they compare."""
+    from nacreous.scaling.compare.estimate import estimates
 
     for column in columns:
         parts = answers.split(column) if column in answers.groups else {}
         if len(parts) < 2:
             continue
         try:
-            for part in parts.values():
-                thurstone(part)
+            estimates(parts, "probit")
         except InputError:  # the report says what can be said without them
             continue
         return column
     return None
-
-
-def _analysis(
-    answers: Answers,
-    text: str,
-    column: str | None,
-    simulated: bool,
-    progress: Callable[[float], None] | None,
-) -> Analysis:
-    from nacreous.scaling import analyse
-
-    return analyse(answers, question=text, group=column, simulated=simulated, progress=progress)

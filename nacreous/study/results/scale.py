@@ -55,6 +55,8 @@ class ScaleSoFar:
 def scale_so_far(running: Running, question: str, simulated: bool = False) -> ScaleSoFar:
     """Thurstone's case V of the answers that count, as `nacreous.scaling.analyse` has it.
 
+    Pairs chosen by the answers so far are fitted as the report fits them (`Task.settings`).
+
     Raises `InputError` with the reason while there is no scale: nobody has answered yet, stimuli
     are not joined by answers, or one of them always wins.
     """
@@ -62,7 +64,7 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
 
     asked = question_of(running, question)
     answers = counted(running, question, simulated)
-    found = analyse(answers, bootstrap=0)
+    found = analyse(answers, running.settings, bootstrap=0)
     pictures = {stimulus.label: stimulus.sha256 for stimulus in running.frozen.stimuli}
     stimuli = tuple(
         Placed(

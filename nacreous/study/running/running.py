@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from concurrent.futures import Future
+from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
 from nacreous.study.design import Frozen
@@ -26,6 +27,9 @@ from nacreous.study.store.people import WITHDREW
 from nacreous.study.task.counting import counts
 from nacreous.study.task.task import SoFar
 from nacreous.study.task.tasks import TASKS
+
+if TYPE_CHECKING:
+    from nacreous.scaling.report.settings import Settings
 
 __all__ = ["Running"]
 
@@ -183,6 +187,11 @@ class Running:
         self.store.settle(session.id, groups, plain(plan, self.task))
         self._kept(session)
         return self.store.session(session.id)
+
+    @property
+    def settings(self) -> Settings:
+        """How a report fits the answers, as the choice of items asks for it."""
+        return self.task.settings(self.task.chosen_by(self._asked))
 
     def _so_far(self) -> SoFar | None:
         """What the next participant's plan hangs on; nothing where it hangs on no answers."""

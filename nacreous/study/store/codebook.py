@@ -34,7 +34,15 @@ COLUMNS = (
     Column("flags", "What was noticed while the answer was given, as JSON."),
 )
 
-_NAMES = frozenset(column.name for column in COLUMNS)
+#: Of studies whose plans hang on the answers so far; other exports do not have it.
+CHOSEN_BY = Column(
+    "pairs_chosen_by",
+    "How pairs were chosen by the answers so far: the most telling ones, or such drawn by lot.",
+    None,
+    ("greedy", "drawn"),
+)
+
+_NAMES = frozenset(column.name for column in (*COLUMNS, CHOSEN_BY))
 
 
 def group_column(name: str) -> Column:

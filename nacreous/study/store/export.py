@@ -5,6 +5,7 @@ Excluded, simulated and erased rows are marked in files, never left out.
 
 from __future__ import annotations
 
+import copy
 import json
 import re
 from collections.abc import Mapping, Sequence
@@ -14,12 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 from nacreous import file, folder
 from nacreous.problem import InputError
-from nacreous.study.store.codebook import COLUMNS, description, group_column
+from nacreous.study.design.design import Design
+from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS, description, group_column
 from nacreous.study.store.store import Store
 from nacreous.study.task import counting
 from nacreous.study.task.column import Column
 from nacreous.study.task.row import Row, person_of
-from nacreous.study.task.tasks import columns_of_tasks, task_of
+from nacreous.study.task.tasks import TASKS, columns_of_tasks, task_of
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers, Comparisons
@@ -109,11 +111,26 @@ def _table(store: Store, study: str) -> tuple[list[Column], Any]:
     values["response_ms"] = pa.array([row["response_ms"] for row in rows], pa.float64())
     values["simulated"] = pa.array([row["simulated"] for row in rows], pa.bool_())
     values["erased"] = pa.array([row["erased_as"] is not None for row in rows], pa.bool_())
+    chosen_by = _chosen_by(store, study)
+    if chosen_by is not None:
+        values[CHOSEN_BY.name] = pa.array([chosen_by] * len(rows), pa.string())
     groups = _groups(store_rows)
     for column, levels in groups.items():
         values[column.name] = pa.array(levels, pa.string())
-    columns = [*COLUMNS, *groups]
+    columns = [*COLUMNS, *([] if chosen_by is None else [CHOSEN_BY]), *groups]
     return columns, pa.table({column.name: values[column.name] for column in columns})
+
+
+def _chosen_by(store: Store, study: str) -> str | None:
+    """How the study chooses items by the answers so far; None where it does not."""
+    stored = store.manifest(study).get("design")
+    if not isinstance(stored, dict):
+        return None
+    try:
+        design = Design.check(copy.deepcopy(stored), f"study {study[:12]}", Path())
+    except InputError:  # of another version, say; what was collected is exported all the same
+        return None
+    return TASKS[design.task].chosen_by(design.asked)
 
 
 def _write(table: Any, path: Path, suffix: str) -> None:

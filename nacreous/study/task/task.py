@@ -18,6 +18,7 @@ from nacreous.study.task.row import Row, Tallied
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
+    from nacreous.scaling.report.settings import Settings
 
 __all__ = ["Items", "SoFar", "Task"]
 
@@ -86,6 +87,14 @@ class Task(ABC, Generic[K]):
     @abstractmethod
     def adapts(self, asked: Asked[K]) -> bool:
         """Whether items hang on the answers so far."""
+
+    @abstractmethod
+    def chosen_by(self, asked: Asked[K]) -> str | None:
+        """How items are chosen by the answers so far, as an export calls it; None: not by them."""
+
+    @abstractmethod
+    def settings(self, chosen_by: str | None) -> Settings:
+        """How a report fits answers to items so chosen. Raises `InputError` for other words."""
 
     @abstractmethod
     def so_far(self, asked: Asked[K], tally: Sequence[Tallied]) -> SoFar:

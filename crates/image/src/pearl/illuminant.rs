@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use crate::{
     iridescence::rings::Rings,
-    pearl::{shade::Shade, sight::Sight},
+    pearl::{glint::glint, shade::Shade, sight::Sight},
     rgb::{self, Rgb},
     surface::torrance_sparrow::TorranceSparrow,
     surroundings::{irradiance::Irradiance, lit::Lit},
-    view::ray::Ray,
+    view::{cone::Cone, ray::Ray},
 };
 
 /// A pearl by the model of 1996: rings of interference colour by the view angle alone, a matt body, and a
@@ -63,25 +63,22 @@ impl IlluminantPearl {
 
     /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
     fn mirror(&self, surroundings: &Lit, sight: &Sight) -> Rgb {
-        let Sight { ball, hit, view, pixel_mm, .. } = *sight;
+        let Sight { ball, hit, view, spread, .. } = *sight;
         let along = 2.0 * hit.cos_view * hit.normal - view;
-        // A pixel's width on the ball turns the normal by that over the radius, and the ray by twice that;
-        // a slanted surface turns it faster.
-        let spread_rad =
-            2.0 * pixel_mm / surroundings.balls[ball].radius_mm / hit.cos_view.max(0.02);
-        let seen = surroundings.seen(&Ray { from: hit.point, along }, spread_rad, Some(ball));
+        let outward = view.cross(hit.normal).cross(along).normalize_or_zero();
+        let cone = Cone::stretched(spread.around_rad, spread.outward_rad, outward);
+        let seen = surroundings.seen(&Ray { from: hit.point, along }, &cone, Some(ball));
         let clear = libm::exp(-seen.distance_mm / self.falloff_mm);
         let faded = if clear < 1.0 && seen.distance_mm.is_finite() {
-            rgb::mix(surroundings.backdrop(along, spread_rad), seen.radiance, clear)
+            rgb::mix(surroundings.backdrop(along, &cone), seen.radiance, clear)
         } else {
             seen.radiance
         };
         let mut mirrored =
             rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
         for lamp in &surroundings.lamps {
-            let facets = &self.facets;
-            let reflected = |cos_half| [facets.reflectance(cos_half); 3];
-            let image = lamp.image(&facets.microfacets, hit.point, hit.normal, view, reflected);
+            let reflected = |cos_half| [self.facets.reflectance(cos_half); 3];
+            let image = glint(lamp, &self.facets.microfacets, sight, reflected);
             if image[0] > 0.0 {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
                 rgb::add(&mut mirrored, rgb::times(lamp.brightness, rgb::scaled(image, past)));

@@ -11,7 +11,10 @@ use crate::{
     grain::texture::Texture,
     light::glow::{self, DISC_POINTS, Glow},
     pearl::{
-        illuminant::IlluminantPearl, reflection_cache::ReflectionCache, shade::Shade, sight::Sight,
+        illuminant::IlluminantPearl,
+        reflection_cache::ReflectionCache,
+        shade::Shade,
+        sight::{Sight, Spread},
         transport::Transport,
     },
     rgb::{self, Rgb},
@@ -105,9 +108,11 @@ impl Model {
                 let cos_view = (1.0 - across * across - up * up).sqrt();
                 let normal = x * across + y * up + towards * cos_view;
                 let point = surroundings.balls[ball].centre + normal * radius_mm;
-                let hit = Hit { point, normal, cos_view, coverage: 1.0 };
+                let hit = Hit { point, normal, cos_view };
                 let pixel_mm = 0.2 * radius_mm;
-                let mut sight = Sight { ball, hit, view: towards, pixel_mm, part, around: None };
+                let spread = Spread::round(0.4 / cos_view);
+                let (view, around) = (towards, None);
+                let mut sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
                 if let Self::Transport(model) = self {
                     sight.around = Some(model.around_from_afar(surroundings, &sight));
                 }

@@ -83,7 +83,7 @@ impl ReflectionCache {
             let point = ball.centre + normal * ball.radius_mm;
             let view = camera.toward_eye(point).0;
             let cos_view = normal.dot(view).max(0.02);
-            Some(gather(Hit { point, normal, cos_view, coverage: 1.0 }, view, &samples))
+            Some(gather(Hit { point, normal, cos_view }, view, &samples))
         };
         cache.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
         Some(cache)
@@ -165,7 +165,7 @@ mod tests {
             let camera = Camera::new(projection, 0.3, -0.5, 12.0);
             for i in 0..400 {
                 let (x, y) = (f64::from(i % 20) / 14.0 - 0.68, f64::from(i / 20) / 14.0 - 0.68);
-                let Some(hit) = Ball::alone(4.0).hit(&camera.ray(x, y), 1e-6) else { continue };
+                let Some(hit) = Ball::alone(4.0).hit(&camera.ray(x, y)) else { continue };
                 let found = cache.at(hit.normal).light;
                 let expected = wave(hit);
                 assert!((0..3).all(|i| (found[i] - expected[i]).abs() < 0.01), "{hit:?} {found:?}");

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::{pearl::reflection_cache::Around, shape::ball::Hit};
+use crate::{pearl::reflection_cache::Around, shape::ball::Hit, view::cone::Cone};
 
 /// A point of a pearl under the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,9 +18,82 @@ pub struct Sight {
     pub view: DVec3,
     /// The width on the pearl that a pixel stands for.
     pub pixel_mm: f64,
+    /// What the line of sight stands for once it is mirrored.
+    pub spread: Spread,
     /// Which part of the light around this sample looks at: a pixel's samples, as many as stand along its
     /// side, share it out. Any number.
     pub part: usize,
     /// What all facets show of the surroundings, where that is known.
     pub around: Option<Around>,
+}
+
+/// A cone whose solid angles, as wide and as narrow as it, differ by less than this ratio is round; by eye **(ours)**.
+const ROUND: f64 = 1.3;
+
+/// Full angles of the directions that an even pearl mirrors to some width of the picture.
+///
+/// A ball spreads all of its disc evenly over all directions, so a pixel gets the same solid angle everywhere, at the
+/// rim as a long thin stroke.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// In the plane of view and normal.
+    pub outward_rad: f64,
+    /// Across that plane.
+    pub around_rad: f64,
+}
+
+impl Spread {
+    /// Of a square `width` wide, in units of the ball's radius, around a point of a view angle.
+    ///
+    /// A mirrored ray turns by twice the normal's angle, whose sine is the place on the disc: between depths below the rim
+    /// of half the width more and less, no less than none, the cosine's square differs by twice the width.
+    pub fn of_square(width: f64, cos_view: f64) -> Self {
+        let square = cos_view * cos_view;
+        let outward_rad = 2.0 * ((square + width).sqrt() - (square - width).max(0.0).sqrt());
+        Self { outward_rad, around_rad: 2.0 * width * cos_view }
+    }
+
+    /// The same in all directions.
+    pub fn round(spread_rad: f64) -> Self {
+        Self { outward_rad: spread_rad, around_rad: spread_rad }
+    }
+
+    /// The cone around a mirrored ray, made wider by a round one of `share_rad2`, its angle squared, all around; `level` is
+    /// the unit vector across the plane of view and normal.
+    #[inline]
+    pub(crate) fn cone(self, share_rad2: f64, along: DVec3, level: DVec3) -> Cone {
+        let around2 = self.around_rad * self.around_rad + share_rad2;
+        let outward2 = self.outward_rad * self.outward_rad + share_rad2;
+        if outward2 < ROUND * around2 && around2 < ROUND * outward2 {
+            return Cone::round((around2 * outward2).sqrt().sqrt());
+        }
+        let outward = level.cross(along).normalize_or_zero();
+        Cone::stretched(around2.sqrt(), outward2.sqrt(), outward)
+    }
+
+    /// Standard deviation of the normals that mirror it, each by half of what the ray turns.
+    pub(crate) fn normals_rad(self) -> f64 {
+        0.125 * self.mean_rad()
+    }
+
+    /// The angle of a round cone of the same solid angle.
+    pub(crate) fn mean_rad(self) -> f64 {
+        (self.outward_rad * self.around_rad).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ball_mirrors_each_part_of_its_disc_to_the_same_solid_angle() {
+        for width in [0.001, 0.02] {
+            for cos_view in [1.0, 0.7, 0.3] {
+                let spread = Spread::of_square(width, cos_view);
+                let angle = spread.outward_rad * spread.around_rad / (4.0 * width * width);
+                assert!((angle - 1.0).abs() < 0.02, "{width} {cos_view}: {angle}");
+            }
+        }
+    }
 }

@@ -10,10 +10,11 @@ use nacreous_colour::{Matrix, matrix::apply};
 use crate::{
     light::{bands::Bands, glow::DISC_POINTS},
     pearl::{
+        glint::glint,
         reflection_cache::{Around, ReflectionCache},
         response::Response,
         shade::Shade,
-        sight::Sight,
+        sight::{Sight, Spread},
         subsurface::{Beam, Subsurface},
     },
     rgb::{self, Rgb},
@@ -71,10 +72,10 @@ impl Transport {
         let around = sight.around.unwrap_or_else(|| self.around(surroundings, sight));
         let mut mirror = apply(self.response.mirrored_by_all(hit.cos_view), around.light);
         rgb::add(&mut mirror, around.rest);
+        let microfacets = self.response.microfacets();
         for (number, lamp) in self.lamps.iter().enumerate() {
             let reflected = |cos_half| self.response.lamp_mirrored(number, cos_half);
-            let microfacets = self.response.microfacets();
-            let image = lamp.image(microfacets, hit.point, hit.normal, sight.view, reflected);
+            let image = glint(lamp, microfacets, sight, reflected);
             if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
                 rgb::add(&mut mirror, rgb::scaled(image, past));
@@ -87,33 +88,32 @@ impl Transport {
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
     /// what is finer is averaged where it is looked up.
     fn around(&self, surroundings: &Lit, sight: &Sight) -> Around {
-        let (viewpoint, cone_rad) = (viewpoint(surroundings, sight), cone_rad(surroundings, sight));
-        let set = &self.samples[self.set_needed(&viewpoint, sight, cone_rad)];
+        let viewpoint = viewpoint(surroundings, sight);
+        let set = &self.samples[self.set_needed(&viewpoint, sight)];
         let each = set.len() / self.samples_side;
         let run = &set[sight.part % self.samples_side * each..][..each];
-        self.gathered(&viewpoint, sight, cone_rad, run, (set.len(), LOBE))
+        self.gathered(&viewpoint, sight, run, (set.len(), LOBE))
     }
 
     /// The same for one of the [`DISC_POINTS`] that stand for the pearl from afar.
     pub(crate) fn around_from_afar(&self, surroundings: &Lit, sight: &Sight) -> Around {
         let each = self.far_samples.len() / DISC_POINTS;
         let run = &self.far_samples[sight.part * each..][..each];
-        let (viewpoint, cone_rad) = (viewpoint(surroundings, sight), cone_rad(surroundings, sight));
-        self.gathered(&viewpoint, sight, cone_rad, run, (self.far_samples.len(), LOBE))
+        let count = self.far_samples.len();
+        self.gathered(&viewpoint(surroundings, sight), sight, run, (count, LOBE))
     }
 
     /// Which set of samples shows what all facets do. The wider the cone is against the lobe, the fewer are needed,
     /// unless the lobe may meet something bright with an edge.
-    fn set_needed(&self, viewpoint: &Viewpoint, sight: &Sight, cone_rad: f64) -> usize {
+    fn set_needed(&self, viewpoint: &Viewpoint, sight: &Sight) -> usize {
         let finest = self.samples.len() - 1;
-        let (hit, spread_rad) = (&sight.hit, self.response.microfacets().spread_rad());
+        let (hit, lean_rad) = (&sight.hit, self.response.microfacets().spread_rad());
         let mirrored = 2.0 * hit.cos_view * hit.normal - sight.view;
-        if viewpoint.may_meet_edge(mirrored, LOBE_REACH * 2.0 * spread_rad + cone_rad) {
+        let within_rad = LOBE_REACH * 2.0 * lean_rad + sight.spread.outward_rad;
+        if viewpoint.may_meet_edge(mirrored, within_rad) {
             return finest;
         }
-        // A slanted surface widens the cone one way only.
-        let cos_view = hit.cos_view.max(0.02);
-        let share = (3.0 * spread_rad / (cone_rad * cos_view)).powi(2) / cos_view;
+        let share = (3.0 * lean_rad / sight.spread.mean_rad()).powi(2) / hit.cos_view.max(0.02);
         finest.saturating_sub(libm::log2(share.recip()) as usize)
     }
 
@@ -130,10 +130,10 @@ impl Transport {
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
         let facets = pixels * self.samples.last().map_or(0, Vec::len) as f64;
         ReflectionCache::new(place, camera, microfacets, facets, |hit, view, samples| {
-            let sight = Sight { ball, hit, view, pixel_mm, part: 0, around: None };
-            let (viewpoint, cone_rad) =
-                (viewpoint(surroundings, &sight), cone_rad(surroundings, &sight));
-            self.gathered(&viewpoint, &sight, cone_rad, samples, (samples.len(), KNOT_LOBE))
+            let spread = Spread::of_square(pixel_mm / place.radius_mm, hit.cos_view);
+            let sight = Sight { ball, hit, view, pixel_mm, spread, part: 0, around: None };
+            let viewpoint = viewpoint(surroundings, &sight);
+            self.gathered(&viewpoint, &sight, samples, (samples.len(), KNOT_LOBE))
         })
     }
 
@@ -143,11 +143,10 @@ impl Transport {
         &self,
         viewpoint: &Viewpoint,
         sight: &Sight,
-        cone_rad: f64,
         samples: &[FacetSample],
         (count, lobe_width): (usize, f64),
     ) -> Around {
-        let Sight { hit, view, .. } = *sight;
+        let Sight { hit, view, spread, .. } = *sight;
         let (normal, cos_view) = (hit.normal, hit.cos_view);
         let aside = view - normal * cos_view;
         // Straight from above, what is left of the view aside is rounding.
@@ -162,8 +161,7 @@ impl Transport {
             let Some(facet) = facets.facet(*sample) else { continue };
             let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
             let share_rad2 = lobe_width / (facet.density * count as f64);
-            let spread_rad = (cone_rad * cone_rad + share_rad2).sqrt();
-            let seen = viewpoint.seen(along, spread_rad);
+            let seen = viewpoint.seen(along, &spread.cone(share_rad2, along, y));
             lobe.add(facet.weight, self.response.mirrored(facet.cos_half), seen.radiance);
         }
         lobe.around(self.response.mirrored_by_all(cos_view))
@@ -172,13 +170,6 @@ impl Transport {
 
 fn viewpoint<'a>(surroundings: &'a Lit, sight: &Sight) -> Viewpoint<'a> {
     Viewpoint::new(surroundings, &surroundings.windows, sight.hit.point, Some(sight.ball))
-}
-
-/// The angle that a pixel's cone has after one facet: its width on the ball turns the normal by that over the
-/// radius, and the ray by twice that; a slanted surface turns it faster.
-fn cone_rad(surroundings: &Lit, sight: &Sight) -> f64 {
-    let radius_mm = surroundings.balls[sight.ball].radius_mm;
-    2.0 * sight.pixel_mm / radius_mm / sight.hit.cos_view.max(0.02)
 }
 
 /// Some facets' view of the surroundings.

@@ -11,11 +11,13 @@ pub(crate) enum Detail {
     BelowPixel,
     /// Perhaps nothing: those samples tell.
     Unknown,
-    /// A pearl's rim.
+    /// More than one pearl, or few samples.
     Edges,
+    /// A pearl's rim crosses it, or lies next to it.
+    Rim,
 }
 
-/// Samples are alike whose light differs by this share of it, and of some more in the dark: their mean is then
+/// Samples are alike whose exposed light differs by this share of it, and of some more in the dark: their mean is then
 /// that of all to less than half a step between 8-bit codes (8 pearls in all scenes).
 pub(crate) const ALIKE: f64 = 0.02;
 pub(crate) const DARK: f64 = 0.02;
@@ -25,3 +27,5 @@ pub(crate) const FEWEST_ALIKE: usize = 4;
 /// facets blur, its film or its grain.
 pub(crate) const FINE: f64 = 1.0 / 700.0;
 pub(crate) const RIM: f64 = 0.02;
+/// So many pixels from its middle a pixel's filter reaches, at its corners: the root of 2.
+pub(crate) const RIM_PX: f64 = 1.4143;

@@ -1,6 +1,7 @@
 //! One pixel's light in parts, and the grain laid on it.
 //!
-//! The paper, section 4.4: hue, chroma and brightness change in proportion to lightness.
+//! The paper, section 4.4: hue, chroma and brightness change in proportion to lightness, which is that of
+//! exposed light: white has exposure times its radiance equal to 1 **(ours)**.
 //! Left out: grain on what interference adds.
 
 use nacreous_colour::{hvc_from_rgb, rgb_from_hvc, value_from_rgb};
@@ -50,22 +51,23 @@ impl Pixel {
 
     /// Grain of the one pearl that the samples so far show: H and C of the body colour and the
     /// brightness of what is mirrored, each changed in proportion to lightness (paper, section 4.4).
-    /// Once a pixel, for its samples share the texture.
-    pub(crate) fn lay_texture(&mut self, pearl: &Pearl) {
+    /// Once a pixel, for its samples share the texture. How light a part is, the finished picture says: its
+    /// light times `exposure`.
+    pub(crate) fn lay_texture(&mut self, pearl: &Pearl, exposure: f64) {
         let weights = pearl.grain;
         if self.coverage <= 0.0 || pearl.texture.is_none() {
             return;
         }
         let [hue, value, chroma] = self.texture.map(|t| t / self.coverage);
-        let lightness = |part: Rgb| {
-            value_from_rgb(rgb::scaled(part, 1.0 / self.coverage)).clamp(0.0, 10.0) / 10.0
-        };
+        let exposed = exposure / self.coverage;
+        let lightness =
+            |part: Rgb| value_from_rgb(rgb::scaled(part, exposed)).clamp(0.0, 10.0) / 10.0;
         let glint = 1.0 + weights.value * lightness(self.mirror) * value;
-        let mut body = hvc_from_rgb(rgb::scaled(self.diffuse, 1.0 / self.coverage));
+        let mut body = hvc_from_rgb(rgb::scaled(self.diffuse, exposed));
         let light = body.value.clamp(0.0, 10.0) / 10.0;
         body.hue_rad += weights.hue_rad * light * hue;
         body.chroma *= (1.0 + weights.chroma * light * chroma).max(0.0);
-        self.diffuse = rgb::scaled(rgb_from_hvc(body), self.coverage);
+        self.diffuse = rgb::scaled(rgb_from_hvc(body), self.coverage / exposure);
         self.mirror = rgb::scaled(self.mirror, glint.max(0.0));
         self.texture = [hue, value, chroma];
     }

@@ -5,14 +5,21 @@
 
 use std::{ops::Range, sync::Arc};
 
+use glam::DVec3;
+
 use crate::{
     parallel,
-    pearl::{model::Pearl, reflection_cache::ReflectionCache, sight::Sight},
+    pearl::{
+        model::Pearl,
+        reflection_cache::{Around, ReflectionCache},
+        sight::{Sight, Spread},
+    },
     picture::{
         channels::CHANNELS,
-        detail::{ALIKE, DARK, Detail, FEWEST_ALIKE, FINE, RIM},
+        detail::{ALIKE, DARK, Detail, FEWEST_ALIKE, FINE, RIM, RIM_PX},
         pixel::Pixel,
-        tent::{rook, tent},
+        tent::{rook, tent, width_between},
+        view::View,
     },
     progress::Progress,
     rgb::{self, Rgb},
@@ -27,13 +34,17 @@ use crate::{
 /// cell in closed form.
 #[derive(Debug)]
 pub struct Sampler {
-    pearls: Vec<Pearl>,
-    surroundings: Arc<Lit>,
+    pub(super) pearls: Vec<Pearl>,
+    pub(super) surroundings: Arc<Lit>,
     camera: Camera,
     offsets: Vec<f64>,
+    /// What a sample stands for beside the place of the others.
+    width_px: f64,
     size_px: usize,
+    /// Factor on the light in the finished picture.
+    exposure: f64,
     /// Width of a pixel at each ball.
-    pixel_mm: Vec<f64>,
+    pub(super) pixel_mm: Vec<f64>,
     reflections: Arc<Reflections>,
 }
 
@@ -71,7 +82,25 @@ impl Sampler {
     ) -> Self {
         let pixel_mm = pixels_mm(&surroundings, &camera, size_px);
         let offsets = tent(samples_side);
-        Self { pearls, surroundings, camera, offsets, size_px, pixel_mm, reflections }
+        let (width_px, exposure) = (width_between(&offsets), 1.0);
+        Self {
+            pearls,
+            surroundings,
+            camera,
+            offsets,
+            width_px,
+            size_px,
+            exposure,
+            pixel_mm,
+            reflections,
+        }
+    }
+
+    /// Says what factor, above 0, the finished picture has on the light of the rows: grain goes by lightness, and
+    /// samples are alike if they look so. The rows themselves are not multiplied by it.
+    #[must_use]
+    pub fn exposed(self, exposure: f64) -> Self {
+        Self { exposure, ..self }
     }
 
     /// Some rows from the top: linear light, [`CHANNELS`] numbers a pixel. `None` once `progress` says to
@@ -119,6 +148,17 @@ impl Sampler {
         view.clear();
     }
 
+    /// Through a point of a pixel, offsets in pixels from the pixel's middle.
+    pub(super) fn ray(&self, (row, column): (usize, usize), down: f64, aside: f64) -> Ray {
+        let (x, y) = self.place(row, column, down, aside);
+        self.camera.ray(x, y)
+    }
+
+    /// How many samples stand along a pixel's side.
+    pub(super) fn samples_side(&self) -> usize {
+        self.offsets.len()
+    }
+
     /// Where in the view a point of a pixel is, offsets in pixels from the pixel's middle.
     fn place(&self, row: usize, column: usize, down: f64, aside: f64) -> (f64, f64) {
         let middle = 0.5 * self.size_px as f64;
@@ -146,10 +186,11 @@ impl Sampler {
                 self.all((row, column), view);
             }
             Detail::Edges => self.all((row, column), view),
+            Detail::Rim => self.lines((row, column), view),
         }
         let mut pixel = Pixel::of_surroundings(view.behind);
         for (part, &ball) in view.parts.iter_mut().zip(&view.balls) {
-            part.lay_texture(&self.pearls[ball]);
+            part.lay_texture(&self.pearls[ball], self.exposure);
             pixel.join(part);
         }
         pixel
@@ -171,7 +212,8 @@ impl Sampler {
                 most[channel] = most[channel].max(light[channel]);
             }
         }
-        (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + DARK))
+        let dark = DARK / self.exposure;
+        (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + dark))
     }
 
     /// All samples.
@@ -193,7 +235,7 @@ impl Sampler {
         for &down in &self.offsets {
             for &aside in &self.offsets {
                 let (x, y) = self.place(row, column, down, aside);
-                let hit = place.hit(&self.camera.ray(x, y), self.cell_mm(ball));
+                let hit = place.hit(&self.camera.ray(x, y));
                 let rings = hit.and_then(|hit| self.pearls[ball].model.rings(hit.cos_view));
                 rgb::add(&mut sum, rgb::scaled(rings.unwrap_or_default(), self.weight()));
             }
@@ -209,16 +251,24 @@ impl Sampler {
     /// What detail a pixel may have.
     fn detail(&self, row: usize, column: usize, view: &View) -> Detail {
         let many = self.offsets.len() >= FEWEST_ALIKE;
+        let ray = self.ray((row, column), 0.0, 0.0);
+        let inside_mm = |ball: usize| {
+            let place = &self.surroundings.balls[ball];
+            place.radius_mm - place.passing_mm(&ray)
+        };
+        let crossed = |&ball: &usize| inside_mm(ball).abs() < RIM_PX * self.pixel_mm[ball];
+        if view.balls.iter().any(crossed) {
+            return Detail::Rim;
+        }
         let ball = match view.balls[..] {
             [] if many => return Detail::Unknown,
             [ball] => ball,
             [] | [_, _, ..] => return Detail::Edges,
         };
-        let (x, y) = self.place(row, column, 0.0, 0.0);
         let (radius_mm, pixel_mm) = (self.surroundings.balls[ball].radius_mm, self.pixel_mm[ball]);
-        let rim_mm = radius_mm - self.surroundings.balls[ball].passing_mm(&self.camera.ray(x, y));
+        let rim_mm = inside_mm(ball);
         if rim_mm <= 3.0 * pixel_mm {
-            return Detail::Edges;
+            return Detail::Rim;
         }
         let cached = self.reflections.0[ball].is_some();
         match self.pearls[ball].model.is_smooth() {
@@ -231,77 +281,42 @@ impl Sampler {
         }
     }
 
-    /// From front to back, each pearl covers what lies behind it.
-    /// Gives the light of all that it shows.
+    /// What one line of sight shows. Gives its light.
     fn sample(&self, ray: &Ray, (weight, part): (f64, usize), view: &mut View) -> Rgb {
-        self.meet(ray, view);
-        let (mut light, mut left) = ([0.0; 3], 1.0);
-        for (place, hit) in &view.hits {
-            let ball = view.balls[*place];
-            let pixel_mm = self.pixel_mm[ball];
-            let around = self.reflections.0[ball].as_ref().map(|cache| cache.at(hit.normal));
-            let sight = Sight { ball, hit: *hit, view: -ray.along, pixel_mm, part, around };
-            let shade = self.pearls[ball].shade(&self.surroundings, &sight);
-            let share = left * hit.coverage;
-            view.parts[*place].add(&shade, weight * share);
-            rgb::add(&mut light, rgb::scaled(shade.light(), share));
-            left *= 1.0 - hit.coverage;
-            if left <= 0.0 {
-                return light;
-            }
-        }
+        let Some((place, hit)) = self.front(ray, view) else {
+            return self.behind(ray, weight, self.width_px, view);
+        };
+        let ball = view.balls[place];
+        let pixel_mm = self.pixel_mm[ball];
+        let width = self.width_px * pixel_mm / self.surroundings.balls[ball].radius_mm;
+        let spread = Spread::of_square(width, hit.cos_view);
+        let around = self.around(ball, hit.normal);
+        let sight = Sight { ball, hit, view: -ray.along, pixel_mm, spread, part, around };
+        let shade = self.pearls[ball].shade(&self.surroundings, &sight);
+        view.parts[place].add(&shade, weight);
+        shade.light()
+    }
+
+    /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.
+    pub(super) fn behind(&self, ray: &Ray, weight: f64, width_px: f64, view: &mut View) -> Rgb {
         let pixel_rad = self.camera.cell_mm(self.size_px) / self.camera.reach_mm(ray);
-        let seen = self.surroundings.scenery(ray, pixel_rad);
-        rgb::add(&mut view.behind, rgb::scaled(seen.radiance, weight * left));
-        rgb::add(&mut light, rgb::scaled(seen.radiance, left));
+        let light = self.surroundings.scenery(ray, width_px * pixel_rad).radiance;
+        rgb::add(&mut view.behind, rgb::scaled(light, weight));
         light
     }
 
-    /// Width of a sample's cell at a ball.
-    fn cell_mm(&self, ball: usize) -> f64 {
-        self.pixel_mm[ball] / self.offsets.len() as f64
+    /// What is cached of the surroundings that a ball's facets show.
+    pub(super) fn around(&self, ball: usize, normal: DVec3) -> Option<Around> {
+        self.reflections.0[ball].as_ref().map(|cache| cache.at(normal))
     }
 
-    /// Where a line of sight meets the balls of a view, the nearest first.
-    fn meet(&self, ray: &Ray, view: &mut View) {
+    /// Where a line of sight meets the first ball of a view, by place in it.
+    fn front(&self, ray: &Ray, view: &View) -> Option<(usize, Hit)> {
         let met = |(place, &ball): (usize, &usize)| {
-            let hit = self.surroundings.balls[ball].hit(ray, self.cell_mm(ball))?;
-            Some((place, hit))
+            Some((place, self.surroundings.balls[ball].hit(ray)?))
         };
-        view.hits.clear();
-        view.hits.extend(view.balls.iter().enumerate().filter_map(met));
-        if view.hits.len() > 1 {
-            let far_mm = |hit: &Hit| hit.point.distance_squared(ray.from);
-            view.hits.sort_by(|a, b| far_mm(&a.1).total_cmp(&far_mm(&b.1)));
-        }
-    }
-}
-
-/// What a pixel shows, while it is being made.
-#[derive(Default)]
-struct View {
-    balls: Vec<usize>,
-    /// Light of each of those balls.
-    parts: Vec<Pixel>,
-    /// Light of what lies behind them all.
-    behind: Rgb,
-    /// Where the present line of sight meets them, by place in `balls`.
-    hits: Vec<(usize, Hit)>,
-}
-
-impl View {
-    /// Counts all light that was gathered so many times.
-    fn brighten(&mut self, times: f64) {
-        for part in &mut self.parts {
-            part.brighten(times);
-        }
-        self.behind = rgb::scaled(self.behind, times);
-    }
-
-    /// Forgets the light that was gathered.
-    fn clear(&mut self) {
-        self.parts.clear();
-        self.parts.resize(self.balls.len(), Pixel::default());
-        self.behind = [0.0; 3];
+        let far_mm = |hit: &Hit| hit.point.distance_squared(ray.from);
+        let hits = view.balls.iter().enumerate().filter_map(met);
+        hits.min_by(|a, b| far_mm(&a.1).total_cmp(&far_mm(&b.1)))
     }
 }

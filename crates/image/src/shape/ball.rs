@@ -1,7 +1,7 @@
 //! A ball: where a ray meets it, what it hides.
 //!
 //! Spheres and discs in closed form; the form factor of a sphere above a plane.
-//! Left out: pearls that are not round; an edge is straight within a cell, and across a narrow cone.
+//! Left out: pearls that are not round; an edge is straight across a narrow cone.
 
 use glam::DVec3;
 
@@ -30,8 +30,6 @@ pub struct Hit {
     pub normal: DVec3,
     /// Cosine of the view angle theta_0, between normal and line of sight.
     pub cos_view: f64,
-    /// The share of the line's cell that the pearl covers, 0..1.
-    pub coverage: f64,
 }
 
 impl Ball {
@@ -40,25 +38,32 @@ impl Ball {
         Self { centre: DVec3::ZERO, radius_mm, glow: Glow::BLACK }
     }
 
-    /// The pearl along `ray`, or nothing. `cell_mm` is the width of the cell that the ray stands for:
-    /// a cell on the silhouette is covered in part, and the part that is covered shows the rim.
-    ///
-    /// The silhouette is taken as straight within a cell.
-    pub fn hit(&self, ray: &Ray, cell_mm: f64) -> Option<Hit> {
+    /// The pearl along `ray`, or nothing.
+    pub fn hit(&self, ray: &Ray) -> Option<Hit> {
+        (self.is_ahead(ray) && self.cos_view_squared(ray) >= 0.0).then(|| self.nearest(ray))
+    }
+
+    /// Whether the ball's middle lies before where a line of sight starts.
+    pub(crate) fn is_ahead(&self, ray: &Ray) -> bool {
+        (ray.from - self.centre).dot(ray.along) < 0.0
+    }
+
+    /// The square of the cosine of the view angle along a line of sight; below 0 where it passes by.
+    pub(crate) fn cos_view_squared(&self, ray: &Ray) -> f64 {
+        1.0 - (self.passing_mm(ray) / self.radius_mm).powi(2)
+    }
+
+    /// Where a line of sight meets the ball, or the point of the rim that is next to it.
+    pub(crate) fn nearest(&self, ray: &Ray) -> Hit {
         let from = ray.from - self.centre;
-        let along_mm = from.dot(ray.along);
-        let closest = from - ray.along * along_mm;
+        let closest = from - ray.along * from.dot(ray.along);
         let passing_mm = closest.length();
-        let coverage = ((self.radius_mm - passing_mm) / cell_mm + 0.5).clamp(0.0, 1.0);
-        if coverage == 0.0 || along_mm >= 0.0 {
-            return None;
-        }
         let sin_view = (passing_mm / self.radius_mm).min(RIM);
         let cos_view = (1.0 - sin_view * sin_view).sqrt();
         let aside = if passing_mm > 0.0 { closest * (sin_view / passing_mm) } else { DVec3::ZERO };
         let normal = aside - ray.along * cos_view;
         let point = self.centre + normal * self.radius_mm;
-        Some(Hit { point, normal, cos_view, coverage })
+        Hit { point, normal, cos_view }
     }
 
     /// How far from the ball's middle a line of sight passes.

@@ -47,6 +47,26 @@ impl Microfacets {
         Self { shape: Shape::Ggx { alpha }, density_at_normal: 1.0 / (PI * alpha * alpha) }
     }
 
+    /// Facets that lean by so much more, a standard deviation of some normals that are looked at together.
+    #[must_use]
+    pub(crate) fn over(self, normals_rad: f64) -> Self {
+        let more = normals_rad * normals_rad;
+        if more < NEGLIGIBLE * self.spread_rad() * self.spread_rad() {
+            return self;
+        }
+        let (shape, lower) = match self.shape {
+            Shape::Grooves { spread_rad } => {
+                let square = spread_rad * spread_rad + more;
+                (Shape::Grooves { spread_rad: square.sqrt() }, spread_rad * spread_rad / square)
+            }
+            Shape::Ggx { alpha } => {
+                let square = alpha * alpha + 2.0 * more;
+                (Shape::Ggx { alpha: square.sqrt() }, alpha * alpha / square)
+            }
+        };
+        Self { shape, density_at_normal: self.density_at_normal * lower }
+    }
+
     /// The lean that stands for the width of a lobe.
     pub fn spread_rad(&self) -> f64 {
         match self.shape {
@@ -111,6 +131,9 @@ impl Microfacets {
         2.0 * PI * step * (0..STEPS).map(ring).sum::<f64>()
     }
 }
+
+/// More variance than this share of a lobe's own shows in no code; by eye **(ours)**.
+const NEGLIGIBLE: f64 = 0.002;
 
 /// GGX facets by solid angle (Walter 2007, equation 33).
 #[inline]

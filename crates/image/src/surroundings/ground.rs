@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::{
     rgb::{self, Rgb},
     surroundings::{lit::Lit, table::Table},
-    view::ray::Ray,
+    view::{cone::Cone, ray::Ray},
 };
 
 /// What a ray meets.
@@ -22,7 +22,7 @@ pub struct Seen {
 
 impl Lit {
     /// What `ray` meets of table, walls and sky.
-    pub(crate) fn ground(&self, ray: &Ray, spread_rad: f64) -> Seen {
+    pub(crate) fn ground(&self, ray: &Ray, cone: &Cone) -> Seen {
         let table = self.table_ahead(ray);
         let wall = self.walls.and_then(|walls| {
             let (distance_mm, inward) = walls.ahead(ray, self.table_y_mm)?;
@@ -32,7 +32,7 @@ impl Lit {
             (Some((table, distance_mm)), wall)
                 if wall.is_none_or(|(_, wall_mm, _)| distance_mm < wall_mm) =>
             {
-                let radiance = self.table_radiance(table, ray, distance_mm, spread_rad);
+                let radiance = self.table_radiance(table, ray, distance_mm, cone.mean_rad());
                 Seen { radiance, distance_mm }
             }
             (_, Some((colour, distance_mm, inward))) => {
@@ -43,7 +43,7 @@ impl Lit {
                 }
             }
             _ => Seen {
-                radiance: self.sky.radiance(ray.along, spread_rad),
+                radiance: self.sky.radiance_over(ray.along, cone),
                 distance_mm: f64::INFINITY,
             },
         }
@@ -55,8 +55,8 @@ impl Lit {
     }
 
     /// Radiance far away in a direction, which distant things fade into.
-    pub fn backdrop(&self, along: DVec3, spread_rad: f64) -> Rgb {
-        self.sky.radiance(DVec3::new(along.x, along.y.max(0.0), along.z), spread_rad)
+    pub fn backdrop(&self, along: DVec3, cone: &Cone) -> Rgb {
+        self.sky.radiance_over(DVec3::new(along.x, along.y.max(0.0), along.z), cone)
     }
 
     fn table_radiance(&self, table: &Table, ray: &Ray, distance_mm: f64, spread_rad: f64) -> Rgb {

@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use glam::DVec3;
 
-use crate::rgb::Rgb;
+use crate::{rgb::Rgb, view::cone::Cone};
 
 /// A window as it stands before one point.
 #[derive(Debug, Clone, Copy)]
@@ -21,31 +21,32 @@ pub(crate) struct Pane {
 }
 
 impl Pane {
-    /// (distance, share) of a cone of light of full angle `spread_rad` around `along` that comes from the
-    /// window, if any.
+    /// (distance, share) of a cone of light around `along` that comes from the window, if any.
     ///
-    /// The cone is a Gaussian as wide, in the mean square, as an even disc of that angle; the share is
+    /// The cone is a Gaussian as wide, in the mean square, as an even ellipse of its angles; the share is
     /// the product of what two pairs of opposite edges let in, each a great circle to the ray and straight
     /// to the cone. Exact for narrow cones; a cone too wide for the window's corners sees them a little
     /// round **(ours)**.
-    pub(crate) fn seen(&self, along: DVec3, spread_rad: f64) -> Option<(f64, f64)> {
-        let sigma_rad = 0.25 * spread_rad.max(FINEST_RAD);
+    pub(crate) fn seen(&self, along: DVec3, cone: &Cone) -> Option<(f64, f64)> {
+        let reach_rad = CUT * 0.25 * cone.wide_rad().max(FINEST_RAD);
         let mut inside = [0.0; 4];
         for (inward, inside) in self.inward.iter().zip(&mut inside) {
             *inside = inward.dot(along);
-            if *inside < -CUT * sigma_rad {
+            if *inside < -reach_rad {
                 return None;
             }
         }
-        let part = |sine: f64| {
-            if sine > CUT * sigma_rad {
+        let part = |edge: usize| {
+            let sine = inside[edge];
+            if sine > reach_rad {
                 1.0
             } else {
+                let sigma_rad = 0.25 * cone.along_rad(self.inward[edge]).max(FINEST_RAD);
                 libm::erf(libm::asin(sine.clamp(-1.0, 1.0)) / sigma_rad * FRAC_1_SQRT_2)
             }
         };
-        let between = |one: f64, other: f64| (0.5 * (part(one) + part(other))).max(0.0);
-        let share = between(inside[0], inside[2]) * between(inside[1], inside[3]);
+        let between = |one: usize, other: usize| (0.5 * (part(one) + part(other))).max(0.0);
+        let share = between(0, 2) * between(1, 3);
         let toward = -along.dot(self.facing);
         let distance_mm = if toward > 0.0 { self.in_front_mm / toward } else { f64::INFINITY };
         (share > 0.0).then_some((distance_mm.min(self.farthest_mm), share))

@@ -8,21 +8,22 @@ use glam::DVec3;
 use crate::{
     rgb::Rgb,
     surroundings::{ground::Seen, lit::Lit, viewpoint::Viewpoint},
-    view::ray::Ray,
+    view::{cone::Cone, ray::Ray},
 };
 
 impl Lit {
-    /// What `ray` meets, the pearl `from` left out that it comes from. `spread_rad` is the angle that
+    /// What `ray` meets, the pearl `from` left out that it comes from. `cone` is what
     /// the ray stands for: finer patterns are averaged away, not aliased, and balls and windows have
     /// soft edges.
-    pub fn seen(&self, ray: &Ray, spread_rad: f64, from: Option<usize>) -> Seen {
-        Viewpoint::new(self, &self.windows, ray.from, from).seen(ray.along, spread_rad)
+    pub fn seen(&self, ray: &Ray, cone: &Cone, from: Option<usize>) -> Seen {
+        Viewpoint::new(self, &self.windows, ray.from, from).seen(ray.along, cone)
     }
 
     /// What the middle of a ball would see, were there no windows.
     pub(crate) fn seen_without_windows(&self, ball: usize, along: DVec3, spread_rad: f64) -> Rgb {
         let centre = self.balls[ball].centre;
-        Viewpoint::new(self, &[], centre, Some(ball)).seen(along, spread_rad).radiance
+        let cone = Cone::round(spread_rad);
+        Viewpoint::new(self, &[], centre, Some(ball)).seen(along, &cone).radiance
     }
 
     /// What windows add to that, at points all over them: (direction, solid angle, radiance). For sums over
@@ -32,7 +33,7 @@ impl Lit {
         self.windows.iter().flat_map(move |window| {
             let this = Viewpoint::new(self, std::slice::from_ref(window), from, Some(ball));
             window.directions(from, WINDOW_RAD).map(move |(along, solid)| {
-                let with = this.seen(along, FINE_RAD).radiance;
+                let with = this.seen(along, &Cone::round(FINE_RAD)).radiance;
                 let without = self.seen_without_windows(ball, along, WINDOW_RAD);
                 (along, solid, std::array::from_fn(|i| with[i] - without[i]))
             })
@@ -42,7 +43,7 @@ impl Lit {
     /// What `ray` meets of windows, table, walls and sky.
     pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
         let windows = self.windows.iter().filter(|window| !window.is_clear_of(ray, spread_rad));
-        Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, spread_rad)
+        Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, &Cone::round(spread_rad))
     }
 }
 
@@ -78,7 +79,7 @@ mod tests {
                 assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
                 let down = DVec3::new(0.3, -1.0, 0.2).normalize();
                 let ray = Ray { from: DVec3::new(x, 9.0, 0.0), along: down };
-                let seen = surroundings.seen(&ray, 0.2, None).radiance[0];
+                let seen = surroundings.seen(&ray, &Cone::round(0.2), None).radiance[0];
                 assert!((seen - 1.0).abs() < 1e-3, "{x}: {seen}");
             }
         }
@@ -90,8 +91,8 @@ mod tests {
         let night = Sky::Gradient { horizon: [0.0; 3], zenith: [0.0; 3] };
         let surroundings = Surroundings::new(None, None, night, vec![], balls).settled(false);
         let ray = Ray { from: DVec3::ZERO, along: DVec3::X };
-        let seen = surroundings.seen(&ray, 0.01, Some(0));
+        let seen = surroundings.seen(&ray, &Cone::round(0.01), Some(0));
         assert!((seen.radiance[0] - 1.0).abs() < 1e-9 && (seen.distance_mm - 16.0).abs() < 1e-9);
-        assert!(surroundings.seen(&ray, 0.01, Some(1)).radiance[0] < 1e-9);
+        assert!(surroundings.seen(&ray, &Cone::round(0.01), Some(1)).radiance[0] < 1e-9);
     }
 }

@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::{
     rgb::{self, Rgb},
     surroundings::panorama::Panorama,
-    view::direction::directions,
+    view::{cone::Cone, direction::directions},
 };
 
 /// What is behind everything, as radiance by direction.
@@ -38,6 +38,21 @@ pub enum Sky {
 const ROWS: u32 = 48;
 
 impl Sky {
+    /// Radiance from the direction `along`, averaged over about `cone`.
+    pub(crate) fn radiance_over(&self, along: DVec3, cone: &Cone) -> Rgb {
+        match self {
+            Self::Gradient { .. } => self.radiance(along, cone.mean_rad()),
+            Self::Panorama { .. } => {
+                let mut sum = [0.0; 3];
+                let (parts, share) = cone.round_parts(along);
+                for (along, spread_rad) in parts {
+                    rgb::add(&mut sum, rgb::scaled(self.radiance(along, spread_rad), share));
+                }
+                sum
+            }
+        }
+    }
+
     /// Radiance from the direction `along`, averaged over about `spread_rad`.
     pub fn radiance(&self, along: DVec3, spread_rad: f64) -> Rgb {
         match self {

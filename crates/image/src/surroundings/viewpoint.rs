@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::{
     rgb::{self, Rgb},
     surroundings::{ground::Seen, lit::Lit, pane::Pane, sky::Sky, window::Window},
-    view::ray::Ray,
+    view::{cone::Cone, ray::Ray},
 };
 
 /// A point among the surroundings from which one looks in several directions.
@@ -43,13 +43,13 @@ impl<'a> Viewpoint<'a> {
         Self { surroundings, panes, point, on }
     }
 
-    /// What a ray along a direction meets; `spread_rad` is the angle that it stands for.
-    pub(crate) fn seen(&self, along: DVec3, spread_rad: f64) -> Seen {
+    /// What a ray along a direction meets; it stands for `cone`.
+    pub(crate) fn seen(&self, along: DVec3, cone: &Cone) -> Seen {
         if self.surroundings.balls.len() == usize::from(self.on.is_some()) {
-            return self.scenery(along, spread_rad);
+            return self.scenery(along, cone);
         }
         let ray = Ray { from: self.point, along };
-        let ground = self.surroundings.ground(&ray, spread_rad);
+        let (ground, spread_rad) = (self.surroundings.ground(&ray, cone), cone.mean_rad());
         let (neighbours, balls) = (&self.surroundings.neighbours, &self.surroundings.balls);
         // Nothing is seen behind the ground, nor behind a ball that fills the cone.
         let end_mm = Cell::new(ground.distance_mm);
@@ -70,7 +70,7 @@ impl<'a> Viewpoint<'a> {
             let radiance = ball.glow.at((self.point - ball.centre).normalize());
             Some(Layer { distance_mm, share, radiance, fades: true })
         });
-        through(balls.chain(self.windows(along, spread_rad)), ground)
+        through(balls.chain(self.windows(along, cone)), ground)
     }
 
     /// Whether something bright with an edge, a window or what a panorama shows, may lie within an angle of
@@ -82,14 +82,14 @@ impl<'a> Viewpoint<'a> {
     }
 
     /// The same without the pearls.
-    pub(crate) fn scenery(&self, along: DVec3, spread_rad: f64) -> Seen {
+    pub(crate) fn scenery(&self, along: DVec3, cone: &Cone) -> Seen {
         let ray = Ray { from: self.point, along };
-        through(self.windows(along, spread_rad), self.surroundings.ground(&ray, spread_rad))
+        through(self.windows(along, cone), self.surroundings.ground(&ray, cone))
     }
 
-    fn windows(&self, along: DVec3, spread_rad: f64) -> impl Iterator<Item = Layer> {
+    fn windows(&self, along: DVec3, cone: &Cone) -> impl Iterator<Item = Layer> {
         self.panes.iter().filter_map(move |pane| {
-            let (distance_mm, share) = pane.seen(along, spread_rad)?;
+            let (distance_mm, share) = pane.seen(along, cone)?;
             Some(Layer { distance_mm, share, radiance: pane.radiance, fades: false })
         })
     }

@@ -249,7 +249,7 @@ const MOST_STEPS: u32 = 64;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::direction::directions;
+    use crate::view::{cone::Cone, direction::directions};
 
     /// The six walls of a box around the origin, all of radiance 1.
     fn room() -> Vec<Window> {
@@ -290,7 +290,10 @@ mod tests {
         for (along, _) in directions(7) {
             let sum = |spread_rad| -> f64 {
                 let panes = room().into_iter().filter_map(|window| window.before(from));
-                panes.filter_map(|pane| pane.seen(along, spread_rad)).map(|seen| seen.1).sum()
+                panes
+                    .filter_map(|pane| pane.seen(along, &Cone::round(spread_rad)))
+                    .map(|seen| seen.1)
+                    .sum()
             };
             assert!((sum(1e-7) - 1.0).abs() < 1e-9, "{along}: {}", sum(1e-7));
             assert!((sum(0.2) - 1.0).abs() < 0.06, "{along}: {}", sum(0.2));
@@ -304,7 +307,9 @@ mod tests {
         for spread_rad in [0.05, 0.2, 0.6, 1.0] {
             let seen: f64 = directions(200)
                 .map(|(along, share)| {
-                    4.0 * PI * share * pane.seen(along, spread_rad).map_or(0.0, |seen| seen.1)
+                    4.0 * PI
+                        * share
+                        * pane.seen(along, &Cone::round(spread_rad)).map_or(0.0, |seen| seen.1)
                 })
                 .sum();
             assert!((seen / solid - 1.0).abs() < 0.08, "{spread_rad}: {}", seen / solid);

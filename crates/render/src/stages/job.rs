@@ -129,7 +129,8 @@ impl Job {
         let Some(reflections) = self.reflections.one(key, make)? else { return Ok(None) };
         let surroundings = Arc::clone(&scene.surroundings);
         let counts = (size_px, self.samples_side);
-        let sampler = Sampler::new(pearls, surroundings, camera, counts, reflections);
+        let sampler = Sampler::new(pearls, surroundings, camera, counts, reflections)
+            .exposed(self.recipe.scene.camera.exposure);
         let look = Look::new(&self.recipe.scene, self.arrangement.field_mm(), size_px);
         Ok(Some(View::new(Arc::new(sampler), look, size_px)))
     }

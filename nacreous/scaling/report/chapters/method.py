@@ -11,6 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import nacreous
+from nacreous.scaling.fit.spread import HIERARCHICAL
 from nacreous.scaling.report import record
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.translation import Html, Words
@@ -42,7 +43,9 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.ties_half"))
     if wanted.order:
         found.append(words("method.order"))
-    if wanted.prior is not None:
+    if wanted.prior == HIERARCHICAL:
+        found.append(words("method.prior_hierarchical"))
+    elif wanted.prior is not None:
         found.append(words("method.prior", prior=f"{wanted.prior:g}"))
     if wanted.prior is None and wanted.method == "maximum-likelihood":
         found.append(words("method.exists"))
@@ -118,6 +121,8 @@ def _cited(analysis: Analysis) -> list[str]:
         "beaver": wanted.order and wanted.model == "logit",
         "efron": analysis.doubt.samples > 0,
         "bell": analysis.doubt.errors.clusters is not None,
+        "firth": wanted.method == "bias-reduced",
+        "tierney": wanted.prior == HIERARCHICAL,
         "nagata": analysis.example or wanted.method == "least-squares",
         "perez": analysis.fit.unit in ("JOD", "JND"),
         "schwarz": analysis.people is not None and analysis.people.population is not None,

@@ -91,6 +91,12 @@ def doubt(analysis: Analysis, words: Words) -> Html:
             people=words.count("person", len(people)),
         ),
     ]
+    posterior = analysis.fit.posterior
+    if posterior is not None:
+        spread = posterior.spread * factor(analysis.fit.own_unit, analysis.fit.unit)
+        sentences.append(words("scale.spread", spread=number(spread)))
+    if analysis.fit.method == "bias-reduced":
+        sentences.append(words("scale.reduced"))
     if found.samples:
         sentences.append(_unplaced(analysis, words))
     if found.too_few:

@@ -28,7 +28,7 @@ def choices(
     so_far: Mapping[str, Comparisons],
 ) -> list[Items]:
     """The pairs of a participant under each question, in the order in which they are asked."""
-    if asked.keys.pairs.kind == "adaptive":
+    if asked.keys.pairs.chosen_by is not None:
         random = stream(asked.seed, TELLING, number)
         return [_telling(asked, so_far.get(question), random) for question in questions]
     # Under every other question mirrored, which evens out the one that an odd number leaves.
@@ -55,7 +55,7 @@ def _mirrored(choice: Items) -> Items:
 def _telling(
     asked: Asked[PairKeys], counts: Comparisons | None, random: np.random.Generator
 ) -> Items:
-    """The pairs that tell most after the answers so far, placed as the others are.
+    """The pairs that tell much after the answers so far, placed as the others are.
 
     Without answers they are pairs that join all stimuli, drawn by lot.
     """
@@ -66,6 +66,7 @@ def _telling(
         counts,
         asked.keys.pairs.number or 1,
         stimuli=asked.labels,
+        method=asked.keys.pairs.chosen_by or "greedy",
         seed=int(random.integers(2**62)),
         distinct=True,
     )

@@ -20,6 +20,7 @@ from nacreous.study.task.task import Items, SoFar, Task
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
+    from nacreous.scaling.report.settings import Settings
 
 __all__ = ["PAIR", "Pair"]
 
@@ -87,7 +88,15 @@ class Pair(Task[PairKeys]):
 
     def adapts(self, asked: Asked[PairKeys]) -> bool:
         """Whether pairs are chosen while the study runs."""
-        return asked.keys.pairs.kind == "adaptive"
+        return self.chosen_by(asked) is not None
+
+    def chosen_by(self, asked: Asked[PairKeys]) -> str | None:
+        """The most telling pairs, or such drawn by lot."""
+        return asked.keys.pairs.chosen_by
+
+    def settings(self, chosen_by: str | None) -> Settings:
+        """Of pairs chosen by the answers so far, a fit that these do not stretch."""
+        return reading.settings(chosen_by)
 
     def so_far(self, asked: Asked[PairKeys], tally: Sequence[Tallied]) -> dict[str, Comparisons]:
         """How often each was chosen over each, by question."""

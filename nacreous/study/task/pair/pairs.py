@@ -24,6 +24,14 @@ class Pairs(Section):
         allowed='"all", "incomplete" or "adaptive"',
         source="paper 2.2, all pairs",
     )
+    choice: Literal["greedy", "drawn"] | None = key(
+        None,
+        "Of adaptive pairs: those that tell most, or pairs drawn with chances in proportion to "
+        "what they tell.",
+        allowed='"greedy" or "drawn"',
+        left_out="greedy, where pairs are adaptive",
+        source="**(ours)**",
+    )
     number: int | None = quantity(
         None,
         "How many pairs each participant sees.",
@@ -49,6 +57,15 @@ class Pairs(Section):
         source="**(ours)**",
     )
 
+    @property
+    def chosen_by(self) -> Literal["greedy", "drawn"] | None:
+        """How pairs are chosen by the answers so far; None where they are not.
+
+        >>> Pairs(kind="adaptive", number=20).chosen_by, Pairs(kind="all").chosen_by
+        ('greedy', None)
+        """
+        return (self.choice or "greedy") if self.kind == "adaptive" else None
+
     def repeated(self, pairs: int) -> int:
         """How many of so many pairs are shown once more."""
         if self.repeats is not None:
@@ -60,6 +77,9 @@ class Pairs(Section):
         if self.kind == "all" and self.number is not None:
             verdict = f'is {shown(self.number)} while {{other}} is "all"; allowed: nothing'
             yield Contradiction("number", verdict, "kind")
+        if self.kind != "adaptive" and self.choice is not None:
+            verdict = f'is {shown(self.choice)} while {{other}} is "{self.kind}"; allowed: nothing'
+            yield Contradiction("choice", verdict, "kind")
         if self.kind != "all" and self.number is None:
             verdict = f'is missing while {{other}} is "{self.kind}"; allowed: 1 to 10000'
             yield Contradiction("number", verdict, "kind")

@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
+from nacreous.number import said
+from nacreous.printable import printable
+from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.task.row import Row, Tallied, person_of
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
+    from nacreous.scaling.report.settings import Settings
 
-__all__ = ["CHOICES", "answers", "chosen_of", "comparisons", "pair_of", "sides_of"]
+__all__ = ["CHOICES", "answers", "chosen_of", "comparisons", "pair_of", "settings", "sides_of"]
 
 CHOICES = ("left", "right", "tie")
 
@@ -53,17 +57,39 @@ def chosen_of(row: Row | Tallied) -> str | None:
     return pair["left"] if pair["chosen"] == "left" else pair["right"]
 
 
+def settings(chosen_by: str | None) -> Settings:
+    """How a report fits answers to pairs that were chosen so (`Pairs.chosen_by`).
+
+    The most telling ones stretch the most likely scale and want the prior under which they were
+    chosen; ones drawn by lot are left without a prior, and bias reduction holds them.
+
+    >>> settings("greedy").prior, settings("drawn").method
+    ('hierarchical', 'bias-reduced')
+    """
+    from nacreous.scaling.report.settings import Settings
+
+    known = {
+        None: Settings(),
+        "greedy": Settings(prior="hierarchical"),
+        "drawn": Settings(method="bias-reduced"),
+    }
+    if chosen_by not in known:
+        raise InputError(f"pairs_chosen_by is {said(chosen_by)}; allowed: greedy, drawn, or empty")
+    return known[chosen_by]
+
+
 def answers(rows: Sequence[Row], groups: Mapping[str, Sequence[str | None]]) -> Answers:
     """Rows as `nacreous.scaling` takes them; groups: by name, a level a row.
 
-    People are named by number, erased ones by their random names. Trials give the order.
+    People are named by number, erased ones by their random names. Trials give the order. Labels
+    are as they can be shown.
     """
     from nacreous.scaling import Answers
 
     pairs = [_columns(row) for row in rows]
     table: dict[str, Any] = {
-        "left": [pair["left"] for pair in pairs],
-        "right": [pair["right"] for pair in pairs],
+        "left": [printable(pair["left"]) for pair in pairs],
+        "right": [printable(pair["right"]) for pair in pairs],
         "chosen": [pair["chosen"] for pair in pairs],
     }
     table["person"] = [person_of(row) for row in rows]
@@ -104,4 +130,4 @@ def _counted(labels: Sequence[str], rows: list[Tallied]) -> Comparisons:
         else:
             won = index[chosen]
             wins[won, left + right - won] += row["count"]
-    return Comparisons.of_counts(wins, ties, labels)
+    return Comparisons.of_counts(wins, ties, [printable(label) for label in labels])

@@ -1,0 +1,46 @@
+//! A lamp's image in the facets, over all normals that a line of sight stands for.
+//!
+//! Points along the way that the rim turns them, each with facets that lean so much more.
+//! Left out: how the film's colour changes between them, which the lobe hides.
+
+use crate::{
+    pearl::sight::Sight,
+    rgb::{self, Rgb},
+    surface::microfacets::Microfacets,
+    surroundings::lamp::Lamp,
+};
+
+/// So many standard deviations of the facets' lean may lie between two points; by eye **(ours)**.
+const STEP: f64 = 1.5;
+/// The most points.
+const MOST: f64 = 8.0;
+/// Length of an even line that spreads as an even disc of width 1.
+const LINE: f64 = 0.866;
+
+/// [`Lamp::image`] as `sight` stands for it.
+pub(crate) fn glint(
+    lamp: &Lamp,
+    microfacets: &Microfacets,
+    sight: &Sight,
+    reflected: impl Fn(f64) -> Rgb,
+) -> Rgb {
+    let (hit, view) = (&sight.hit, sight.view);
+    // A ray turns by twice what the normal does.
+    let length_rad = 0.5 * LINE * sight.spread.outward_rad;
+    let count = (length_rad / (STEP * microfacets.spread_rad())).ceil().clamp(1.0, MOST);
+    if count <= 1.0 {
+        let facets = microfacets.over(sight.spread.normals_rad());
+        return lamp.image(&facets, hit.point, hit.normal, view, reflected);
+    }
+    let step_rad = length_rad / count;
+    let facets = microfacets.over(0.29 * step_rad);
+    let outward = (hit.normal * hit.cos_view - view).normalize_or_zero();
+    let mut sum = [0.0; 3];
+    for i in 0..count as usize {
+        let (sin, cos) = libm::sincos((i as f64 + 0.5) * step_rad - 0.5 * length_rad);
+        let normal = hit.normal * cos + outward * sin;
+        let image = lamp.image(&facets, hit.point, normal, view, &reflected);
+        rgb::add(&mut sum, rgb::scaled(image, 1.0 / count));
+    }
+    sum
+}

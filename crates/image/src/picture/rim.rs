@@ -1,0 +1,142 @@
+//! A pixel that the rim of a pearl crosses.
+//!
+//! Line samples (Jones and Perry 2000): what each ball covers of a line across the pixel is exact.
+//! Left out: edges that are no pearl's, which are seen as sharply as samples lie.
+
+use crate::{
+    pearl::sight::{Sight, Spread},
+    picture::{
+        chord::{Chord, Piece},
+        sampler::Sampler,
+        tent::{place, share_left_of, tent_of_full_width},
+        view::View,
+    },
+    view::ray::Ray,
+};
+
+/// Directions that a sample mirrors to the eye, over the standard deviation of the view angle's cosine: the ray
+/// turns by twice its angle, and an even cone is four standard deviations wide.
+const FULL_ANGLE: f64 = 8.0;
+
+/// What a line stands for, over the mean distance of lines, which lie two pixels wide.
+const BETWEEN: f64 = 2.0;
+
+/// The stretch of a line between two edges.
+struct Stretch<'a> {
+    from: f64,
+    to: f64,
+    /// What is seen there of balls, the nearest: its place in the view, and its chord.
+    ball: Option<(usize, &'a Chord)>,
+}
+
+impl Sampler {
+    /// Lines across the pixel, each cut where it meets a silhouette. At the rim the ray that a pearl mirrors turns the faster the
+    /// nearer it is: by samples over even parts of its turn each stands for directions that lie together.
+    pub(super) fn lines(&self, at: (usize, usize), view: &mut View) {
+        let lines = self.samples_side().max(2);
+        let width_px = BETWEEN / lines as f64;
+        let upright = self.is_upright(at, view);
+        for (line, across) in tent_of_full_width(lines).into_iter().enumerate() {
+            // Each line begins with other facets, so that none are always looked at next to the rim.
+            let mut part = line;
+            let ray_at = |along: f64| {
+                let (down, aside) = if upright { (along, across) } else { (across, along) };
+                self.ray(at, down, aside)
+            };
+            let chords = self.chords(view, ray_at);
+            for stretch in self.stretches(&chords, view, ray_at) {
+                let (left, right) = (share_left_of(stretch.from), share_left_of(stretch.to));
+                let count = ((right - left) * lines as f64).ceil() as usize;
+                if let Some((place, chord)) = stretch.ball {
+                    for piece in chord.pieces(stretch.from, stretch.to, count) {
+                        let ray = ray_at(piece.place);
+                        self.piece(&ray, place, &piece, (lines, part), view);
+                        part += 1;
+                    }
+                } else {
+                    let step = (right - left) / count as f64;
+                    for i in 0..count {
+                        let ray = ray_at(place(left + step * (i as f64 + 0.5)));
+                        self.behind(&ray, step / lines as f64, width_px, view);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds what a piece of a line shows of a ball.
+    fn piece(
+        &self,
+        ray: &Ray,
+        place: usize,
+        piece: &Piece,
+        (lines, part): (usize, usize),
+        view: &mut View,
+    ) {
+        let ball = view.balls[place];
+        let (at, pixel_mm) = (&self.surroundings.balls[ball], self.pixel_mm[ball]);
+        let hit = at.nearest(ray);
+        let width = BETWEEN / lines as f64 * pixel_mm / at.radius_mm;
+        let spread = Spread {
+            outward_rad: FULL_ANGLE * piece.cosine_spread,
+            ..Spread::of_square(width, hit.cos_view)
+        };
+        let weight = piece.share / lines as f64;
+        let around = self.around(ball, hit.normal);
+        let sight = Sight { ball, hit, view: -ray.along, pixel_mm, spread, part, around };
+        let shade = self.pearls[ball].shade(&self.surroundings, &sight);
+        view.parts[place].add(&shade, weight);
+    }
+
+    /// Whether lines upright cross the nearest rim more steeply than level ones.
+    fn is_upright(&self, at: (usize, usize), view: &View) -> bool {
+        let square = |ball: usize, down, aside| {
+            self.surroundings.balls[ball].cos_view_squared(&self.ray(at, down, aside))
+        };
+        let middle = |ball: &usize| square(*ball, 0.0, 0.0).abs();
+        let nearest = view.balls.iter().copied().min_by(|a, b| middle(a).total_cmp(&middle(b)));
+        nearest.is_some_and(|ball| {
+            let across = |down, aside| square(ball, down, aside) - square(ball, -down, -aside);
+            across(1.0, 0.0).abs() > across(0.0, 1.0).abs()
+        })
+    }
+
+    /// The balls that a line meets, by place in the view.
+    fn chords(&self, view: &View, ray_at: impl Fn(f64) -> Ray) -> Vec<(usize, Chord)> {
+        let chord = |(place, &ball): (usize, &usize)| {
+            let ball = &self.surroundings.balls[ball];
+            let chord = Chord::new(|x| ball.cos_view_squared(&ray_at(x)))?;
+            ball.is_ahead(&ray_at(0.0)).then_some((place, chord))
+        };
+        view.balls.iter().enumerate().filter_map(chord).collect()
+    }
+
+    /// A line in stretches, each of one ball or of what lies behind them all.
+    fn stretches<'a>(
+        &self,
+        chords: &'a [(usize, Chord)],
+        view: &View,
+        ray_at: impl Fn(f64) -> Ray,
+    ) -> Vec<Stretch<'a>> {
+        let mut cuts = vec![-1.0, 1.0];
+        cuts.extend(chords.iter().flat_map(|(_, chord)| [chord.from, chord.middle(), chord.to]));
+        cuts.retain(|x| (-1.0..=1.0).contains(x));
+        cuts.sort_by(f64::total_cmp);
+        let stretch = |ends: &[f64]| {
+            let (from, to) = (ends[0], ends[1]);
+            let middle = 0.5 * (from + to);
+            let ray = ray_at(middle);
+            let far_mm = |(place, _): &(usize, &Chord)| {
+                let ball = &self.surroundings.balls[view.balls[*place]];
+                ball.nearest(&ray).point.distance_squared(ray.from)
+            };
+            let covering = chords.iter().filter(|(_, c)| c.from < middle && middle < c.to);
+            let ball = covering
+                .map(|(place, chord)| (*place, chord))
+                .min_by(|a, b| far_mm(a).total_cmp(&far_mm(b)));
+            Stretch { from, to, ball }
+        };
+        let long = |ends: &&[f64]| ends[1] - ends[0] > 1e-9;
+        cuts.windows(2).filter(long).map(stretch).collect()
+    }
+}
