@@ -196,9 +196,9 @@ def render(
     number, 1 to 1024; where the first are alike, it takes fewer. progress: called with the finished
     share, 0 to 1, now and then; what it raises stops the render, as Ctrl-C does.
 
-    Same pearl, scene, size and samples: same bytes. Memory, with a PNG of it: some 90
-    bytes a pixel (300 with an OpenEXR file; measured in docs/picture.md), 50 MB, and up to 25 MB
-    for each different grain.
+    Same pearl, scene, size and samples: same bytes. Memory: some 90 bytes a pixel with a PNG of
+    it, 300 with an OpenEXR file, 50 MB (docs/picture.md has the measurement), and up to 25 MB for
+    each different grain (24 different pearls in 1024 x 1024: 460 MB).
 
     >>> image = render("paper", size=16, samples=4)
     >>> parts = ("interference", "diffuse", "mirror", "surroundings")

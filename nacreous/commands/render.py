@@ -120,8 +120,7 @@ def _first(args: argparse.Namespace) -> _Job:
     size, samples = _either(args.size, 512), _either(args.samples, 16)
     made = recipe(pearls[0] if len(pearls) == 1 else pearls, scene, size, samples)
     bits: Literal[8, 16] = args.bits or 8
-    space, gamut = args.space or "srgb", args.gamut or "soft"
-    return _Job(made, bits, space, gamut, bool(args.alpha))
+    return _Job(made, bits, args.space or "srgb", args.gamut or "soft", bool(args.alpha))
 
 
 def _again(args: argparse.Namespace) -> _Job:
@@ -155,7 +154,7 @@ def _either(given: Value | None, otherwise: Value) -> Value:
 def _is_picture(name: str) -> bool:
     from nacreous.image import SUFFIXES
 
-    return Path(name).suffix.lower() in SUFFIXES
+    return Path(name).suffix.lower() in SUFFIXES and not Path(name).is_dir()
 
 
 def _output(args: argparse.Namespace) -> str:

@@ -101,6 +101,7 @@ def save(
     for crop, pixels in zip(crops, cut(codes, crops), strict=True):
         path = place / f"{stem}{crop.number}.png"
         recipe = {**texts, "nacreous:crop": json.dumps(crop.record())}
+        recipe.pop("nacreous:developed", None)  # said of the whole picture
         _core.write_png(path, pixels, "srgb", list(recipe.items()))
         paths.append(path)
     return paths

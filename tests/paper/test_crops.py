@@ -193,7 +193,7 @@ def test_the_command_says_what_it_cut_and_how_the_pearl_was_found(
     picture = without_recipe(rendered, tmp_path / f"pearl.{ending}")
     assert cli.main(["crops", str(picture), "-o", str(tmp_path / "parts")]) == 0
     line = capsys.readouterr().out
-    assert "7 crops, 20 x 20 pixels each" in line
+    assert "7 crops, 19 x 19 pixels each" in line
     assert "estimated, with an edge in" in line
     assert sorted(path.name for path in (tmp_path / "parts").iterdir()) == sorted(cutting.FILES)
 

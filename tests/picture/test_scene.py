@@ -205,7 +205,9 @@ def test_the_command_takes_several_pearls(
     (tmp_path / "s.toml").write_text('name = "tray"\n[[rows]]\npearls = ["*", "*", "*"]\n')
     arguments = ["render", "akoya-r", "akoya-g", "--scene", "s.toml", "--size=16", "--samples=1"]
     assert cli.main(arguments) == 0
-    assert capsys.readouterr().out.startswith("pearl.png: 2 pearls in scene tray, 16 x 16")
+    assert capsys.readouterr().out.startswith(
+        "pearl.png: 2 different pearls in scene tray, 16 x 16"
+    )
     texts = nc.file.read_png_text("pearl.png")
     assert 'name = "akoya-g"' in texts["nacreous:pearl.1"]
     assert cli.main([*arguments, "--scene", "paper"]) == 2
