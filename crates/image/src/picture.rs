@@ -6,6 +6,7 @@ pub(crate) mod detail;
 pub(crate) mod develop;
 pub(crate) mod glare;
 pub(crate) mod pixel;
+pub(crate) mod reflections;
 pub(crate) mod resampling;
 pub(crate) mod rim;
 pub(crate) mod sampler;

@@ -11,13 +11,14 @@ use crate::{
     parallel,
     pearl::{
         model::Pearl,
-        reflection_cache::{Around, ReflectionCache},
+        reflection_cache::Around,
         sight::{Sight, Spread},
     },
     picture::{
         channels::CHANNELS,
         detail::{ALIKE, DARK, Detail, FEWEST_ALIKE, FINE, RIM, RIM_PX},
         pixel::Pixel,
+        reflections::{Reflections, pixels_mm},
         tent::{rook, tent, width_between},
         view::View,
     },
@@ -46,28 +47,6 @@ pub struct Sampler {
     /// Width of a pixel at each ball.
     pub(super) pixel_mm: Vec<f64>,
     reflections: Arc<Reflections>,
-}
-
-/// What satin pearls show a camera of their surroundings, each in its place; they have no detail that would
-/// have to be worked out at every pixel.
-#[derive(Debug)]
-pub struct Reflections(Vec<Option<ReflectionCache>>);
-
-impl Reflections {
-    /// Of `pearls[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
-    pub fn new(pearls: &[Pearl], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
-        let pixel_mm = pixels_mm(surroundings, camera, size_px);
-        let of = |(i, pearl): (usize, &Pearl)| {
-            pearl.model.reflection_cache(surroundings, i, camera, pixel_mm[i])
-        };
-        Self(pearls.iter().enumerate().map(of).collect())
-    }
-}
-
-/// Width of a pixel at each ball.
-fn pixels_mm(surroundings: &Lit, camera: &Camera, size_px: usize) -> Vec<f64> {
-    let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
-    surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect()
 }
 
 impl Sampler {

@@ -1,0 +1,32 @@
+//! What pearls mirror to a camera, where that is cached; how wide a pixel is at each.
+//!
+//! By `pearl/reflection_cache.rs`, for pearls that are satin.
+//! Left out: pearls whose pixels are coarser than a cache.
+
+use crate::{
+    pearl::{model::Pearl, reflection_cache::ReflectionCache},
+    surroundings::lit::Lit,
+    view::camera::Camera,
+};
+
+/// What satin pearls show a camera of their surroundings, each in its place; they have no detail that would
+/// have to be worked out at every pixel.
+#[derive(Debug)]
+pub struct Reflections(pub(super) Vec<Option<ReflectionCache>>);
+
+impl Reflections {
+    /// Of `pearls[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
+    pub fn new(pearls: &[Pearl], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
+        let pixel_mm = pixels_mm(surroundings, camera, size_px);
+        let of = |(i, pearl): (usize, &Pearl)| {
+            pearl.model.reflection_cache(surroundings, i, camera, pixel_mm[i])
+        };
+        Self(pearls.iter().enumerate().map(of).collect())
+    }
+}
+
+/// Width of a pixel at each ball.
+pub(super) fn pixels_mm(surroundings: &Lit, camera: &Camera, size_px: usize) -> Vec<f64> {
+    let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
+    surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect()
+}
