@@ -128,6 +128,7 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
+    from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
     for output in outputs:
