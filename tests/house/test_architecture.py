@@ -26,7 +26,10 @@ SOUGHT = {
     "a third observer": ("crates/colour/src/observer.rs", "Observer"),
     "a new task of a study": ("nacreous/study/task/task.py", "Task"),
     "a new scene key": ("nacreous/spec/scene.py", "Scene"),
-    "the footprint of a pixel on the pearl": ("crates/image/src/picture/sampler.rs", "pixels_mm"),
+    "the footprint of a pixel on the pearl": (
+        "crates/image/src/picture/reflections.rs",
+        "pixels_mm",
+    ),
     "where rows become answers": ("nacreous/study/task/pair/reading.py", "answers"),
     "a new picture format": ("nacreous/image.py", "SUFFIXES"),
     "a pigment": ("crates/nacre/src/pigment.rs", "NAMES"),

@@ -49,6 +49,19 @@ def covered(image: nc.Image) -> NDArray[np.bool_]:
     return image.layers["coverage"][..., 0] == 1
 
 
+#: From the silhouette; nearer pixels are worked out along lines, however few their samples are.
+RIM_PX = 4.0
+
+
+def away_from_rim(image: nc.Image) -> NDArray[np.bool_]:
+    """Where the one pearl in the middle shows what lies behind the pixel's middle alone."""
+    coverage = image.layers["coverage"][..., 0]
+    side = coverage.shape[0]
+    step = np.arange(side) + 0.5 - side / 2
+    radius_px = np.sqrt(coverage.sum() / np.pi)
+    return np.hypot(*np.meshgrid(step, step)) < radius_px - RIM_PX
+
+
 def normals(size: int, field_mm: float, radius_mm: float, camera: Camera) -> tuple[Array, ...]:
     """Normals of a ball under each pixel's middle, NaN beside it, and the direction to the eye."""
     azimuth, elevation = math.radians(camera.azimuth_deg), math.radians(camera.elevation_deg)

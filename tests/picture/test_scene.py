@@ -372,7 +372,8 @@ def test_every_scene_renders_its_pearls_whole_and_has_its_page(name: str) -> Non
     image = nc.render("akoya-rg", name, 24, 4)
     cover = image.layers["coverage"][..., 0]
     assert cover.max() == 1
-    assert not any(edge.any() for edge in (cover[0], cover[-1], cover[:, 0], cover[:, -1]))
+    # A pixel's filter reaches into its neighbours.
+    assert max(edge.max() for edge in (cover[0], cover[-1], cover[:, 0], cover[:, -1])) < 0.02
     assert 0.05 < image.linear[cover > 0.5].mean() < 1.2
     page = Path(__file__).parent.parent.parent / "docs" / "scenes" / f"{name}.md"
     assert page.read_text(encoding="utf-8").startswith(f"# The scene `{name}`\n")
