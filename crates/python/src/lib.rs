@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 mod body;
 mod colour;
 mod file;
+mod film;
 mod image;
 mod iridescence;
 mod nacre;
@@ -39,6 +40,8 @@ mod _core {
     };
     #[pymodule_export]
     use super::file::{read_panorama, read_photograph, read_png_text, write_exr, write_png};
+    #[pymodule_export]
+    use super::film::Film;
     #[pymodule_export]
     use super::image::develop;
     #[pymodule_export]

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * f0d4b8e99ae6491e59168273cccd547c7209cb469482a711df4864b705ad0580
+ * 8d7c8b437e31645eb62ce428c4316938ab463631f216903bab2c57ebdfe0afb2
  */
 
 /**
@@ -64,7 +64,7 @@ export interface Camera {
    */
   glare_deg?: number;
   /**
-   * The light shown as white; auto is the lamps' own. Allowed: "auto", "A", "D50", "D65", "E", or a colour temperature from 1000K to 25000K. Source: CIE illuminants.
+   * The light shown as white; auto is the lamps' own. Allowed: "auto", "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", or a colour temperature from 1000K to 25000K. Source: CIE illuminants.
    */
   white?: string;
 }
@@ -229,7 +229,7 @@ export interface Lamp {
    */
   angular_radius_deg?: number;
   /**
-   * The lamp's light; a spectrum's path is relative to this file. Allowed: "A", "D50", "D65", "E", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
+   * The lamp's light; a spectrum's path is relative to this file. Allowed: "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
    */
   spectrum?: string;
   /**
@@ -502,7 +502,7 @@ export interface Window {
    */
   height_mm?: number;
   /**
-   * The window's light; a spectrum's path is relative to this file. Allowed: "A", "D50", "D65", "E", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
+   * The window's light; a spectrum's path is relative to this file. Allowed: "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
    */
   spectrum?: string;
   /**
