@@ -78,6 +78,27 @@ def write_illuminants() -> None:
     )
 
 
+def write_lamps() -> None:
+    """Illuminants C, D55 and D75, fluorescent lamps and LEDs, as the CIE tabulates them."""
+    names = [
+        *("C", "D55", "D75"),
+        *(f"FL{number}" for number in range(1, 13)),
+        *(f"LED-B{number}" for number in range(1, 6)),
+        *("LED-BH1", "LED-RGB1", "LED-V1", "LED-V2"),
+    ]
+    rows = [
+        [nm, *(f"{float(colour.SDS_ILLUMINANTS[name][nm]):.12g}" for name in names)]
+        for nm in range(380, 781, 5)
+    ]
+    write(
+        "cie_lamps.csv",
+        "CIE illuminants C, D55, D75, fluorescent lamps FL1 to FL12 and LEDs at 5 nm (CIE "
+        "015:2018,\ntables 5, 6, 10 and 12), as tabulated; the program interpolates linearly.",
+        ",".join(["wavelength_nm", *names]),
+        rows,
+    )
+
+
 def write_renotation() -> None:
     """The Munsell colours that exist as pigments, of value 2 and more."""
     rows = [
@@ -99,4 +120,5 @@ def write_renotation() -> None:
 if __name__ == "__main__":
     write_observers()
     write_illuminants()
+    write_lamps()
     write_renotation()

@@ -71,6 +71,33 @@ def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]: ...
 def read_png_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
 def read_exr_text(path: str | PathLike[str]) -> list[tuple[str, str]]: ...
 
+# film
+@final
+class Film:
+    def __new__(
+        cls,
+        media: list[tuple[str, _Medium]],
+        medium: list[int],
+        thickness_nm: list[float],
+    ) -> Film: ...
+    def amplitudes(
+        self, angle_rad: NDArray[np.float64], wavelength_nm: NDArray[np.float64]
+    ) -> tuple[NDArray[np.complex128], NDArray[np.float64]]: ...
+    def on_plate(
+        self,
+        thickness_nm: float,
+        behind: _Medium,
+        angle_rad: NDArray[np.float64],
+        wavelength_nm: NDArray[np.float64],
+    ) -> NDArray[np.float64]: ...
+    def depth(
+        self,
+        polarisation: str,
+        depth_nm: NDArray[np.float64],
+        angle_rad: NDArray[np.float64],
+        wavelength_nm: NDArray[np.float64],
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+
 # nacre
 _Medium: TypeAlias = (
     complex

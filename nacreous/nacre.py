@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import datetime as dt
-from dataclasses import field
+from collections.abc import Sequence
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous.medium import Medium, medium_of, sampled
+from nacreous.medium import Medium, is_function, medium_of, sampled
 from nacreous.number import number_of, row_of, said, within
 from nacreous.problem import InputError
 from nacreous.unchanging import keep
@@ -29,12 +30,14 @@ class LayerStack:
 
     thickness_nm: aragonite layers in nm, from the surface inward; 1 to 5000 values, each above 0,
     up to 1e6.
-    protein_nm: thickness of every protein layer, 0 to 1e6 nm.
+    protein_nm: thickness of every protein layer, 0 to 1e6 nm, or one for each.
     aragonite, protein, ambient, substrate: media of layers, surroundings and core. Each is an
     index n or complex n + ik (0 < n <= 100, 0 <= k <= 100, k > 0 absorbs); a pair (n_o, n_e) of
     them for a uniaxial medium with its axis along the normal; an `IndexTable`; a function that
-    takes wavelengths in nm, a float64 array, and returns indices or such a pair; or a name that
-    `nc.medium.NAMES` lists, such as "aragonite".
+    takes wavelengths in nm, a float64 array, and returns an index, one for each, or such a pair;
+    or a name that `nc.medium.NAMES` lists, such as "aragonite".
+    cover: layers upon the nacre, outermost first, each (medium, thickness in nm, up to 1e6): water,
+    lacquer, an oxide. They are coherent, as all layers; a mm of water is rather the ambient.
 
     A stack never changes: assigning to a field is refused, and `dataclasses.replace` makes another.
     It compares, hashes, copies and pickles as its numbers; a medium that is a function must pickle
@@ -51,28 +54,36 @@ class LayerStack:
     """
 
     thickness_nm: NDArray[np.float64]
-    protein_nm: float
+    protein_nm: float | NDArray[np.float64]
     aragonite: Medium
     protein: Medium
     ambient: Medium
     substrate: Medium
+    cover: tuple[tuple[Medium, float], ...]
     _compiled: _core.Stack = field(init=False, compare=False, repr=False)
 
     def __init__(
         self,
         thickness_nm: ArrayLike,
-        protein_nm: float = 20.0,
+        protein_nm: ArrayLike = 20.0,
         aragonite: Medium = 1.53,
         protein: Medium = 1.43,
         ambient: Medium = 1.0,
         substrate: Medium = 1.53,
+        cover: Sequence[tuple[Medium, float]] = (),
     ) -> None:
-        nm = number_of("protein_nm", protein_nm)
         given = dict(zip(_MEDIA, (aragonite, protein, ambient, substrate), strict=True))
         layers = row_of("thickness_nm", thickness_nm)
-        core = _core.Stack(layers, nm, *(medium_of(name, given[name]) for name in _MEDIA))
+        nm = _protein(protein_nm)
+        # All layers are checked with one thickness of protein, then those of protein.
+        one = float(np.max(nm, initial=0.0))
+        core = _core.Stack(layers, one, *(medium_of(name, given[name]) for name in _MEDIA))
+        if np.size(nm) != 1 and np.size(nm) != layers.size:
+            raise InputError(
+                f"protein_nm has {np.size(nm)} values; allowed: one, or {layers.size}, one a layer"
+            )
         # Copied only now that it is known to be short enough.
-        keep(self, thickness_nm=layers, protein_nm=nm, **given, _compiled=core)
+        keep(self, thickness_nm=layers, protein_nm=nm, **given, cover=_cover(cover), _compiled=core)
 
     def __repr__(self) -> str:
         """Layers and thickness, not every layer."""
@@ -82,18 +93,49 @@ class LayerStack:
         """How many aragonite layers."""
         return len(self.thickness_nm)
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether all protein layers are alike and nothing covers the nacre."""
+        return not self.cover and isinstance(self.protein_nm, float)
+
     def at(self, wavelength_nm: NDArray[np.float64]) -> _core.Stack:
         """The compiled stack, with the media that are functions known at these wavelengths."""
+        if not self.is_plain:
+            what = "cover" if self.cover else "protein_nm"
+            raise InputError(
+                f"the stack has {what} layer by layer; allowed here: one protein_nm and no cover"
+            )
         media = [getattr(self, name) for name in _MEDIA]
-        if wavelength_nm.size == 0 or not any(callable(medium) for medium in media):
+        if wavelength_nm.size == 0 or not any(map(is_function, media)):
             return self._compiled
         known = (sampled(name, getattr(self, name), wavelength_nm) for name in _MEDIA)
-        return _core.Stack(self.thickness_nm, self.protein_nm, *known)
+        return _core.Stack(self.thickness_nm, float(self.protein_nm), *known)
+
+    def film(self, wavelength_nm: NDArray[np.float64]) -> _core.Film:
+        """All layers one by one, cover included, with their media at these wavelengths."""
+        names = [
+            "ambient",
+            *(f"cover[{i}]" for i in range(len(self.cover))),
+            *_MEDIA[:2],
+            "substrate",
+        ]
+        covers = [medium for medium, _ in self.cover]
+        given = [self.ambient, *covers, self.aragonite, self.protein, self.substrate]
+        known = [
+            (name, sampled(name, n, wavelength_nm)) for name, n in zip(names, given, strict=True)
+        ]
+        covering = len(covers)
+        bilayers = np.column_stack([self.thickness_nm, np.broadcast_to(self.protein_nm, len(self))])
+        places = [*range(1, covering + 1), *[covering + 1, covering + 2] * len(self)]
+        thickness_nm = [*(nm for _, nm in self.cover), *bilayers.ravel().tolist()]
+        return _core.Film(known, places, thickness_nm)
 
     @property
     def total_um(self) -> float:
-        """Thickness of the whole nacre in um, protein included."""
-        return self._compiled.total_um()
+        """Thickness of the whole nacre in um, protein included, without cover."""
+        if isinstance(self.protein_nm, float):
+            return self._compiled.total_um()
+        return float(self.thickness_nm.sum() + self.protein_nm.sum()) / 1e3
 
     def outer(self, depth_um: float) -> tuple[int, float, float]:
         """Count, mean and spread (standard deviation, nm) of the layers within `depth_um`.
@@ -107,7 +149,37 @@ class LayerStack:
         depth = number_of("depth_um", depth_um)
         if not depth >= 0:
             raise InputError(f"depth_um is {depth:g}; allowed: 0 or more um")
-        return self._compiled.outer(depth)
+        if isinstance(self.protein_nm, float):
+            return self._compiled.outer(depth)
+        begins_nm = np.cumsum(self.thickness_nm + self.protein_nm)[:-1]
+        counted = self.thickness_nm[: 1 + int(np.count_nonzero(begins_nm <= 1e3 * depth))]
+        return counted.size, float(counted.mean()), float(counted.std())
+
+
+def _protein(protein_nm: ArrayLike) -> float | NDArray[np.float64]:
+    """One thickness, or one for each layer."""
+    if np.ndim(protein_nm) == 0:
+        return number_of("protein_nm", protein_nm)
+    row = row_of("protein_nm", protein_nm)
+    for layer, nm in enumerate(row):
+        within(f"protein_nm[{layer}]", float(nm), 0, 1e6)
+    return row
+
+
+def _cover(cover: Sequence[tuple[Medium, float]]) -> tuple[tuple[Medium, float], ...]:
+    """Covers as they are kept, each of them checked."""
+    if not isinstance(cover, (list, tuple)) or len(cover) > 100:
+        raise InputError(
+            f"cover is {said(cover)}; allowed: up to 100 pairs (medium, thickness in nm)"
+        )
+    kept = []
+    for place, layer in enumerate(cover):
+        if not isinstance(layer, (list, tuple)) or len(layer) != 2:
+            raise InputError(f"cover[{place}] is {said(layer)}; allowed: (medium, thickness in nm)")
+        medium, nm = layer
+        medium_of(f"cover[{place}]", medium)
+        kept.append((medium, within(f"cover[{place}] thickness", nm, 0, 1e6)))
+    return tuple(kept)
 
 
 _MEDIA = ("aragonite", "protein", "ambient", "substrate")
@@ -197,5 +269,5 @@ def _stack(nacre: Growth | Layers) -> LayerStack:
     """Grown or listed layers on their core."""
     stack, on_crystal = _core.stack_of_nacre(nacre.model_dump_json())
     aragonite, protein = nacre.aragonite_medium, nacre.protein_medium
-    core = {"substrate": aragonite} if on_crystal else {}
-    return LayerStack(stack.thickness_nm(), nacre.protein_nm, aragonite, protein, **core)
+    bare = LayerStack(stack.thickness_nm(), nacre.protein_nm, aragonite, protein)
+    return replace(bare, substrate=aragonite) if on_crystal else bare

@@ -67,11 +67,17 @@ def energies(
     angle, wavelength = row_of("angle_rad", angle_rad), row_of("wavelength_nm", wavelength_nm)
 
     def exact(nm: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        if not stack.is_plain:
+            return _layer_by_layer(stack, angle, nm, polarisation, precision)
         return list(released(_core.energies(stack.at(nm), angle, nm, polarisation, precision)))
 
     if coherence_nm is None:
         return Energies(*exact(wavelength))
     length_nm = number_of("coherence_nm", coherence_nm)
+    if not stack.is_plain:
+        raise InputError(
+            f"coherence_nm is {length_nm:g}; allowed with a cover or protein layer by layer: None"
+        )
     ask = coherence.Question(
         exact,
         lambda nm: _core.resonances(stack.at(nm), coherence.some(angle), nm, polarisation),
@@ -81,6 +87,37 @@ def energies(
         angles=angle.size,
     )
     return Energies(*coherence.averaged(ask, wavelength, length_nm))
+
+
+def _layer_by_layer(
+    stack: LayerStack,
+    angle: NDArray[np.float64],
+    nm: NDArray[np.float64],
+    polarisation: str,
+    precision: str,
+) -> list[NDArray[np.float64]]:
+    """R, T and A of a stack with a cover or unequal proteins, in double precision."""
+    if precision not in ("double", "single"):
+        raise InputError(f"precision is {said(precision)}; allowed: double, single")
+    R, T = polarised(stack.film(nm).amplitudes(angle, nm)[1], polarisation)
+    return [released(R), released(T), released(1 - R - T)]
+
+
+def polarised(
+    shares: NDArray[np.float64], polarisation: str
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R and T of this light from (R_s, R_p, T_s, T_p)."""
+    check_polarisation(polarisation)
+    if polarisation == "unpolarised":
+        return 0.5 * (shares[0] + shares[1]), 0.5 * (shares[2] + shares[3])
+    which = "sp".index(polarisation)
+    return shares[which].copy(), shares[2 + which].copy()
+
+
+def check_polarisation(polarisation: str) -> None:
+    """Refuse what is no polarisation."""
+    if polarisation not in ("s", "p", "unpolarised"):
+        raise InputError(f"polarisation is {said(polarisation)}; allowed: s, p, unpolarised")
 
 
 def reflectance(

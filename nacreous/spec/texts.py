@@ -36,7 +36,11 @@ WORD = "1 to 40 of a to z, 0 to 9, - and _, the first a letter or digit"
 Colour = Annotated[str, Field(pattern="^#[0-9a-fA-F]{6}$")]
 COLOUR = '"#rrggbb", six hexadecimal digits of sRGB'
 
-_ILLUMINANTS = "A|D50|D65|E"
+_ILLUMINANTS = "A|C|D50|D55|D65|D75|E|FL?([1-9]|1[0-2])|LED-(B[1-5]|BH1|RGB1|V[12])"
+_NAMES = (
+    '"A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", '
+    '"LED-RGB1", "LED-V1", "LED-V2"'
+)
 _KELVIN = "[0-9]{4,5}K"
 _TEMPERATURE = "a colour temperature from 1000K to 25000K"
 
@@ -55,12 +59,12 @@ Spectrum = Annotated[
     AfterValidator(_temperature),
     FilePath((".csv",)),
 ]
-SPECTRUM = f'"A", "D50", "D65", "E", {_TEMPERATURE}, or a path ending in .csv'
-SPECTRUM_EXAMPLES = ["A", "D50", "D65", "E"]
+SPECTRUM = f"{_NAMES}, {_TEMPERATURE}, or a path ending in .csv"
+SPECTRUM_EXAMPLES = ["A", "D50", "D65", "E", "FL11", "LED-B3"]
 
 #: What is shown as white: the light's own white, an illuminant or a colour temperature.
 White = Annotated[
     str, Field(pattern=f"^(auto|{_ILLUMINANTS}|{_KELVIN})$"), AfterValidator(_temperature)
 ]
-WHITE = f'"auto", "A", "D50", "D65", "E", or {_TEMPERATURE}'
+WHITE = f'"auto", {_NAMES}, or {_TEMPERATURE}'
 WHITE_EXAMPLES = ["auto", *SPECTRUM_EXAMPLES]

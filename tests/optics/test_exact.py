@@ -444,7 +444,7 @@ def test_equal_media_make_equal_stacks() -> None:
 
 # --- what is refused
 
-SHAPE = "allowed: that of the wavelengths, (401,), or a pair of them"
+SHAPE = "allowed: a number, that of the wavelengths, (401,), or a pair of them"
 
 
 @pytest.mark.parametrize(
@@ -455,7 +455,7 @@ SHAPE = "allowed: that of the wavelengths, (401,), or a pair of them"
             lambda nm: (nm, nm, nm),
             f"protein(wavelength_nm) has shape (401,), (401,), (401,); {SHAPE}",
         ),
-        (lambda nm: 1.5, "protein(wavelength_nm) has 0 dimensions; allowed: 1"),
+        (lambda nm: [[1.5]], "protein(wavelength_nm) has 2 dimensions; allowed: 1"),
         (lambda nm: None, "protein(wavelength_nm) is None; allowed: numbers"),
         (lambda nm: nm - 400, "protein at 380 nm: n is -20; allowed: above 0, up to 100"),
         (lambda nm: nm / 400 - 1j, "protein at 380 nm: k is -1; allowed: 0 to 100"),

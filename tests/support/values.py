@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib
 from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -45,6 +47,18 @@ def index_of(nm: Any) -> Any:
     return 1.5 + 1e4 / nm**2
 
 
+def glass() -> medium.PublishedIndex:
+    """N-BK7 as refractiveindex.info publishes it, in few words."""
+    coefficients = "0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653"
+    with TemporaryDirectory() as folder:
+        file = Path(folder, "N-BK7.yml")
+        file.write_text(
+            "DATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n"
+            f"    coefficients: {coefficients}\n"
+        )
+        return medium.read(file)
+
+
 @cache
 def examples() -> tuple[object, ...]:
     """Results as users get them; each class of `public_classes` is among them."""
@@ -62,6 +76,10 @@ def _of_layers() -> list[object]:
         nacre.diary(spec.Growth(seed=7)),
         optics.fresnel(1.0, 1.5, [0.0, 0.5]),
         optics.energies(stack, *light),
+        optics.amplitudes(stack, *light),
+        optics.depth_profile(stack, [0.0, 500.0], *light),
+        nc.LayerStack([380.0, 390.0], [20.0, 30.0], cover=[(table, 100.0), (1.33, 50.0)]),
+        glass(),
         optics.ensemble("akoya-rg", *light, columns=2),
         nc.iridescence.illuminant_model(nc.LayerStack([420.0] * 10)),
     ]

@@ -8,7 +8,7 @@
 /// use nacreous_colour::{ColourError, Illuminant};
 ///
 /// let error: ColourError = "D66".parse::<Illuminant>().unwrap_err();
-/// assert!(error.to_string().starts_with("illuminant is \"D66\"; allowed: A, D50, D65, E"));
+/// assert!(error.to_string().starts_with("illuminant is \"D66\"; allowed: A, C, D50, D55, D65"));
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ColourError {

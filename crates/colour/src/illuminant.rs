@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use libm::exp;
 
 use crate::table::rows;
-use crate::{ColourError, SAMPLES, Spectrum};
+use crate::{ColourError, Lamp, SAMPLES, Spectrum};
 
 /// Second radiation constant c2, in nm K, as CIE 015 takes it for colorimetry.
 const RADIATION_NM_KELVIN: f64 = 1.4388e7;
@@ -46,7 +46,8 @@ impl Kelvin {
     }
 }
 
-/// A light, by its relative spectrum. Read from and written as `A`, `D50`, `D65`, `E`, `5500K`.
+/// A light, by its relative spectrum. Read from and written as `A`, `D50`, `D65`, `E`, `5500K`, or
+/// the name of a [`Lamp`], such as `D55` or `FL11`.
 ///
 /// ```
 /// use nacreous_colour::Illuminant;
@@ -65,6 +66,8 @@ pub enum Illuminant {
     D65,
     /// Equal energy at every wavelength.
     E,
+    /// Another light that the CIE tabulates.
+    Lamp(Lamp),
     /// A colour temperature: daylight from 4000 K up, Planck's law below. The two loci differ a
     /// little where they meet: at 4000 K daylight is greener.
     Cct(Kelvin),
@@ -79,6 +82,7 @@ impl Illuminant {
             Self::D50 => tabulated(include_str!("../../../data/cie_d50.csv")),
             Self::D65 => tabulated(include_str!("../../../data/cie_d65.csv")),
             Self::E => Spectrum::from_fn(|_| 1.0),
+            Self::Lamp(lamp) => lamp.spectrum(),
             Self::Cct(Kelvin(kelvin)) if kelvin < DAYLIGHT_FROM => {
                 planck(RADIATION_NM_KELVIN / kelvin)
             }
@@ -143,12 +147,16 @@ impl FromStr for Illuminant {
             "E" => return Ok(Self::E),
             _ => {}
         }
+        if let Some(lamp) = Lamp::named(name) {
+            return Ok(Self::Lamp(lamp));
+        }
         match name.strip_suffix('K').map(|number| number.trim_end().parse()) {
             Some(Ok(kelvin)) => Ok(Self::Cct(Kelvin::new(kelvin)?)),
             _ => Err(ColourError::Name {
                 quantity: "illuminant",
                 value: name.chars().take(24).collect(),
-                allowed: "A, D50, D65, E, or a colour temperature such as 5500K (1000K to 25000K)",
+                allowed: "A, C, D50, D55, D65, D75, E, FL1 to FL12, LED-B1 to LED-B5, LED-BH1, LED-RGB1, \
+                          LED-V1, LED-V2, or a colour temperature such as 5500K (1000K to 25000K)",
             }),
         }
     }
@@ -161,6 +169,7 @@ impl fmt::Display for Illuminant {
             Self::D50 => formatter.write_str("D50"),
             Self::D65 => formatter.write_str("D65"),
             Self::E => formatter.write_str("E"),
+            Self::Lamp(lamp) => formatter.write_str(lamp.name()),
             Self::Cct(Kelvin(kelvin)) => write!(formatter, "{kelvin}K"),
         }
     }
@@ -238,9 +247,9 @@ mod tests {
     fn unknown_lights_are_refused_with_the_names_that_exist() {
         let error = |name: &str| name.parse::<Illuminant>().unwrap_err().to_string();
         assert_eq!(
-            error("F2"),
-            "illuminant is \"F2\"; allowed: A, D50, D65, E, or a colour temperature such as 5500K \
-             (1000K to 25000K)"
+            error("F13"),
+            "illuminant is \"F13\"; allowed: A, C, D50, D55, D65, D75, E, FL1 to FL12, LED-B1 to LED-B5, \
+             LED-BH1, LED-RGB1, LED-V1, LED-V2, or a colour temperature such as 5500K (1000K to 25000K)"
         );
         assert_eq!(error("500K"), "colour temperature is 500.0 K; allowed: 1000 to 25000 K");
         assert_eq!(error("nanK"), "colour temperature is NaN K; allowed: 1000 to 25000 K");

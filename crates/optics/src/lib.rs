@@ -13,8 +13,10 @@
 #![allow(clippy::needless_bitwise_bool)]
 
 mod absorbing;
+mod depth;
 mod ensemble;
 mod error;
+mod film;
 mod fresnel;
 mod grid;
 mod illuminant;
@@ -25,6 +27,7 @@ mod lossless;
 mod media;
 mod parallel;
 mod phase;
+mod points;
 mod real;
 mod resonance;
 mod sight;
@@ -35,8 +38,10 @@ mod turbid;
 mod wave;
 mod window;
 
+pub use depth::Profile;
 pub use ensemble::Ensemble;
 pub use error::OpticsError;
+pub use film::{Amplitudes, Film, Plate};
 pub use fresnel::{Fresnel, fresnel};
 pub use illuminant::IlluminantModel;
 pub use resonance::{Resonance, resonances};

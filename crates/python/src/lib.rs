@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 mod body;
 mod colour;
 mod file;
+mod film;
 mod image;
 mod iridescence;
 mod nacre;
@@ -42,6 +43,8 @@ mod _core {
         png_bytes, read_exr_text, read_panorama, read_photograph, read_png_text, write_exr,
         write_png,
     };
+    #[pymodule_export]
+    use super::film::Film;
     #[pymodule_export]
     use super::image::develop;
     #[pymodule_export]

@@ -11,7 +11,7 @@ use crate::{InputError, refused};
 #[pyclass(frozen, name = "Stack", module = "nacreous._core")]
 pub struct Stack(pub LayerStack);
 
-/// A medium as `nacreous/medium.py` hands it over.
+/// A medium as `nacreous/medium/` hands it over.
 #[derive(FromPyObject)]
 pub enum MediumSpec<'py> {
     /// One that `media()` names.
@@ -29,7 +29,7 @@ pub enum MediumSpec<'py> {
 }
 
 impl MediumSpec<'_> {
-    fn medium(&self, quantity: &str) -> PyResult<Medium> {
+    pub fn medium(&self, quantity: &str) -> PyResult<Medium> {
         let index = |n: &Complex64| Index::new(quantity, n.re, n.im).map_err(refused);
         match self {
             Self::Name(name) => Medium::named(name).ok_or_else(|| {

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 02c2f2db476065ce11f58f905df8023b55e27e4ab386e6353a36a70477ff1b7b
+ * e7849925fa5b2d71a49c3a537cc24b4aca1ae2643dd72caa3987f4a58335fb0d
  */
 
 /**
@@ -64,7 +64,7 @@ export interface Camera {
    */
   glare_deg?: number;
   /**
-   * The light shown as white; auto is the lamps' own. Allowed: "auto", "A", "D50", "D65", "E", or a colour temperature from 1000K to 25000K. Source: CIE illuminants.
+   * The light shown as white; auto is the lamps' own. Allowed: "auto", "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", or a colour temperature from 1000K to 25000K. Source: CIE illuminants.
    */
   white?: string;
 }
@@ -229,7 +229,7 @@ export interface Lamp {
    */
   angular_radius_deg?: number;
   /**
-   * The lamp's light; a spectrum's path is relative to this file. Allowed: "A", "D50", "D65", "E", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
+   * The lamp's light; a spectrum's path is relative to this file. Allowed: "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
    */
   spectrum?: string;
   /**
@@ -502,7 +502,7 @@ export interface Window {
    */
   height_mm?: number;
   /**
-   * The window's light; a spectrum's path is relative to this file. Allowed: "A", "D50", "D65", "E", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
+   * The window's light; a spectrum's path is relative to this file. Allowed: "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", a colour temperature from 1000K to 25000K, or a path ending in .csv. Source: CIE illuminants.
    */
   spectrum?: string;
   /**

@@ -1,4 +1,4 @@
-"""What layers are made of: refractive indices by direction and wavelength."""
+"""A medium as a layer is given one, and as the compiled rooms take it."""
 
 from __future__ import annotations
 
@@ -13,8 +13,6 @@ from nacreous.number import index_of, row_of, said
 from nacreous.problem import InputError
 from nacreous.unchanging import keep
 from nacreous.value import value_class
-
-__all__ = ["NAMES", "IndexTable", "Medium"]
 
 #: The media that are known by name; their sources stand in data/dispersion.csv. "aragonite" is
 #: uniaxial and dispersive, as measured: in nacre c stands along the normal.
@@ -61,14 +59,20 @@ class IndexTable:
         return f"IndexTable({nm.size} wavelengths, {range_nm})"
 
 
-#: A number n or n + ik, a pair (n_o, n_e) of them, a table, a function of wavelength_nm, or a name.
+#: A function of wavelength_nm, float64, that gives indices: one number, or one for each.
+Function: TypeAlias = Callable[[NDArray[np.float64]], ArrayLike]
+
+#: A number n or n + ik, a table, a function, a name, or a pair (n_o, n_e) of numbers or functions.
 Medium: TypeAlias = (
-    complex
-    | tuple[complex, complex]
-    | str
-    | IndexTable
-    | Callable[[NDArray[np.float64]], ArrayLike]
+    complex | tuple[complex | Function, complex | Function] | str | IndexTable | Function
 )
+
+
+def is_function(medium: object) -> bool:
+    """Whether its indices are known only once wavelengths are."""
+    if isinstance(medium, (tuple, list)):
+        return any(map(callable, medium))
+    return callable(medium)
 
 
 def medium_of(name: str, medium: object) -> _core._Medium:
@@ -79,7 +83,8 @@ def medium_of(name: str, medium: object) -> _core._Medium:
         return medium._columns()
     if isinstance(medium, (tuple, list)) and len(medium) == 2:
         ordinary, extraordinary = (
-            index_of(f"{name}: {part}", n) for part, n in zip(("n_o", "n_e"), medium, strict=True)
+            1.0 if callable(n) else index_of(f"{name}: {part}", n)
+            for part, n in zip(("n_o", "n_e"), medium, strict=True)
         )
         return ordinary, extraordinary
     if callable(medium):
@@ -94,29 +99,37 @@ def medium_of(name: str, medium: object) -> _core._Medium:
 
 def sampled(name: str, medium: Medium, wavelength_nm: NDArray[np.float64]) -> _core._Medium:
     """A medium at these wavelengths; a function is called here, once."""
-    if isinstance(medium, (str, IndexTable)) or not callable(medium):
+    if not is_function(medium):
         return medium_of(name, medium)
     known_nm = np.unique(wavelength_nm)
-    answer = medium(known_nm.copy())
+    if isinstance(medium, (tuple, list)):
+        medium_of(name, medium)
+        answer: object = tuple(n(known_nm.copy()) if callable(n) else n for n in medium)
+    else:
+        answer = medium(known_nm.copy())  # type: ignore[operator]
     parts = answer if isinstance(answer, tuple) else (answer,)
-    indices = [_indices(f"{name}(wavelength_nm)", part) for part in parts]
+    indices = [_indices(f"{name}(wavelength_nm)", part, known_nm.shape) for part in parts]
     if len(indices) > 2 or any(part.shape != known_nm.shape for part in indices):
         shapes = ", ".join(str(part.shape) for part in indices[:3])
         raise InputError(
-            f"{name}(wavelength_nm) has shape {shapes}; allowed: that of the wavelengths, "
-            f"{known_nm.shape}, or a pair of them"
+            f"{name}(wavelength_nm) has shape {shapes}; allowed: a number, that of the "
+            f"wavelengths, {known_nm.shape}, or a pair of them"
         )
     return known_nm, indices[0], indices[-1]
 
 
-def _indices(name: str, values: ArrayLike) -> NDArray[np.complex128]:
-    """A one-dimensional complex128 array, or one clear message."""
+def _indices(
+    name: str, values: ArrayLike, alike: tuple[int, ...] | None = None
+) -> NDArray[np.complex128]:
+    """A one-dimensional complex128 array, or one clear message; `alike`: what a number fills."""
     try:
         array = np.asarray(values)
     except (TypeError, ValueError):  # lists of different lengths
         array = np.array(None)
     if array.dtype.kind not in "iufc":
         raise InputError(f"{name} is {said(values)}; allowed: numbers")
+    if array.ndim == 0 and alike is not None:
+        array = np.full(alike, array)
     if array.ndim != 1:
         raise InputError(f"{name} has {array.ndim} dimensions; allowed: 1")
     return array.astype(np.complex128)

@@ -1,0 +1,122 @@
+"""Media as refractiveindex.info publishes them."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.medium.dispersion import Dispersion
+from nacreous.medium.record import parts_of_csv, parts_of_yaml
+from nacreous.problem import InputError
+from nacreous.value import value_class
+
+_LARGEST_BYTES = 10_000_000
+_ENDINGS = (".yml", ".yaml", ".csv", ".txt", ".tsv")
+
+
+@value_class
+class PublishedIndex:
+    """A medium of refractiveindex.info, isotropic; a pair of them is a uniaxial medium.
+
+    Called with wavelengths in nm it gives n + ik. `first_nm` and `last_nm` are the range in which
+    n, and k where it is given, are known; nothing is known beyond. `source` is the publication.
+    """
+
+    n: Dispersion
+    k: Dispersion | None
+    source: str
+
+    @property
+    def first_nm(self) -> float:
+        """Shortest known wavelength."""
+        return max(part.with_range()[0] for part in (self.n, self.k) if part is not None)
+
+    @property
+    def last_nm(self) -> float:
+        """Longest known wavelength."""
+        return min(part.with_range()[1] for part in (self.n, self.k) if part is not None)
+
+    def __call__(self, wavelength_nm: NDArray[np.float64]) -> NDArray[np.complex128]:
+        """Indices n + ik at these wavelengths, or `InputError` where the medium is not known."""
+        nm = np.asarray(wavelength_nm, dtype=np.float64)
+        # Decimal um and binary nm: the last digit must not shut out a range's own ends.
+        ends = self.first_nm * (1 - 1e-12), self.last_nm * (1 + 1e-12)
+        beyond = ~((nm >= ends[0]) & (nm <= ends[1]))
+        if beyond.any():
+            raise InputError(
+                f"wavelength_nm is {nm[beyond].flat[0]:g}; allowed with this medium: "
+                f"{self.first_nm:g} to {self.last_nm:g} nm"
+            )
+        n = self.n.at(nm)
+        if not np.isfinite(n).all():
+            raise InputError(
+                f"formula {self.n.formula} has no n at {nm[~np.isfinite(n)].flat[0]:g} nm"
+            )
+        index = n.astype(np.complex128)
+        if self.k is not None:
+            index.imag = self.k.at(nm)
+        return index
+
+    def __repr__(self) -> str:
+        """How n is given, and the range."""
+        n = f"formula {self.n.formula}" if self.n.formula else f"{self.n.nm.size} rows"
+        k = "" if self.k is None else ", k"
+        return f"PublishedIndex({n}{k}, {self.first_nm:g} to {self.last_nm:g} nm)"
+
+
+def read(path: str | PathLike[str]) -> PublishedIndex:
+    r"""A medium from a file of refractiveindex.info, as published: YAML or CSV.
+
+    path: a `.yml` or `.yaml` of the database, or a `.csv` (`.txt`, `.tsv`) of its download.
+    All nine dispersion formulas and the tables of n, of k and of both are read; between the rows of
+    a table lie straight lines. Without k the medium is lossless. Wavelengths are taken as in
+    vacuum and n as absolute: in air both would differ by 0.03 %.
+
+    Raises `InputError` that names the file and what is wrong in it.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> text = "DATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n    coefficients: "
+    >>> bk7 = "0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653"
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "N-BK7.yml"
+    ...     _ = file.write_text(text + bk7)
+    ...     glass = read(file)
+    >>> glass
+    PublishedIndex(formula 2, 300 to 2500 nm)
+    >>> round(float(glass(np.array([587.6]))[0].real), 4)
+    1.5168
+    """
+    place = Path(path)
+    is_yaml = place.suffix.lower() in _ENDINGS[:2]
+    if place.suffix.lower() not in _ENDINGS:
+        raise InputError(
+            f"{path}: the ending is {place.suffix or 'missing'}; allowed: {', '.join(_ENDINGS)}"
+        )
+    text = _text(place)
+    try:
+        parts, source = parts_of_yaml(text) if is_yaml else (parts_of_csv(text), "")
+        if "n" not in parts:
+            raise InputError("n is missing; allowed: n, or n and k")
+        found = PublishedIndex(parts["n"], parts.get("k"), source)
+        if found.first_nm > found.last_nm:
+            raise InputError("n and k share no wavelength; allowed: ranges that overlap")
+    except InputError as problem:
+        raise InputError(f"{path}: {problem}") from None
+    return found
+
+
+def _text(place: Path) -> str:
+    try:
+        with place.open("rb") as file:
+            content = file.read(_LARGEST_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"{place}: cannot be read: {error.strerror}") from None
+    if len(content) > _LARGEST_BYTES:
+        raise InputError(f"{place}: more than 10 MB; allowed: up to 10 MB")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{place}: not text; allowed: UTF-8") from None

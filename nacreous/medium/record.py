@@ -1,0 +1,123 @@
+"""Files of refractiveindex.info, YAML and CSV, into dispersions of n and k."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable
+from typing import TypeAlias
+
+import numpy as np
+import yaml
+from numpy.typing import NDArray
+
+from nacreous.medium.dispersion import FORMULAS, Dispersion, dispersion_of_rows
+from nacreous.number import said
+from nacreous.problem import InputError
+
+#: The dispersion of "n" and that of "k"; one of them may be missing.
+Parts: TypeAlias = dict[str, Dispersion]
+
+_KINDS = "formula 1 to formula 9, tabulated n, tabulated k, tabulated nk"
+
+
+def parts_of_yaml(text: str) -> tuple[Parts, str]:
+    """Dispersions, and where they were published."""
+    try:
+        record = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506
+    except (yaml.YAMLError, RecursionError, ValueError) as problem:
+        line = getattr(getattr(problem, "problem_mark", None), "line", None)
+        place = "" if line is None else f" in line {line + 1}"
+        raise InputError(f"no YAML{place}; allowed: a file of refractiveindex.info") from None
+    entries = record.get("DATA") if isinstance(record, dict) else None
+    if not isinstance(entries, list):
+        raise InputError("DATA is missing; allowed: a file of refractiveindex.info with DATA")
+    parts: Parts = {}
+    for number, entry in enumerate(entries):
+        for name, dispersion in _of_entry(f"DATA[{number}]", entry).items():
+            if name in parts:
+                raise InputError(f"DATA[{number}] gives {name} again; allowed: once")
+            parts[name] = dispersion
+    return parts, " ".join(str(record.get("REFERENCES", "")).split())
+
+
+def _of_entry(place: str, entry: object) -> Parts:
+    kind = str(entry.get("type")) if isinstance(entry, dict) else "missing"
+    words = kind.split()
+    if not isinstance(entry, dict) or len(words) != 2:
+        raise InputError(f"{place}: type is {said(kind)}; allowed: {_KINDS}")
+    if words[0] == "tabulated" and words[1] in ("n", "k", "nk"):
+        lines = str(entry.get("data", "")).split("\n")
+        rows = _numbers(f"{place}: data", (line.split() for line in lines), len(words[1]) + 1)
+        return {
+            name: dispersion_of_rows(1e3 * rows[:, 0], rows[:, 1 + i])
+            for i, name in enumerate(words[1])
+        }
+    if words[0] == "formula" and words[1].isdecimal() and int(words[1]) in FORMULAS:
+        first, last = _row(
+            f"{place}: wavelength_range", str(entry.get("wavelength_range")).split(), 2
+        )
+        coefficients = str(entry.get("coefficients", "")).split()
+        numbers = _row(f"{place}: coefficients", coefficients, max(1, len(coefficients)))
+        if not 0 < first < last:
+            raise InputError(
+                f"{place}: wavelength_range is {first:g} to {last:g}; allowed: rising, above 0"
+            )
+        return {
+            "n": Dispersion(int(words[1]), np.array([1e3 * first, 1e3 * last]), np.array(numbers))
+        }
+    raise InputError(f"{place}: type is {said(kind)}; allowed: {_KINDS}")
+
+
+def parts_of_csv(text: str) -> Parts:
+    """Blocks of rows, each below its header `wl,n`, `wl,k` or `wl,n,k`; wavelengths in um.
+
+    Without a header two columns are n, three are n and k. A header that says nm is believed.
+    """
+    columns: list[str] | None = None
+    blocks: list[tuple[list[str], float, list[list[str]]]] = []
+    separator = "\t" if "\t" in text else ";" if ";" in text else ","
+    for cells in csv.reader(io.StringIO(text), delimiter=separator):
+        row = [cell.strip() for cell in cells]
+        if not any(row):
+            continue
+        if not _is_number(row[0]):
+            columns = [cell.lower() for cell in row[1:]]
+            blocks.append((columns, 1.0 if "nm" in row[0].lower() else 1e3, []))
+        else:
+            if not blocks:
+                blocks.append((["n", "k"][: max(1, len(row) - 1)], 1e3, []))
+            blocks[-1][2].append(row)
+    parts: Parts = {}
+    for columns, nm_per_unit, lines in blocks:
+        if not columns or any(name not in ("n", "k") for name in columns):
+            raise InputError(f"columns are {said(columns)}; allowed: wl, then n, k or both")
+        rows = _numbers("rows", lines, len(columns) + 1)
+        for i, name in enumerate(columns):
+            if name in parts:
+                raise InputError(f"{name} is given twice; allowed: once")
+            parts[name] = dispersion_of_rows(nm_per_unit * rows[:, 0], rows[:, 1 + i])
+    return parts
+
+
+def _numbers(place: str, lines: Iterable[list[str]], columns: int) -> NDArray[np.float64]:
+    rows = [_row(f"{place}, row {i + 1}", cells, columns) for i, cells in enumerate(lines) if cells]
+    if not rows:
+        raise InputError(f"{place} has no rows; allowed: at least 1")
+    return np.array(rows)
+
+
+def _row(place: str, cells: list[str], columns: int) -> list[float]:
+    if len(cells) != columns:
+        raise InputError(f"{place} has {len(cells)} numbers; allowed: {columns}")
+    for cell in cells:
+        if not _is_number(cell):
+            raise InputError(f"{place} has {said(cell)}; allowed: finite numbers")
+    return [float(cell) for cell in cells]
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        return bool(np.isfinite(float(cell)))
+    except ValueError:
+        return False

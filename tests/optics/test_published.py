@@ -1,0 +1,238 @@
+"""Media as refractiveindex.info publishes them: its own database, published numbers, bad files."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import elli
+import numpy as np
+import pytest
+import yaml
+
+import nacreous as nc
+from nacreous import medium
+
+DATABASE = Path(elli.__file__).parent / "database" / "refractiveindexinfo-database" / "database"
+
+
+def written(folder: Path, text: str, name: str = "medium.yml") -> Path:
+    file = folder / name
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def formula(folder: Path, number: int, coefficients: str, span_um: str) -> medium.PublishedIndex:
+    text = f"REFERENCES: |\n    a <i>book</i>\nDATA:\n  - type: formula {number}\n"
+    text += f"    wavelength_range: {span_um}\n    coefficients: {coefficients}\n"
+    return medium.read(written(folder, text))
+
+
+#: Number, coefficients, range in um, a wavelength in um, its published index, and to how much.
+PUBLISHED = [
+    # Malitson 1965, table II: fused silica at D and at 1.06 um.
+    (
+        1,
+        "0 0.6961663 0.0684043 0.4079426 0.1162414 0.8974794 9.896161",
+        "0.21 6.7",
+        0.5892938,
+        1.458404,
+        2e-6,
+    ),
+    (
+        1,
+        "0 0.6961663 0.0684043 0.4079426 0.1162414 0.8974794 9.896161",
+        "0.21 6.7",
+        1.06,
+        1.449681,
+        2e-6,
+    ),
+    # Schott's data sheet of N-BK7: n_d.
+    (
+        2,
+        "0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653",
+        "0.3 2.5",
+        0.5875618,
+        1.51680,
+        5e-6,
+    ),
+    # Hikari's J-PSK03: n_d.
+    (
+        3,
+        "2.53267453 -0.00950416844 2 -0.000106883723 4 0.013439736 -2 0.000141770605 -4 "
+        "4.7304388e-06 -6 -8.6200083e-08 -8",
+        "0.37 2.05",
+        0.5875618,
+        1.603,
+        5e-6,
+    ),
+    # Eimerl et al. 1987: beta barium borate, ordinary ray, at 1064 nm, here from the range's end.
+    (4, "2.7405 0.0184 0 0.0179 1 0 0 0 1 -0.0155 2", "0.22 1.065", 1.064, 1.6551, 5e-4),
+    # Ciddor 1996: standard air at 633 nm.
+    (6, "0 0.05792105 238.0185 0.00167917 57.362", "0.23 1.69", 0.633, 1.0002765, 2e-7),
+    # Edwards and Ochoa 1980: silicon at 10 um.
+    (7, "3.41983 0.159906 -0.123109 1.26878E-6 -1.95104E-9", "2.4373 25", 10.0, 3.4215, 5e-4),
+]
+
+
+@pytest.mark.parametrize(("number", "coefficients", "span", "um", "index", "within"), PUBLISHED)
+def test_every_formula_gives_the_published_index(
+    tmp_path: Path,
+    number: int,
+    coefficients: str,
+    span: str,
+    um: float,
+    index: float,
+    within: float,
+) -> None:
+    found = formula(tmp_path, number, coefficients, span)
+    assert found.source == "a <i>book</i>"
+    n = found(np.array([1e3 * um]))[0]
+    assert n.imag == 0
+    assert n.real == pytest.approx(index, abs=within)
+
+
+def test_cauchys_and_the_exotic_formula_are_as_documented(tmp_path: Path) -> None:
+    um = 0.55
+    cauchy = formula(tmp_path, 5, "1.5 0.004 -2 0.0001 -4", "0.3 1")
+    assert cauchy(np.array([550.0]))[0] == pytest.approx(1.5 + 0.004 / um**2 + 0.0001 / um**4)
+    urea = formula(tmp_path, 9, "2.51527 0.0240 0.0300 0.020 1.52 0.8771", "0.3 1.06")
+    square = 2.51527 + 0.024 / (um**2 - 0.03) + 0.02 * (um - 1.52) / ((um - 1.52) ** 2 + 0.8771)
+    assert urea(np.array([550.0]))[0] == pytest.approx(math.sqrt(square))
+    quotient = 0.452505 + 0.09939 * um**2 / (um**2 - 0.070537) - 0.00015 * um**2
+    silver_bromide = formula(tmp_path, 8, "0.452505 0.09939 0.070537 -0.000150", "0.495 0.67")
+    n = silver_bromide(np.array([550.0]))[0].real
+    assert (n**2 - 1) / (n**2 + 2) == pytest.approx(quotient)  # Schroeter's form
+    short = formula(tmp_path, 4, "2.25 0.01 0 0.02 1", "0.3 1")  # coefficients left out are 0
+    assert short(np.array([550.0]))[0] == pytest.approx(math.sqrt(2.25 + 0.01 / (um**2 - 0.02)))
+
+
+def test_glasses_of_the_database_have_the_index_their_makers_publish() -> None:
+    """Every 20th file with `nd`; two of the database's own have another n_d than their formula."""
+    differences = []
+    for file in sorted((DATABASE / "data" / "specs").rglob("*.yml"))[::20]:
+        record = yaml.load(file.read_text(encoding="utf-8"), yaml.CSafeLoader)
+        published = (record.get("PROPERTIES") or {}).get("nd") if "DATA" in record else None
+        if published is None:
+            continue
+        glass = medium.read(file)
+        if glass.first_nm <= 587.5618 <= glass.last_nm:
+            n = glass(np.array([587.5618]))[0].real
+            differences.append(abs(n - float(published)))
+    assert len(differences) > 50
+    assert np.median(differences) < 2e-6
+    assert np.quantile(differences, 0.9) < 2e-5
+
+
+def test_the_database_is_read_as_published() -> None:
+    """Every 40th file, tables of n, k, nk and formulas; those without n are refused by name."""
+    read = refused = 0
+    for file in sorted((DATABASE / "data").rglob("*.yml"))[::40]:
+        if file.name == "about.yml" or "n2" in file.parts:
+            continue
+        try:
+            found = medium.read(file)
+        except nc.InputError as problem:
+            # One glass states a range of its formula in which its k is not known.
+            known = ("n is missing", "n and k share no wavelength")
+            assert any(reason in str(problem) for reason in known)  # noqa: PT017, most files pass
+            refused += 1
+            continue
+        n = found(np.array([found.first_nm, found.last_nm]))
+        assert np.isfinite(n).all()
+        read += 1
+    assert read > 70
+    assert refused <= 3
+
+
+def test_tables_and_their_csv_are_straight_lines_between_rows(tmp_path: Path) -> None:
+    nk = (
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.47 1.95\n        0.6 0.25 3.07\n"
+    )
+    gold = medium.read(written(tmp_path, nk))
+    blocks = "wl,n\n0.4,1.47\n0.6,0.25\n\nwl,k\n0.4,1.95\n0.6,3.07\n"
+    columns = "wavelength [nm];n;k\n600;0.25;3.07\n400;1.47;1.95\n"
+    bare = "0.4\t1.47\t1.95\n0.6\t0.25\t3.07\n"
+    at = np.array([400.0, 500.0, 600.0])
+    expected = [1.47 + 1.95j, 0.86 + 2.51j, 0.25 + 3.07j]
+    np.testing.assert_allclose(gold(at), expected, rtol=1e-12)
+    for text in (blocks, columns, bare):
+        again = medium.read(written(tmp_path, text, "gold.csv"))
+        np.testing.assert_allclose(again(at), expected, rtol=1e-12)
+    # Where two measurements meet, their mean.
+    twice = medium.read(written(tmp_path, "wl,n\n0.4,1.5\n0.5,1.6\n0.5,1.8\n0.6,1.9\n", "n.csv"))
+    assert twice(np.array([500.0]))[0] == pytest.approx(1.7)
+
+
+def test_published_media_are_media_of_layers(tmp_path: Path) -> None:
+    """A pair of files is a uniaxial medium, and equal to a table of its indices."""
+    o = formula(tmp_path, 5, "1.68 0.002 -2", "0.3 1")
+    e = formula(tmp_path, 5, "1.53 0.001 -2", "0.3 1")
+    nm = np.array([450.0, 550.0, 650.0])
+    table = medium.IndexTable(nm, o(nm), e(nm))
+    layers = [380.0, 402.0, 391.0]
+    ours = nc.optics.energies(nc.LayerStack(layers, aragonite=(o, e)), [0.0, 1.0], nm)
+    assert ours == nc.optics.energies(nc.LayerStack(layers, aragonite=table), [0.0, 1.0], nm)
+    half = nc.optics.energies(nc.LayerStack(layers, aragonite=(o, 1.53)), 0.0, nm)
+    whole = nc.optics.energies(nc.LayerStack(layers, aragonite=o), 0.0, nm)
+    np.testing.assert_allclose(half.R, whole.R, rtol=0, atol=1e-13)  # head on n_e plays no part
+    with pytest.raises(
+        nc.InputError, match="wavelength_nm is 1200; allowed with this medium: 300 to 1000"
+    ):
+        nc.optics.energies(nc.LayerStack(layers, aragonite=o), 0.0, 1200.0)
+
+
+def test_a_mediums_function_may_return_a_number() -> None:
+    nm = [450.0, 550.0]
+    for constant, one in (
+        (lambda nm: 1.53, 1.53),
+        (lambda nm: 1.53 + 0.01j, 1.53 + 0.01j),
+        (lambda nm: np.float64(1.6), 1.6),
+        (lambda nm: (1.68, 1.53), (1.68, 1.53)),
+        (lambda nm: (1.68 + 0 * nm, 1.53), (1.68, 1.53)),
+    ):
+        called = nc.optics.energies(nc.LayerStack([400.0] * 5, aragonite=constant), [0.0, 1.0], nm)
+        given = nc.optics.energies(nc.LayerStack([400.0] * 5, aragonite=one), [0.0, 1.0], nm)
+        np.testing.assert_allclose(called.R, given.R, rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("a.yml", "DATA: [\n", "no YAML in line 2; allowed: a file of refractiveindex.info"),
+        ("a.yml", "- 1", "DATA is missing; allowed: a file of refractiveindex.info with DATA"),
+        (
+            "a.yml",
+            "DATA:\n  - type: formula 10",
+            "DATA[0]: type is 'formula 10'; allowed: formula 1 to",
+        ),
+        ("a.yml", "DATA:\n  - 7", "DATA[0]: type is 'missing'; allowed: formula 1 to"),
+        (
+            "a.yml",
+            "DATA:\n  - type: tabulated k\n    data: |\n      0.4 0.1",
+            "n is missing; allowed: n, or",
+        ),
+        (
+            "a.yml",
+            "DATA:\n  - type: tabulated n\n    data: |\n      0.4 x",
+            "DATA[0]: data, row 1 has 'x'",
+        ),
+        (
+            "a.yml",
+            "DATA:\n  - type: formula 5\n    wavelength_range: 1 0.3\n    coefficients: 1.5",
+            "DATA[0]: wavelength_range is 1 to 0.3; allowed: rising",
+        ),
+        ("a.csv", "wl,m\n0.4,1.5\n", "columns are ['m']; allowed: wl, then n, k or both"),
+        ("a.csv", "wl,n\n0.4,1.5,2\n", "rows, row 1 has 3 numbers; allowed: 2"),
+        ("a.csv", "", "n is missing; allowed: n, or n and k"),
+        ("a.json", "{}", "the ending is .json; allowed: .yml, .yaml, .csv, .txt, .tsv"),
+    ],
+)
+def test_what_is_no_published_medium_is_refused_in_one_line(
+    tmp_path: Path, name: str, text: str, message: str
+) -> None:
+    file = written(tmp_path, text, name)
+    with pytest.raises(nc.InputError) as caught:
+        medium.read(file)
+    assert str(caught.value).startswith(f"{file}: {message}")
+    assert "\n" not in str(caught.value)
