@@ -75,8 +75,10 @@ class LayerStack:
         given = dict(zip(_MEDIA, (aragonite, protein, ambient, substrate), strict=True))
         layers = row_of("thickness_nm", thickness_nm)
         nm = _protein(protein_nm)
-        # All layers are checked with one thickness of protein, then those of protein.
-        one = float(np.max(nm, initial=0.0))
+        # All layers are checked with one thickness of protein: one that cannot be, where there is any.
+        each = np.atleast_1d(nm)
+        wrong = each[~((each >= 0.0) & (each <= 1e6))]
+        one = float(wrong[0]) if wrong.size else float(np.max(each, initial=0.0))
         core = _core.Stack(layers, one, *(medium_of(name, given[name]) for name in _MEDIA))
         if np.size(nm) != 1 and np.size(nm) != layers.size:
             raise InputError(

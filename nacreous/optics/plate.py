@@ -9,7 +9,7 @@ from nacreous.nacre import LayerStack
 from nacreous.number import within
 from nacreous.optics.amplitudes import asked
 from nacreous.optics.transfer import Energies, polarised
-from nacreous.value import released
+from nacreous.unchanging import released
 
 
 def on_plate(

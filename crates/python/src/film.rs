@@ -45,7 +45,7 @@ impl Film {
         wavelength_nm: PyReadonlyArray1<'_, f64>,
     ) -> PyResult<(Bound<'py, PyArray3<Complex64>>, Table<'py>)> {
         let light = Light::of(&angle_rad, &wavelength_nm, 1)?;
-        let found = light.found(py, |stop| self.0.amplitudes(&light.angle, &light.nm, stop))?;
+        let found = Light::found(py, |stop| self.0.amplitudes(&light.angle, &light.nm, stop))?;
         let complex = |of: fn(&Amplitudes) -> Complex64| {
             [0, 1].map(|plane| found.iter().map(move |point| of(&point[plane])))
         };
@@ -73,7 +73,7 @@ impl Film {
         let plate = Plate { thickness_nm, behind: behind.medium("behind")? };
         let light = Light::of(&angle_rad, &wavelength_nm, 1)?;
         let found =
-            light.found(py, |stop| self.0.on_plate(&plate, &light.angle, &light.nm, stop))?;
+            Light::found(py, |stop| self.0.on_plate(&plate, &light.angle, &light.nm, stop))?;
         let shares = [(0, 0), (1, 0), (0, 1), (1, 1)];
         let shares = shares
             .into_iter()
@@ -95,8 +95,9 @@ impl Film {
         let polarisation = polarisation.parse().map_err(refused)?;
         let depth = depth_nm.as_array().to_vec();
         let light = Light::of(&angle_rad, &wavelength_nm, depth.len().max(1))?;
-        let found = light
-            .found(py, |stop| self.0.depth(polarisation, &depth, &light.angle, &light.nm, stop))?;
+        let found = Light::found(py, |stop| {
+            self.0.depth(polarisation, &depth, &light.angle, &light.nm, stop)
+        })?;
         let (angles, wavelengths) = (light.angle.len(), light.nm.len());
         let intensity: Vec<f64> = found.iter().flat_map(|at| at.intensity.clone()).collect();
         let per_nm: Vec<f64> = found.iter().flat_map(|at| at.absorbed_per_nm.clone()).collect();
@@ -135,7 +136,6 @@ impl Light {
     }
 
     fn found<T: Send>(
-        &self,
         py: Python<'_>,
         work: impl Fn(&AtomicBool) -> Result<Option<T>, OpticsError> + Send + Sync,
     ) -> PyResult<T> {
