@@ -58,7 +58,6 @@ pub(crate) fn shortened(cell: &str) -> String {
 }
 
 #[cfg(test)]
-#[expect(clippy::float_cmp, reason = "exact where nothing is computed")]
 mod tests {
     use super::*;
 
