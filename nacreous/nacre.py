@@ -75,7 +75,7 @@ class LayerStack:
         given = dict(zip(_MEDIA, (aragonite, protein, ambient, substrate), strict=True))
         layers = row_of("thickness_nm", thickness_nm)
         nm = _protein(protein_nm)
-        # All layers are checked with one thickness of protein, with one that cannot be if any cannot.
+        # All layers are checked with one thickness of protein: a wrong one if there is any.
         each = np.atleast_1d(nm)
         wrong = each[~((each >= 0.0) & (each <= 1e6))]
         one = float(wrong[0]) if wrong.size else float(np.max(each, initial=0.0))
