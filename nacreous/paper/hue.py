@@ -51,13 +51,14 @@ def hue_deg(rgb: Array) -> Array:
 def ring_spread(layer: NDArray[np.float32], sight: Sight) -> float:
     """Largest difference of a channel around a ring, over the ring's strongest channel.
 
-    A ring is all pixels whose middles are exactly as far from the centre as each other; the picture
-    must have one sample a pixel, in its middle.
+    A ring is all pixels whose middles are exactly as far from the centre as each other, three
+    pixels or more within the rim, next to which pixels are seen in lines, not from their middles;
+    the picture must have one sample a pixel.
     """
     size = layer.shape[0]
     step = 2 * np.arange(size) + 1 - size
     square = step[:, None] ** 2 + step[None, :] ** 2
-    whole = sight.circle.distance(layer.shape) < 0.99
+    whole = sight.circle.distance(layer.shape) < 1 - 3 / sight.circle.radius_px
     order = np.argsort(square[whole], kind="stable")
     starts = np.flatnonzero(np.diff(square[whole][order], prepend=-1))
     colours = layer[whole][order].astype(np.float64)
