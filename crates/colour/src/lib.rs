@@ -21,6 +21,7 @@
 //! ```
 
 mod adaptation;
+mod cells;
 mod error;
 mod gamut;
 mod illuminant;

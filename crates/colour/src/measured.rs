@@ -1,7 +1,11 @@
 //! A spectrum as instruments write it: two columns among other lines, in any language's decimals.
 
 use crate::spectrum::{FIRST_NM, LAST_NM, SAMPLES, WAVELENGTH_NM};
-use crate::{ColourError, table::shortened};
+use crate::{
+    ColourError,
+    cells::{cells, number},
+    table::shortened,
+};
 
 /// Larger numbers than this are no light, and their powers might leave the range of `f64`.
 pub(crate) const LARGEST: f64 = 1e12;
@@ -82,53 +86,6 @@ fn samples(text: &str, place: &str) -> Result<Vec<Sample>, ColourError> {
 
 fn not_a_number(cell: &str) -> String {
     format!("a cell is {:?}; allowed: a finite number", shortened(cell))
-}
-
-/// The cells of a line: between semicolons, else tabs, else commas where those part numbers, else
-/// blanks. Empty cells at the end are none.
-fn cells(content: &str) -> Vec<&str> {
-    let by = |separator: char| split(content, separator);
-    let mut cells = if content.contains(';') {
-        by(';')
-    } else if content.contains('\t') {
-        by('\t')
-    } else {
-        let between_commas = by(',');
-        let between_blanks: Vec<&str> = content.split_whitespace().collect();
-        let are_numbers = |cells: &[&str]| cells.iter().all(|cell| number(cell).is_some());
-        if between_blanks.len() > 1 && are_numbers(&between_blanks) && !are_numbers(&between_commas)
-        {
-            between_blanks
-        } else {
-            between_commas
-        }
-    };
-    while cells.len() > 1 && cells.last().is_some_and(|cell| cell.is_empty()) {
-        cells.pop();
-    }
-    cells
-}
-
-/// Parts between separators that stand outside quotes, without blanks and quotes around them.
-fn split(content: &str, separator: char) -> Vec<&str> {
-    let mut quoted = false;
-    content
-        .split(|letter: char| {
-            quoted ^= letter == '"';
-            letter == separator && !quoted
-        })
-        .map(|cell| cell.trim().trim_matches('"').trim())
-        .collect()
-}
-
-/// A finite number with a decimal point or a decimal comma.
-fn number(cell: &str) -> Option<f64> {
-    let parsed = match cell.matches(',').count() {
-        0 => cell.parse(),
-        1 if !cell.contains('.') => cell.replace(',', ".").parse(),
-        _ => return None,
-    };
-    parsed.ok().filter(|value: &f64| value.is_finite())
 }
 
 fn check_order(
