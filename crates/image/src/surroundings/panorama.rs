@@ -27,9 +27,10 @@ struct Level {
 }
 
 impl Panorama {
-    /// `pixels` row by row from the zenith down, each row clockwise as seen from above: from the viewer's side (azimuth 0)
-    /// by the left to straight ahead (azimuth 180 degrees), the middle of the picture, and by the right back. At least one row and one column, `width * height` pixels, all finite:
-    /// the readers of picture files see to that.
+    /// `pixels` row by row from the zenith down, each row clockwise as seen from above: from the viewer's side
+    /// (azimuth 0) by the left to straight ahead (azimuth 180 degrees), the middle of the picture, and by the right
+    /// back. At least one row and one column, `width * height` pixels, all finite: the readers of picture files see
+    /// to that.
     pub fn new(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Self {
         let mut levels = vec![Level { width, height, pixels }];
         while let Some(finest) = levels.last()
@@ -133,16 +134,17 @@ mod tests {
     }
 
     #[test]
-    fn azimuth_zero_is_the_middle_and_the_right_hand_is_to_the_right() {
+    fn straight_ahead_is_the_middle_and_the_right_hand_is_to_the_right() {
         let narrow = |along| slope().radiance(along, 0.0, 0.0);
-        assert!((narrow(DVec3::Z)[0] - 31.5).abs() < 1e-4);
+        // From azimuth 0, on the side of +z, one looks along -z.
+        assert!((narrow(DVec3::NEG_Z)[0] - 31.5).abs() < 1e-4);
         assert!((narrow(DVec3::X)[0] - 47.5).abs() < 1e-4);
         assert!(narrow(DVec3::Y)[1] < 1e-4);
     }
 
     #[test]
     fn turning_the_picture_is_turning_the_view() {
-        let turned = slope().radiance(DVec3::Z, PI / 2.0, 0.0);
+        let turned = slope().radiance(DVec3::NEG_Z, PI / 2.0, 0.0);
         assert!((turned[0] - 47.5).abs() < 1e-4);
     }
 }
