@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from pathlib import Path
 from typing import Any
 
@@ -131,7 +132,9 @@ def test_zeros_in_front_are_part_of_a_label(tmp_path):
     assert Answers.read(path).stimuli == ("01", "1")
 
 
-LABELS = st.text(st.characters(exclude_categories=["C", "Z"]), min_size=1, max_size=6)
+LABELS = st.text(st.characters(exclude_categories=["C", "Z"]), min_size=1, max_size=6).map(
+    lambda text: unicodedata.normalize("NFC", text)
+)
 
 
 @given(st.data())

@@ -452,7 +452,10 @@ def test_values_are_escaped_and_html_is_not():
         ({"bootstrap": 5}, "bootstrap is 5; allowed: 0, or 100 to 100000"),
         ({"seed": -1}, "seed is -1; allowed: 0 to"),
         ({"model": "cauchy"}, "model is 'cauchy'; allowed: probit, logit"),
-        ({"method": "guess"}, "method is 'guess'; allowed: maximum-likelihood, least-squares"),
+        (
+            {"method": "guess"},
+            "method is 'guess'; allowed: maximum-likelihood, bias-reduced, least-squares",
+        ),
         ({"method": "least-squares", "model": "logit"}, "method is 'least-squares'; allowed: with"),
         ({"unit": "inch"}, "unit is 'inch'; allowed: z"),
         ({"group": "room"}, "group is 'room'; allowed: none, for the data are counts"),

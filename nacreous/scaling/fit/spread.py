@@ -65,7 +65,7 @@ def prior_variance(model: str) -> float:
     """Of a value in the model's own unit squared, over all spreads, before there are answers.
 
     >>> round(prior_variance("probit"), 2)
-    3.08
+    2.7
     """
     spreads, weights = _grid(model)
     return float(weights @ spreads**2)
