@@ -13,7 +13,7 @@ import { nacreous, near } from "./bundle.mjs";
 
 const { Job, Stack, develop, energies, filmSpectra, grow, layers, resolvedKeys } = nacreous;
 
-const CHANNELS = 16;
+const CHANNELS = 17;
 const NAMES = ["paper-paper", "akoya-rg-north-window-white", "tahitian-north-window-black"];
 const AKOYA = NAMES[1];
 /** The film's cost, not what is tested with it. */
@@ -214,8 +214,8 @@ test("what cannot be is refused in one line, and the job goes on", () => {
     [made({ panoramas: hall }), "panoramas is not an array"],
     [made({ grains: [{ pearl: -1 }] }), "grains.pearl is not a whole number from 0"],
     [made(7), "spectra: there is no object"],
-    [() => job.look(new Float32Array(16)), "pixels has 16 numbers; allowed: 9216, all of a picture"],
-    [() => job.expose(new Float32Array(15)), "pixels has 15 numbers; allowed: a multiple of 16"],
+    [() => job.look(new Float32Array(16)), "pixels has 16 numbers; allowed: 9792, all of a picture"],
+    [() => job.expose(new Float32Array(15)), "pixels has 15 numbers; allowed: a multiple of 17"],
     [() => develop(new Float32Array(15), "srgb", "soft"), "pixels has 15 numbers"],
     [() => develop(new Float32Array(16), "adobe", "soft"), 'RGB space is "adobe"; allowed: srgb, display-p3'],
     [() => develop(new Float32Array(16), "srgb", "hard"), 'gamut is "hard"; allowed: clip, soft'],
