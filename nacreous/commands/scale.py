@@ -128,6 +128,7 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
+    from nacreous.printable import printable
     from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
@@ -143,13 +144,19 @@ def run(args: argparse.Namespace) -> int:
     if getattr(data, "left_out", 0):
         print(f"{data.left_out} rows left out, which hold no pair or no answer")
     for output in outputs:
-        print(f"{output}: written")
+        print(f"{printable(output)}: written")
     return 0
 
 
 def _prior(text: str) -> float | str:
     """A spread as a number, or a word."""
-    return text if text in ("none", "hierarchical") else float(text)
+    if text in ("none", "hierarchical"):
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        allowed = "none, hierarchical or a number above 0"
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} is none of: {allowed}") from None
 
 
 def _settings(args: argparse.Namespace, of_study: Settings) -> Settings:

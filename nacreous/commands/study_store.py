@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from nacreous.printable import printable
+
 if TYPE_CHECKING:
     from nacreous.study.store import Copied, Session, Store
 
@@ -51,7 +53,7 @@ def backup(args: argparse.Namespace) -> int:
     """Copy, and say how much."""
     from nacreous.study.store import backup
 
-    print(f"{args.output}: written, {_told(backup(args.place, args.output))}")
+    print(f"{printable(args.output)}: written, {_told(backup(args.place, args.output))}")
     return 0
 
 
@@ -72,8 +74,8 @@ def export(args: argparse.Namespace) -> int:
         rows = export(store, study, args.output)
         found = store.progress(study)
     print(
-        f"{args.output}: written, {rows} answers of {found.entered} people; among them, marked: "
-        f"{found.excluded} people excluded, {found.erased} erased, {found.simulated} answers "
+        f"{printable(args.output)}: written, {rows} answers of {found.entered} people; "
+        f"among them, marked: {found.excluded} people excluded, {found.erased} erased, {found.simulated} answers "
         "simulated"
     )
     return 0
