@@ -75,8 +75,8 @@ def export(args: argparse.Namespace) -> int:
         found = store.progress(study)
     print(
         f"{printable(args.output)}: written, {rows} answers of {found.entered} people; "
-        f"among them, marked: {found.excluded} people excluded, {found.erased} erased, {found.simulated} answers "
-        "simulated"
+        f"among them, marked: {found.excluded} people excluded, {found.erased} erased, "
+        f"{found.simulated} answers simulated"
     )
     return 0
 
