@@ -93,7 +93,16 @@ def main(argv: Sequence[str] | None = None) -> int:
         where = f"{problem.filename}: " if problem.filename else ""
         _leave_pipe()
         return _complain(f"{where}{problem.strerror or problem}", 1)
+    except Exception as problem:
+        if not _wraps_interrupt(problem):
+            raise
+        return _complain("interrupted; nothing was written", 130)
     return code
+
+
+def _wraps_interrupt(problem: Exception) -> bool:
+    """Whether Ctrl-C met pydantic as it built a validator: it raises an error that quotes it."""
+    return type(problem).__name__ == "SchemaError" and "KeyboardInterrupt" in str(problem)
 
 
 def _run(arguments: list[str]) -> int:

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from pydantic_core import SchemaValidator, core_schema
 
 from nacreous import cli
 from nacreous.problem import InputError
@@ -50,6 +51,21 @@ def test_what_goes_wrong_is_said_in_plain_lines_with_its_code(
     captured = capsys.readouterr()
     assert captured.err == said
     assert captured.out == ""
+
+
+def test_an_interruption_that_pydantic_wraps_in_an_error_of_its_own_is_one_too(
+    monkeypatch: Any, capsys: Any
+) -> None:
+    class Pressed:
+        def __repr__(self) -> str:
+            raise KeyboardInterrupt
+
+    def run(_: Any) -> None:
+        SchemaValidator(core_schema.literal_schema([Pressed()]))
+
+    stand_in(monkeypatch, run)
+    assert cli.main(["probe"]) == 130
+    assert capsys.readouterr().err == "nacreous: interrupted; nothing was written\n"
 
 
 def test_a_mistake_of_ours_is_not_hidden(monkeypatch: Any) -> None:
