@@ -23,6 +23,9 @@ pub(crate) type Shares = [Lanes<f64>; 3];
 
 /// What becomes of the light of each angle and block of wavelengths.
 pub(crate) trait Use<const K: usize>: Sync {
+    /// Bilayers of all stacks together.
+    fn bilayers(&self) -> usize;
+
     /// Fills the block's part of each of the `K` tables.
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; K]);
 }
@@ -68,13 +71,27 @@ impl<U, const N: usize> Light<'_, U, N> {
     ) where
         U: Use<K>,
     {
-        if self.table.wavelengths <= HALF && angle_rad.len() > 1 {
+        if are_points(angle_rad.len(), self.table.wavelengths) {
             let cos_angle = angle_rad.iter().map(|angle| angle.cos()).collect();
             // All points are one row.
             grid::fill(&Points { light: self, cos_angle }, &[0.0], tables, stop);
         } else {
             grid::fill(self, angle_rad, tables, stop);
         }
+    }
+}
+
+/// Whether blocks run on from angle to angle.
+fn are_points(angles: usize, wavelengths: usize) -> bool {
+    wavelengths <= HALF && angles > 1
+}
+
+/// Blocks of a table.
+pub(crate) fn blocks(angles: usize, wavelengths: usize) -> usize {
+    if are_points(angles, wavelengths) {
+        (angles * wavelengths).div_ceil(LANES)
+    } else {
+        angles.saturating_mul(wavelengths.div_ceil(LANES))
     }
 }
 
@@ -86,6 +103,10 @@ struct Points<'a, U, const N: usize> {
 
 impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Points<'_, U, N> {
     type Angle = ();
+
+    fn bilayers(&self) -> usize {
+        self.light.using.bilayers()
+    }
 
     fn meet(&self, _: f64) {}
 
@@ -129,6 +150,10 @@ pub(crate) struct Block<'a, const N: usize> {
 
 impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
     type Angle = Incidence<N>;
+
+    fn bilayers(&self) -> usize {
+        self.using.bilayers()
+    }
 
     fn meet(&self, angle_rad: f64) -> Incidence<N> {
         let cos_angle = angle_rad.cos();
