@@ -10,12 +10,13 @@ use crate::{
     grid::{self, Work},
     lanes::{LANES, Lanes},
     lossless,
-    media::{Media, Table},
+    media::Table,
     real::Real,
     tablets::{Columns, Tablets},
     tabulated,
     transfer::{Precision, TransferModel},
     wave::{Plane, Polarisation},
+    waves::Media,
 };
 
 /// R, T and A of one block of wavelengths.
@@ -170,14 +171,8 @@ impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
             &dispersed
         };
         let half_turns_per_nm = &self.table.half_turns_per_nm[block];
-        let block = Block {
-            table: self.table,
-            half_turns_per_nm,
-            media,
-            precision: self.precision,
-            lanes: tables[0].len(),
-        };
-        self.using.fill(&block, tables);
+        let (table, precision, lanes) = (self.table, self.precision, tables[0].len());
+        self.using.fill(&Block { table, half_turns_per_nm, media, precision, lanes }, tables);
     }
 }
 

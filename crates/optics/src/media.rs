@@ -1,13 +1,13 @@
-//! The media of a stack, as light of a block of wavelengths meets them.
+//! The media of a stack at blocks of wavelengths.
 
-use multiversion::multiversion;
 use nacreous_nacre::{LayerStack, Medium, NacreError, Principal};
 use num_complex::Complex64;
 
 use crate::{
     OpticsError,
     lanes::{LANES, Lanes, Pair, filled},
-    wave::{Plane, Wave},
+    wave::Plane,
+    waves::Media,
 };
 
 /// Wavelengths and indices, block by block: all that does not depend on the angle.
@@ -27,42 +27,17 @@ pub(crate) struct Table {
 }
 
 /// The media's indices at a block of wavelengths.
-struct Indices {
-    ambient: Principals,
-    aragonite: Principals,
-    protein: Principals,
-    substrate: Principals,
-    are_real: bool,
+pub(crate) struct Indices {
+    pub(crate) ambient: Principals,
+    pub(crate) aragonite: Principals,
+    pub(crate) protein: Principals,
+    pub(crate) substrate: Principals,
+    pub(crate) are_real: bool,
 }
 
-struct Principals {
-    ordinary: Pair,
-    extraordinary: Pair,
-}
-
-/// What `N` polarisations at one angle meet at a block of wavelengths.
-#[derive(Clone)]
-pub(crate) struct Media<const N: usize> {
-    pub(crate) waves: [Waves; N],
-    /// Light runs through the ambient and all layers: none absorbs, and in none is it evanescent.
-    pub(crate) is_lossless: bool,
-}
-
-/// One polarisation in each medium.
-#[derive(Clone)]
-pub(crate) struct Waves {
-    /// Admittances, in units of that of vacuum.
-    pub(crate) ambient: Pair,
-    pub(crate) aragonite: Pair,
-    pub(crate) substrate: Pair,
-    /// Of the substrate in units of aragonite's, as fields inside the stack are.
-    pub(crate) substrate_ratio: Pair,
-    /// q, that of protein in units of aragonite's, and 1 / q.
-    pub(crate) q: Pair,
-    pub(crate) per_q: Pair,
-    /// Components of the wave vector along the normal, in units of that in vacuum.
-    pub(crate) aragonite_along: Pair,
-    pub(crate) protein_along: Pair,
+pub(crate) struct Principals {
+    pub(crate) ordinary: Pair,
+    pub(crate) extraordinary: Pair,
 }
 
 /// Below this, fields in units of an admittance overflow; no medium has so small an index.
@@ -109,18 +84,11 @@ impl Table {
         block: usize,
     ) -> Media<N> {
         let cos_angle = &[cos_angle; LANES];
-        // In place: these are kilobytes.
-        let mut media = Media { waves: [const { Waves::EMPTY }; N], is_lossless: true };
-        for (waves, plane) in media.waves.iter_mut().zip(planes) {
-            if self.is_constant {
-                meet::<1>(&self.indices[0], plane, cos_angle, waves);
-                waves.spread();
-            } else {
-                meet::<LANES>(&self.indices[block], plane, cos_angle, waves);
-            }
-            media.is_lossless &= waves.are_lossless();
+        if self.is_constant {
+            Media::of::<1>(planes, &self.indices[0], cos_angle)
+        } else {
+            Media::of::<LANES>(planes, &self.indices[block], cos_angle)
         }
-        media
     }
 
     /// The media where each lane has an angle of its own, and one of the first block's wavelengths.
@@ -130,24 +98,16 @@ impl Table {
         cos_angle: &Lanes<f64>,
         wavelength: &Lanes<usize>,
     ) -> Media<N> {
-        let gathered;
-        let indices = if self.is_constant {
-            &self.indices[0]
+        if self.is_constant {
+            Media::of::<LANES>(planes, &self.indices[0], cos_angle)
         } else {
-            gathered = self.indices[0].gathered(wavelength);
-            &gathered
-        };
-        let mut media = Media { waves: [const { Waves::EMPTY }; N], is_lossless: true };
-        for (waves, plane) in media.waves.iter_mut().zip(planes) {
-            meet::<LANES>(indices, plane, cos_angle, waves);
-            media.is_lossless &= waves.are_lossless();
+            Media::of::<LANES>(planes, &self.indices[0].gathered(wavelength), cos_angle)
         }
-        media
     }
 }
 
 impl Indices {
-    fn of(stack: &LayerStack, wavelength_nm: &Lanes<f64>) -> Result<Self, OpticsError> {
+    pub(crate) fn of(stack: &LayerStack, wavelength_nm: &Lanes<f64>) -> Result<Self, OpticsError> {
         let principals = |name, medium| Principals::of(name, medium, wavelength_nm);
         let [ambient, aragonite, protein, substrate] = [
             principals("ambient", stack.ambient())?,
@@ -205,204 +165,7 @@ impl Principals {
     }
 
     #[inline(always)]
-    fn at(&self, i: usize) -> (Complex64, Complex64) {
+    pub(crate) fn at(&self, i: usize) -> (Complex64, Complex64) {
         (self.ordinary.at(i), self.extraordinary.at(i))
-    }
-}
-
-impl Waves {
-    const EMPTY: Self = Self {
-        ambient: Pair::ZERO,
-        aragonite: Pair::ZERO,
-        substrate: Pair::ZERO,
-        substrate_ratio: Pair::ZERO,
-        q: Pair::ZERO,
-        per_q: Pair::ZERO,
-        aragonite_along: Pair::ZERO,
-        protein_along: Pair::ZERO,
-    };
-
-    fn pairs(&mut self) -> [&mut Pair; 8] {
-        [
-            &mut self.ambient,
-            &mut self.aragonite,
-            &mut self.substrate,
-            &mut self.substrate_ratio,
-            &mut self.q,
-            &mut self.per_q,
-            &mut self.aragonite_along,
-            &mut self.protein_along,
-        ]
-    }
-
-    /// The first lane's in all of them.
-    fn spread(&mut self) {
-        for pair in self.pairs() {
-            *pair = Pair { re: [pair.re[0]; LANES], im: [pair.im[0]; LANES] };
-        }
-    }
-
-    #[inline(always)]
-    fn meet<const W: usize>(&mut self, plane: Plane, indices: &Indices, cos_angle: &Lanes<f64>) {
-        if !(indices.are_real && self.meet_real::<W>(plane, indices, cos_angle)) {
-            self.meet_any::<W>(plane, indices, cos_angle);
-        }
-    }
-
-    /// Without complex arithmetic, which takes three times as long; the imaginary parts stay 0. Not so, and
-    /// nothing to use, where a wave is evanescent.
-    #[inline(always)]
-    fn meet_real<const W: usize>(
-        &mut self,
-        plane: Plane,
-        indices: &Indices,
-        cos_angle: &Lanes<f64>,
-    ) -> bool {
-        let ambient = &indices.ambient.ordinary.re;
-        let (mut incident_along, mut protein) = ([0.0; LANES], [0.0; LANES]);
-        let mut substrate_along = [0.0; LANES];
-        for i in 0..W {
-            (incident_along[i], self.ambient.re[i]) =
-                Wave::incident_real(plane, ambient[i], cos_angle[i]);
-        }
-        let mut runs = true;
-        for (medium, along, admittance) in [
-            (&indices.aragonite, &mut self.aragonite_along.re, &mut self.aragonite.re),
-            (&indices.protein, &mut self.protein_along.re, &mut protein),
-            (&indices.substrate, &mut substrate_along, &mut self.substrate.re),
-        ] {
-            for i in 0..W {
-                let n = (medium.ordinary.re[i], medium.extraordinary.re[i]);
-                (along[i], admittance[i]) =
-                    Wave::refracted_real(plane, n, ambient[i], incident_along[i]);
-                runs &= along[i] > 0.0;
-            }
-        }
-        for i in 0..W {
-            self.substrate_ratio.re[i] = self.substrate.re[i] / self.aragonite.re[i];
-            self.q.re[i] = protein[i] / self.aragonite.re[i];
-            self.per_q.re[i] = self.aragonite.re[i] / protein[i];
-        }
-        runs
-    }
-
-    #[inline(always)]
-    fn meet_any<const W: usize>(
-        &mut self,
-        plane: Plane,
-        indices: &Indices,
-        cos_angle: &Lanes<f64>,
-    ) {
-        let ambient = &indices.ambient.ordinary;
-        let (mut incident_along, mut protein, mut substrate_along) =
-            (Pair::ZERO, Pair::ZERO, Pair::ZERO);
-        for i in 0..W {
-            let incident = Wave::incident(plane, ambient.at(i), cos_angle[i]);
-            incident_along.set(i, incident.along);
-            self.ambient.set(i, incident.admittance);
-        }
-        for (medium, along, admittance) in [
-            (&indices.aragonite, &mut self.aragonite_along, &mut self.aragonite),
-            (&indices.protein, &mut self.protein_along, &mut protein),
-            (&indices.substrate, &mut substrate_along, &mut self.substrate),
-        ] {
-            for i in 0..W {
-                let (n, n_0) = (medium.at(i), ambient.at(i));
-                let wave = Wave::refracted(plane, n, n_0, incident_along.at(i));
-                along.set(i, wave.along);
-                admittance.set(i, wave.admittance);
-            }
-        }
-        for i in 0..W {
-            let (aragonite, protein) = (self.aragonite.at(i), protein.at(i));
-            self.substrate_ratio.set(i, self.substrate.at(i) / aragonite);
-            self.q.set(i, protein / aragonite);
-            self.per_q.set(i, aragonite / protein);
-        }
-    }
-
-    fn are_lossless(&self) -> bool {
-        let pairs =
-            [&self.ambient, &self.aragonite, &self.aragonite_along, &self.q, &self.protein_along];
-        pairs.iter().all(|pair| pair.is_real())
-    }
-}
-
-/// Snell and Fresnel for the first `W` lanes. Nothing is fused here, so the numbers are everywhere the same.
-#[multiversion(targets(
-    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
-    "x86_64+avx2+fma"
-))]
-fn meet<const W: usize>(
-    indices: &Indices,
-    plane: Plane,
-    cos_angle: &Lanes<f64>,
-    waves: &mut Waves,
-) {
-    // One loop for each plane, for a choice within it would keep the lanes apart.
-    match plane {
-        Plane::S => waves.meet::<W>(Plane::S, indices, cos_angle),
-        Plane::P => waves.meet::<W>(Plane::P, indices, cos_angle),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const MEDIA: [[f64; 4]; 3] =
-        [[1.0, 1.683, 1.43, 1.6], [1.33, 1.53, 1.34, 2.5], [1.7, 1.3, 1.0, 1.2]];
-
-    fn indices([ambient, aragonite, protein, substrate]: [f64; 4]) -> Indices {
-        let medium = |n: f64| nacreous_nacre::Index::new("medium", n, 0.0).unwrap();
-        let uniaxial = Medium::uniaxial(medium(aragonite), medium(0.95 * aragonite));
-        let [ambient, protein, substrate] = [ambient, protein, substrate].map(medium);
-        let stack = LayerStack::new(vec![400.0], 20.0, uniaxial, protein, ambient, substrate);
-        Indices::of(&stack.unwrap(), &[550.0; LANES]).unwrap()
-    }
-
-    /// Each plane met with and without complex arithmetic, and whether the latter was enough.
-    fn both(media: [f64; 4], plane: Plane, cos_angle: &Lanes<f64>) -> (bool, Waves, Waves) {
-        let (mut real, mut any) = (Waves::EMPTY, Waves::EMPTY);
-        let runs = real.meet_real::<LANES>(plane, &indices(media), cos_angle);
-        any.meet_any::<LANES>(plane, &indices(media), cos_angle);
-        (runs, real, any)
-    }
-
-    #[test]
-    fn without_complex_arithmetic_only_rounding_differs() {
-        let cos_angle = std::array::from_fn(|lane| 1.0 - 0.01 * lane as f64);
-        for media in MEDIA {
-            for plane in [Plane::S, Plane::P] {
-                let (runs, mut real, mut any) = both(media, plane, &cos_angle);
-                assert_eq!(runs, any.are_lossless() && any.substrate.is_real());
-                if !runs {
-                    continue;
-                }
-                for (a, b) in real.pairs().into_iter().zip(any.pairs()) {
-                    assert!(a.is_real() && b.is_real());
-                    for (a, b) in a.re.iter().zip(b.re) {
-                        assert!((a - b).abs() <= 1e-15 * b.abs(), "{a} {b}");
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn total_reflection_in_any_medium_and_lane_needs_complex_arithmetic() {
-        for (medium, n) in [(1, 1.2), (2, 1.2), (3, 1.2)] {
-            let mut media = [1.7; 4];
-            media[medium] = n;
-            for lane in [0, LANES - 1] {
-                let mut cos_angle = [1.0; LANES];
-                for plane in [Plane::S, Plane::P] {
-                    cos_angle[lane] = 1.0;
-                    assert!(both(media, plane, &cos_angle).0);
-                    cos_angle[lane] = 0.1;
-                    assert!(!both(media, plane, &cos_angle).0);
-                }
-            }
-        }
     }
 }
