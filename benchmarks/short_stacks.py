@@ -26,9 +26,9 @@ from peers import PEERS, Stack, Work, install
 LAYERS = (1, 2, 4, 10, 20)
 #: Angles and wavelengths.
 TABLES = ((900, 1), (1, 900), (90, 1), (1, 1))
-ROUNDS = 5
+ROUNDS = 3
 #: Seconds of one process for one table.
-PATIENCE_S = 0.3
+PATIENCE_S = 0.2
 
 TITLE = "## Exact optics of short stacks"
 
@@ -114,6 +114,11 @@ def page(best: dict[str, dict[str, float]]) -> str:
             f"| layers | angles x wavelengths | floor | ours | {' | '.join(peers)} | times ours |",
             "|---|---|---|---|" + "---|" * len(peers) + "---|",
             *rows,
+            "",
+            "One value alone shows what a call costs at least: arguments are checked, and the result "
+            "is made unchangeable.",
+            "tmm_faster does neither, and is ahead there; a table of 90 values is not ten "
+            "times ahead in stacks of under 10 layers.",
             "",
         ]
     )
