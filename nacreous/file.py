@@ -155,3 +155,8 @@ def _create_beside(path: str | PathLike[str], target: Path) -> Path:
 def _unwritable(path: str | PathLike[str], problem: OSError | ValueError) -> InputError:
     number = problem.errno if isinstance(problem, OSError) else None
     return InputError(f"{path}: cannot be written ({os.strerror(number) if number else problem})")
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

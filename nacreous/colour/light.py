@@ -1,5 +1,7 @@
 """Lights by name, and spectra from files."""
 
+from __future__ import annotations
+
 import unicodedata
 from pathlib import Path
 

@@ -120,7 +120,7 @@ def test_a_pearl_behind_another_is_covered_by_it() -> None:
     """Seen from the horizon the row behind is hidden; its light on the front is all one sees."""
     keys: dict[str, Any] = {"table": NO_TABLE, "sky": BLACK}
     scene = rows(["*0"], ["*1"], camera=Camera(elevation_deg=0, field_mm=12), **keys)
-    black = LARGE.model_copy(update={"body_colour": "#000000"})
+    black = LARGE.replace(body_colour="#000000")
     white, dark = (nc.render([back, LARGE], scene, 48, 4) for back in (LARGE, black))
     inside = np.hypot(*np.meshgrid(*[np.arange(48) - 23.5] * 2)) < 17
     for name in ("diffuse", "mirror", "interference"):
