@@ -57,7 +57,7 @@ def test_stars_take_the_given_pearls_in_turn_and_numbers_name_one() -> None:
             rows(["*"] * 6, pitch_mm=10, lamps=[Lamp(position_mm=(24, 1, 0))]),
             "scene scene: lamps.0.position_mm is [24.0, 1.0, 0.0]; allowed: outside of every pearl",
         ),
-        ([LARGE], rows(["gone.toml", "*"]), "gone.toml: there is no such file"),
+        ([LARGE], rows(["gone.toml", "*"]), "gone.toml: does not exist"),
         ([], rows(["*"]), "pearl is a list of 0; allowed: 1 to 400 pearls"),
         ([LARGE] * 401, rows(["*"]), "pearl is a list of 401; allowed: 1 to 400 pearls"),
         ([LARGE, 5], rows(["*", "*"]), "pearl is 5; allowed: a pearl, a file or a preset's name"),
