@@ -5,7 +5,10 @@ from . import iridescence as iridescence
 from . import medium as medium
 from . import nacre as nacre
 from . import optics as optics
+from . import paper as paper
 from . import scaling as scaling
+from . import spec as spec
+from . import study as study
 from . import texture as texture
 from .image import Image as Image
 from .image import render as render

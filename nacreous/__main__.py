@@ -1,8 +1,17 @@
-"""`python -m nacreous` is the command line."""
+"""The command line's door: `nacreous` and `python -m nacreous`."""
 
 import sys
 
-from nacreous.cli import run_program
+
+def run() -> int:
+    """Run the command that this process was started for, and give its exit code."""
+    try:
+        from nacreous.cli import run_program
+    except KeyboardInterrupt:  # pressed before there was anything to interrupt
+        print("nacreous: interrupted; nothing was written", file=sys.stderr)
+        return 130
+    return run_program()
+
 
 if __name__ == "__main__":
-    sys.exit(run_program())
+    sys.exit(run())

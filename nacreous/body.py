@@ -98,3 +98,8 @@ def reflectance_of_body(pearl: Pearl, nacre_mm_of_stack: float) -> Array:
 
 
 keep_former_names(__name__, {"of_pearl": "reflectance_of_body"})
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -13,58 +13,16 @@ This frame turns what goes wrong into one plain line and an exit code; the comma
 
 from __future__ import annotations
 
-import argparse
 import atexit
 import gc
+import io
 import os
 import sys
 from collections.abc import Sequence
-from importlib import import_module
-from typing import NoReturn
 
+from nacreous.commands.parser import COMMANDS, build_parser, nearest
 from nacreous.printable import printable
 from nacreous.problem import InputError
-
-#: Modules of `nacreous.commands`, in the order of the help page.
-COMMANDS = ("render", "grow", "sheets", "paper", "crops", "scale", "study", "presets", "schema")
-
-_EXAMPLES = """\
-examples:
-  nacreous render paper          the pearl of 1996, as pearl.png
-  nacreous sheets out            families, pigments and scenes on contact sheets
-  nacreous paper out             the paper's figures again, measured, on one page
-  nacreous scale paper           the paper's judgements as a scale, with a report
-  nacreous study new paper       the paper's experiment, ready for participants
-  nacreous study demo            a whole study on this computer, to look at
-  nacreous presets               see the pearls and scenes that come along
-  nacreous presets pearl paper   look at the file of one of them
-  nacreous schema pearl          every key of a pearl file, for editors
-
-Each command explains itself: nacreous COMMAND --help
-"""
-
-
-class _Parser(argparse.ArgumentParser):
-    """argparse, with problems said as the rest of the command line says them."""
-
-    def error(self, message: str) -> NoReturn:
-        raise InputError(f"{message}; try: {self.prog} --help")
-
-
-def build_parser(commands: Sequence[str]) -> argparse.ArgumentParser:
-    """The parser with these commands."""
-    parser = _Parser(
-        prog="nacreous",
-        description="From the layers of a pearl to the way people judge its look.",
-        epilog=_EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )
-    parser.add_argument("--version", action="store_true", help="print the version and stop")
-    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command")
-    for command in commands:
-        import_module(f"nacreous.commands.{command}").add_parser(subparsers)
-    return parser
 
 
 def run_program() -> int:
@@ -72,7 +30,20 @@ def run_program() -> int:
     # Python's last search for garbage would take as long as reading the files did; what lies in
     # no circle is cleaned up all the same.
     atexit.register(gc.freeze)
+    _speak_utf8()
     return main()
+
+
+def _speak_utf8() -> None:
+    """Write UTF-8 into files and pipes, and to terminals of other codes what these can show.
+
+    Labels are in any script; a terminal of code page 932 or 1252, or of ASCII, shows the others by
+    their number. Who sets PYTHONIOENCODING gets that.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            chosen = stream.isatty() or os.environ.get("PYTHONIOENCODING")
+            stream.reconfigure(encoding=None if chosen else "utf-8", errors="backslashreplace")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -127,11 +98,7 @@ def _check_command(name: str) -> None:
     """Say which command was probably meant."""
     if name in COMMANDS:
         return
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, COMMANDS, n=1)
-    hint = f"did you mean {near[0]}?" if near else f"commands: {', '.join(COMMANDS)}"
-    raise InputError(f"{ascii(name)[1:-1]} is not a command; {hint}")
+    raise InputError(f"{ascii(name)[1:-1]} is not a command; {nearest(name, COMMANDS)}")
 
 
 def _version() -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -41,7 +42,7 @@ def figure(
     ...     path.stat().st_size > 1000
     True
     """
-    import matplotlib as mpl
+    mpl = _matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -69,7 +70,7 @@ def sheet(path: Path, width_pt: float, height_pt: float) -> Iterator[Any]:
     ...     ">lustre</text>" in path.read_text()
     True
     """
-    import matplotlib as mpl
+    mpl = _matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -86,6 +87,19 @@ def sheet(path: Path, width_pt: float, height_pt: float) -> Iterator[Any]:
         axes.set_axis_off()
         yield axes
         drawing.savefig(path, metadata=_UNDATED.get(kind))
+
+
+def _matplotlib() -> Any:
+    """The library, which keeps to itself that it cannot keep its cache where HOME is read-only."""
+    logger = logging.getLogger("matplotlib")
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        import matplotlib as mpl
+        import matplotlib.font_manager
+    finally:
+        logger.setLevel(level)
+    return mpl
 
 
 def _japanese_fonts() -> list[str]:

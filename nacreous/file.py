@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nacreous import _core
+from nacreous.missing import missing
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]:
     Traceback (most recent call last):
     nacreous.problem.InputError: no such nacre.jpg: does not exist
     """
-    return _core.read_photograph(path)
+    return _core.read_photograph(_there(path))
 
 
 def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]:
@@ -104,7 +105,7 @@ def read_panorama(path: str | PathLike[str]) -> NDArray[np.float32]:
     Traceback (most recent call last):
     nacreous.problem.InputError: sky.hdr: does not exist
     """
-    return _core.read_panorama(path)
+    return _core.read_panorama(_there(path))
 
 
 def read_png_text(path: str | PathLike[str]) -> dict[str, str]:
@@ -120,7 +121,14 @@ def read_png_text(path: str | PathLike[str]) -> dict[str, str]:
     ...     read_png_text(f"{folder}/a.png")
     {'nacreous:seed': '7'}
     """
-    return dict(_core.read_png_text(path))
+    return dict(_core.read_png_text(_there(path)))
+
+
+def _there(path: str | PathLike[str]) -> str | PathLike[str]:
+    """The path, unless nothing is there."""
+    if not os.path.lexists(path):
+        raise missing(path)
+    return path
 
 
 def _target(path: str | PathLike[str]) -> Path:
@@ -155,3 +163,8 @@ def _create_beside(path: str | PathLike[str], target: Path) -> Path:
 def _unwritable(path: str | PathLike[str], problem: OSError | ValueError) -> InputError:
     number = problem.errno if isinstance(problem, OSError) else None
     return InputError(f"{path}: cannot be written ({os.strerror(number) if number else problem})")
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

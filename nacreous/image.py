@@ -15,7 +15,7 @@ from nacreous.unchanging import Unchanging, keep, key_of, released
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
+    from numpy.typing import DTypeLike, NDArray
 
     from nacreous.recipe import Given
     from nacreous.spec import Scene
@@ -59,9 +59,21 @@ class Image(Unchanging):
         return image
 
     def __repr__(self) -> str:
-        """Its size and what is in it, on one line."""
+        """Its size and whose picture it is, on one line."""
+        import tomllib
+
         height, width = self.linear.shape[:2]
-        return f"Image({width} x {height} pixels, layers: {', '.join(self.layers) or 'none'})"
+        texts = [text for key, text in self.recipe.items() if key.split(".")[0] == "pearl"]
+        of = tomllib.loads(texts[0]).get("name") if len(texts) == 1 else f"{len(texts)} pearls"
+        return f"Image({width} x {height}{f', {of}' if texts else ''})"
+
+    def __array__(
+        self, dtype: DTypeLike | None = None, copy: bool | None = None
+    ) -> NDArray[np.float32]:
+        """The picture's light, `linear`, where NumPy wants an array."""
+        import numpy as np
+
+        return np.array(self.linear, dtype, copy=copy)
 
     def _repr_png_(self) -> bytes:
         """The picture as notebooks show it, in sRGB."""

@@ -221,3 +221,8 @@ def _checked(stack: LayerStack, light: str | ArrayLike) -> tuple[_core.Stack, ND
 
 
 keep_former_names(__name__, {"illuminant": "illuminant_model"})
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -273,3 +273,8 @@ def _stack(nacre: Growth | Layers) -> LayerStack:
     aragonite, protein = nacre.aragonite_medium, nacre.protein_medium
     bare = LayerStack(stack.thickness_nm(), nacre.protein_nm, aragonite, protein)
     return replace(bare, substrate=aragonite) if on_crystal else bare
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

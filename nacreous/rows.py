@@ -47,7 +47,7 @@ def fill(given: Sequence[Pearl], scene: Scene) -> Filled:
         Row(pearls=tuple(f"{GIVEN}{numbers[pearl]}" for pearl in row), label=written.label)
         for row, written in zip(rows, scene.rows, strict=True)
     ]
-    return Filled(list(numbers), scene.model_copy(update={"rows": tuple(named)}))
+    return Filled(list(numbers), scene.replace(rows=tuple(named)))
 
 
 def _pearls(given: Sequence[Pearl], scene: Scene) -> list[list[Pearl]]:

@@ -77,7 +77,7 @@ def _turned(knob: str, turn: float) -> Pearl:
     given = [(knob, turn)]
     pearl = Pearl.load(_MODEL_PEARL, given)
     # The masters fix the film's depth, which would leave the knob half its work.
-    return pearl.model_copy(update={"film": pearl.film.model_copy(update={"outer_um": None})})
+    return pearl.replace(film=pearl.film.replace(outer_um=None))
 
 
 #: What each sheet shows, by its name.

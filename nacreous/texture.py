@@ -345,3 +345,8 @@ def _correlation(waves: NDArray[np.complex128]) -> Array:
 
 
 keep_former_names(__name__, {"of_pearl": "texture_of"})
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

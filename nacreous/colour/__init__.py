@@ -79,3 +79,8 @@ __all__ = [
     "xyz_from_rgb",
     "xyz_from_spectrum",
 ]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -1,12 +1,14 @@
 """Colours from spectra, and from one space into another."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nacreous import _core
-from nacreous.colour.samples import WAVELENGTH_NM, Array, array_of, white_of
+from nacreous.colour.samples import WAVELENGTH_NM, Array, array_of, relative_of, white_of
 from nacreous.problem import InputError
 
 Observer = Literal["1931-2", "1964-10"]
@@ -66,25 +68,35 @@ def white_xyz(illuminant: str | ArrayLike = "D65", observer: Observer = "1931-2"
     return xyz_from_spectrum(np.ones(len(WAVELENGTH_NM)), illuminant, observer)
 
 
-def lab_from_xyz(xyz: ArrayLike, white: ArrayLike) -> Array:
+def lab_from_xyz(xyz: ArrayLike, white: ArrayLike | None = None) -> Array:
     """CIE L*, a*, b* `[..., 3]` of XYZ, relative to the XYZ of white `[3]` (CIE 015, 8.2.1).
+
+    White is D65's for the 2-degree observer unless given; of XYZ from RGB it is better
+    `xyz_from_rgb([1, 1, 1])`, whose chromaticity the standard of sRGB rounds (0.03 in b*).
 
     XYZ may be negative (colours outside any gamut); the straight line near 0 goes on. The
     components of white are positive, or `InputError` is raised.
 
     >>> lab_from_xyz([0.18, 0.18, 0.18], white=[1, 1, 1]).round(2).tolist()
     [49.5, 0.0, 0.0]
+    >>> lab_from_xyz(white_xyz("D65")).tolist()
+    [100.0, 0.0, 0.0]
     """
-    return _core.lab_from_xyz(array_of("xyz", xyz), white_of("white", white))
+    return _core.lab_from_xyz(array_of("xyz", xyz), _white_or_d65(white))
 
 
-def xyz_from_lab(lab: ArrayLike, white: ArrayLike) -> Array:
-    """XYZ `[..., 3]` of L*, a*, b*, relative to the XYZ of white `[3]`.
+def xyz_from_lab(lab: ArrayLike, white: ArrayLike | None = None) -> Array:
+    """XYZ `[..., 3]` of L*, a*, b*, relative to the XYZ of white `[3]`; D65 unless given.
 
     >>> xyz_from_lab([100, 0, 0], white=[1, 1, 1]).tolist()
     [1.0, 1.0, 1.0]
     """
-    return _core.xyz_from_lab(array_of("lab", lab), white_of("white", white))
+    return _core.xyz_from_lab(array_of("lab", lab), _white_or_d65(white))
+
+
+def _white_or_d65(white: ArrayLike | None) -> tuple[float, float, float]:
+    """The white that was given; D65 otherwise, as most who work with screens mean."""
+    return white_of("white", white_xyz("D65") if white is None else white)
 
 
 def delta_e_2000(first: ArrayLike, second: ArrayLike) -> Array:
@@ -158,12 +170,14 @@ def encode(rgb: ArrayLike) -> Array:
 
 
 def decode(encoded: ArrayLike) -> Array:
-    """Linear RGB `[..., 3]` of code values; undoes `encode`.
+    """Linear RGB `[..., 3]` of code values, of which 1 is white; undoes `encode`.
+
+    Raises `InputError` for values beyond 10: those are codes 0 to 255, to be divided by 255.
 
     >>> decode([0.0, 0.7354, 1.0]).round(3).tolist()
     [0.0, 0.5, 1.0]
     """
-    return _core.decode_rgb(array_of("encoded", encoded))
+    return _core.decode_rgb(relative_of("encoded", encoded))
 
 
 def adapt(xyz: ArrayLike, from_white: ArrayLike, to_white: ArrayLike) -> Array:

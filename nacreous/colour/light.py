@@ -1,10 +1,13 @@
 """Lights by name, and spectra from files."""
 
+from __future__ import annotations
+
 import unicodedata
 from pathlib import Path
 
 from nacreous import _core
 from nacreous.colour.samples import Array
+from nacreous.missing import missing
 from nacreous.problem import InputError
 
 _LARGEST_TABLE_BYTES = 1_000_000
@@ -52,6 +55,8 @@ def spectrum_from_csv(path: str | Path) -> Array:
     try:
         with Path(path).open("rb") as file:
             content = file.read(_LARGEST_TABLE_BYTES + 1)
+    except FileNotFoundError:
+        raise missing(path) from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     if len(content) > _LARGEST_TABLE_BYTES:

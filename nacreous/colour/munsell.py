@@ -1,10 +1,12 @@
 """Munsell hue, value and chroma."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous.colour.samples import Array, array_of
+from nacreous.colour.samples import Array, array_of, bounded_of, relative_of
 
 
 def hvc_from_rgb(rgb: ArrayLike) -> Array:
@@ -15,11 +17,13 @@ def hvc_from_rgb(rgb: ArrayLike) -> Array:
     to 10 white; chroma is 0 for grey, where hue means nothing. Against the real renotation colours
     of value 2 and more: value within 0.105, chroma 0.76 rms, hue 8 degrees rms.
 
+    Raises `InputError` for components beyond 10: those are codes or percentages.
+
     >>> hue_rad, value, chroma = hvc_from_rgb([0.80, 0.72, 0.70])
     >>> [round(float(number), 2) for number in (hue_rad, value, chroma)]
     [-0.53, 8.87, 0.76]
     """
-    return _core.hvc_from_rgb(array_of("rgb", rgb))
+    return _core.hvc_from_rgb(relative_of("rgb", rgb))
 
 
 def rgb_from_hvc(hvc: ArrayLike) -> Array:
@@ -31,7 +35,7 @@ def rgb_from_hvc(hvc: ArrayLike) -> Array:
     >>> rgb_from_hvc(hvc_from_rgb([0.80, 0.72, 0.70])).round(9).tolist()
     [0.8, 0.72, 0.7]
     """
-    return _core.rgb_from_hvc(array_of("hvc", hvc))
+    return _core.rgb_from_hvc(_hvc_of(hvc))
 
 
 def hvc_from_xyz(xyz: ArrayLike) -> Array:
@@ -40,7 +44,7 @@ def hvc_from_xyz(xyz: ArrayLike) -> Array:
     >>> hvc_from_xyz([0.3, 0.3, 0.3])[1].round(3).tolist()
     6.165
     """
-    return _core.hvc_from_xyz(array_of("xyz", xyz))
+    return _core.hvc_from_xyz(relative_of("xyz", xyz))
 
 
 def xyz_from_hvc(hvc: ArrayLike) -> Array:
@@ -49,7 +53,7 @@ def xyz_from_hvc(hvc: ArrayLike) -> Array:
     >>> xyz_from_hvc([0, 10, 0]).round(4).tolist()
     [0.9807, 1.0, 1.1822]
     """
-    return _core.xyz_from_hvc(array_of("hvc", hvc))
+    return _core.xyz_from_hvc(_hvc_of(hvc))
 
 
 def munsell_notation(hvc: ArrayLike) -> NDArray[np.str_]:
@@ -58,5 +62,13 @@ def munsell_notation(hvc: ArrayLike) -> NDArray[np.str_]:
     >>> munsell_notation([[0.1, 6, 8], [0, 5.2, 0]]).tolist()
     ['7.5RP 6/8', 'N 5.2/']
     """
-    array = array_of("hvc", hvc)
+    array = _hvc_of(hvc)
     return np.array(_core.munsell_notation(array), dtype=np.str_).reshape(array.shape[:-1])
+
+
+def _hvc_of(hvc: ArrayLike) -> Array:
+    """Hue, value and chroma, of which no hue is in degrees."""
+    array = array_of("hvc", hvc)
+    if array.shape[-1:] == (3,):
+        bounded_of("hue of hvc", array[..., 0], 2 * np.pi, "hue is in rad")
+    return array

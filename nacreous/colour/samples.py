@@ -1,5 +1,7 @@
 """Numbers as this room takes them, and the wavelengths of its spectra."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -7,6 +9,10 @@ from nacreous import _core
 from nacreous.problem import InputError
 
 Array = NDArray[np.float64]
+
+#: No light of a surface, and no code value but of light 160 times as bright as white, is larger;
+#: 8-bit codes and percentages are.
+_MOST_RELATIVE = 10.0
 
 WAVELENGTH_NM: Array = _core.spectrum_wavelength_nm()
 """Wavelength of each sample of a spectrum: 380, 381 ... 780 nm."""
@@ -21,7 +27,30 @@ def array_of(quantity: str, values: ArrayLike) -> Array:
         raise InputError(f"{quantity} is ragged; allowed: an array of numbers") from None
     if array.dtype.kind not in "iuf":
         raise InputError(f"{quantity} has type {array.dtype}; allowed: an array of real numbers")
+    if array.dtype == np.uint8:
+        raise InputError(
+            f"{quantity} has type uint8, the codes 0 to 255 of a picture; "
+            "allowed: numbers where 1 is white, as in decode(codes / 255)"
+        )
     return np.asarray(array, dtype=np.float64, order="C")
+
+
+def relative_of(quantity: str, values: ArrayLike) -> Array:
+    """Numbers of which 1 is white, not 255 and not 100."""
+    return bounded_of(quantity, values, _MOST_RELATIVE, "1 is white, and no surface reaches 10")
+
+
+def bounded_of(quantity: str, values: ArrayLike, most: float, why: str) -> Array:
+    """Numbers within a bound of zero; what is not finite is told where it is used."""
+    array = array_of(quantity, values)
+    beyond = np.argwhere(np.isfinite(array) & (np.abs(array) > most))
+    if len(beyond):
+        place = tuple(beyond[0].tolist())
+        where = "".join(f"[{index}]" for index in place)
+        raise InputError(
+            f"{quantity}{where} is {array[place]:g}; allowed: {-most:g} to {most:g} ({why})"
+        )
+    return array
 
 
 def white_of(quantity: str, values: ArrayLike) -> tuple[float, float, float]:

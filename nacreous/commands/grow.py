@@ -35,7 +35,10 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     parser.add_argument("nacre", help="a nacre preset's name, or a pearl file")
     parser.add_argument(
-        "-o", "--output", default="growth.png", help=".png, .svg, .pdf or .csv (growth.png)"
+        "-o",
+        "--output",
+        default="growth.png",
+        help=".png, .svg, .pdf, .csv, or - for CSV (growth.png)",
     )
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of [nacre]"
@@ -46,11 +49,12 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run(args: argparse.Namespace) -> int:
     """Grow, print, draw."""
     from nacreous import file
+    from nacreous.commands import standard
     from nacreous.nacre import diary, stack_of
     from nacreous.problem import InputError
     from nacreous.spec import Growth
 
-    output = file.check_output(args.output, _SUFFIXES)
+    standard.check_output(args.output, _SUFFIXES)
     pearl = _pearl(args.nacre, args.set)
     growth = pearl.nacre
     if not isinstance(growth, Growth):
@@ -58,13 +62,13 @@ def run(args: argparse.Namespace) -> int:
             f"{args.nacre}: lists its layers in nacre.thickness_nm; wanted: growth keys"
         )
     grown, stack = diary(growth), stack_of(pearl)
-    print(_statistics(args.nacre, growth, stack))
-    with file.atomic(output) as temporary:
+    standard.tell(_statistics(args.nacre, growth, stack), [args.output])
+    with standard.writing(args.output, ".csv") as output, file.atomic(output) as temporary:
         if output.suffix.lower() == ".csv":
             _write_table(temporary, growth, grown)
         else:
             _draw(temporary, growth, grown)
-    print(f"{output}: thickness against depth and date")
+    standard.tell(f"{args.output}: thickness against depth and date", [args.output])
     return 0
 
 
@@ -72,12 +76,14 @@ def _pearl(name: str, settings: list[str]) -> Pearl:
     """The pearl file, or a pearl of which only the nacre is given, by a preset."""
     from pathlib import Path
 
+    from nacreous.commands import standard
     from nacreous.spec import Pearl, override, preset
 
     parsed = [override.parse(setting) for setting in settings]
     overrides = [(f"nacre.{key.removeprefix('nacre.')}", value) for key, value in parsed]
     path = Path(name)
-    if path.suffix.lower() != ".toml" and len(path.parts) == 1 and not path.is_file():
+    is_name = path.suffix.lower() != ".toml" and len(path.parts) == 1 and name != standard.STREAM
+    if is_name and not path.is_file():
         if name in preset.names("nacre"):
             return Pearl.check({"nacre": {"preset": name}}, f"preset {name}", Path(), overrides)
         if not path.exists() and name not in preset.names("pearl"):

@@ -24,6 +24,7 @@ examples:
   nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
   nacreous render pearl.png --size 2048            a picture again, larger, as pearl-again.png
   nacreous render paper --alpha -o cut-out.png     the pearl alone
+  sed s/0.6/0.9/ my.toml | nacreous render - -o -  a filter: pearl file in, PNG out
 """
 
 
@@ -40,8 +41,8 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument(
         "pearl",
         nargs="+",
-        help="a pearl file, or a preset's name; several take the scene's places in turn; or one "
-        "picture of ours, .png or .exr, which is made again",
+        help="a pearl file, a preset's name, or - for standard input; several take the scene's "
+        "places in turn; or one picture of ours, .png or .exr, which is made again",
     )
     parser.add_argument("--scene", help="a scene file, or a preset's name (paper)")
     parser.add_argument("--size", type=_whole, help="pixels a side, 1 to 8192 (512)")
@@ -50,7 +51,9 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         type=_whole,
         help="samples a pixel at most, a square number up to 1024 (16); alike ones are spared",
     )
-    parser.add_argument("-o", "--output", help=".png or .exr (pearl.png)")
+    parser.add_argument(
+        "-o", "--output", help=".png, .exr, or - for a PNG to standard output (pearl.png)"
+    )
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
     )
@@ -80,17 +83,19 @@ def _whole(text: str) -> int:
 
 def run(args: argparse.Namespace) -> int:
     """Check everything, render, write, say what was made."""
-    from nacreous import file, image
+    from nacreous import image
+    from nacreous.commands import standard
     from nacreous.commands.progress import bar
 
     job = _again(args) if _is_picture(args.pearl[0]) else _first(args)
     output = _output(args)
-    file.check_output(output, image.SUFFIXES)
+    standard.check_output(output, image.SUFFIXES)
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
-    outside = picture.save(output, job.bits, job.space, job.gamut, job.alpha)
-    print(_report(output, job, time.monotonic() - begin, outside))
+    with standard.writing(output, ".png") as place:
+        outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
+    standard.tell(_report(output, job, time.monotonic() - begin, outside), [output])
     return 0
 
 

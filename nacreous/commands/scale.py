@@ -36,13 +36,15 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("answers", help=f"a file of answers, or {PAPER}")
+    parser.add_argument(
+        "answers", help=f"a file of answers, - for CSV from standard input, or {PAPER}"
+    )
     parser.add_argument(
         "-o",
         "--output",
         action="append",
         default=[],
-        help="report.html, or .csv (the scale), .json (every number); may be repeated",
+        help="report.html, or .csv (the scale), .json (every number), - (CSV); may be repeated",
     )
     parser.add_argument(
         "--question",
@@ -125,7 +127,7 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Check everything, compute, write, say what was found."""
-    from nacreous import file
+    from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
     from nacreous.printable import printable
@@ -133,18 +135,19 @@ def run(args: argparse.Namespace) -> int:
 
     outputs = args.output or ["report.html"]
     for output in outputs:
-        file.check_output(output, SUFFIXES)
-    data = _data(args)
-    settings = _settings(args, _of_study(args))
+        standard.check_output(output, SUFFIXES)
+    with standard.reading(args.answers, ".csv") as args.answers:
+        data = _data(args)
+        settings = _settings(args, _of_study(args))
     begin = time.monotonic()
     with bar("resampling") as show:
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
-    print(told(found, time.monotonic() - begin))
+    standard.tell(told(found, time.monotonic() - begin), outputs)
     if getattr(data, "left_out", 0):
-        print(f"{data.left_out} rows left out, which hold no pair or no answer")
+        standard.tell(f"{data.left_out} rows left out, which hold no pair or no answer", outputs)
     for output in outputs:
-        print(f"{printable(output)}: written")
+        standard.tell(f"{printable(output)}: written", outputs)
     return 0
 
 
@@ -253,9 +256,11 @@ def _write(found: Analysis, outputs: list[str], language: str) -> None:
     from contextlib import ExitStack
 
     from nacreous import file
+    from nacreous.commands import standard
 
-    texts = [found.text(output, language) for output in outputs]
-    with ExitStack() as stack:
-        places = [stack.enter_context(file.atomic(output)) for output in outputs]
+    with ExitStack() as streams, ExitStack() as stack:
+        paths = [streams.enter_context(standard.writing(output, ".csv")) for output in outputs]
+        texts = [found.text(str(path), language) for path in paths]
+        places = [stack.enter_context(file.atomic(path)) for path in paths]
         for place, text in zip(places, texts, strict=True):
             place.write_text(text, encoding="utf-8", newline="\n")

@@ -209,10 +209,13 @@ def _lines(path: str) -> list[str]:
     """The lines of a file that hold something."""
     from pathlib import Path
 
+    from nacreous.missing import missing
     from nacreous.problem import InputError
 
     try:
         text = Path(path).read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise missing(path) from None
     except OSError as problem:
         raise InputError(f"{path}: cannot be read ({problem.strerror})") from None
     except UnicodeDecodeError:

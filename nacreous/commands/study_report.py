@@ -40,13 +40,14 @@ def run(args: argparse.Namespace) -> int:
     import os
 
     from nacreous import file
+    from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.study.design import open_frozen
     from nacreous.study.results import report
     from nacreous.study.running import Running
     from nacreous.study.store import Store
 
-    file.check_output(args.output, [".html"])
+    standard.check_output(args.output, [".html"])
     frozen = open_frozen(args.study)
     question = args.question or frozen.design.questions[0].id
     place = args.store or os.environ.get("NACREOUS_STORE") or args.study
@@ -54,7 +55,7 @@ def run(args: argparse.Namespace) -> int:
         page = report(
             Running(store, frozen), question, args.language, args.simulated, args.group, show
         )
-    with file.atomic(args.output) as temporary:
+    with standard.writing(args.output, ".html") as path, file.atomic(path) as temporary:
         temporary.write_text(page, encoding="utf-8", newline="\n")
-    print(f"{printable(args.output)}: written")
+    standard.tell(f"{printable(args.output)}: written", [args.output])
     return 0

@@ -36,7 +36,10 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = _add(actions, "export", "write all answers as .csv, .parquet or a Psych-DS folder")
     _add_place(parser)
     parser.add_argument(
-        "-o", "--output", default="answers.csv", help="a name without ending is a folder"
+        "-o",
+        "--output",
+        default="answers.csv",
+        help="- for CSV to standard output; a name without ending is a folder",
     )
     _add_study(parser)
     parser.set_defaults(run=export)
@@ -67,16 +70,21 @@ def restore(args: argparse.Namespace) -> int:
 
 def export(args: argparse.Namespace) -> int:
     """Write, and say how many rows, and how many of them are marked."""
+    from nacreous.commands import standard
     from nacreous.study.store import Store, export
 
-    with Store.open(args.place, make=False) as store:
+    with (
+        Store.open(args.place, make=False) as store,
+        standard.writing(args.output, ".csv") as output,
+    ):
         study = store.study(args.study)
-        rows = export(store, study, args.output)
+        rows = export(store, study, output)
         found = store.progress(study)
-    print(
+    standard.tell(
         f"{printable(args.output)}: written, {rows} answers of {found.entered} people; "
         f"among them, marked: {found.excluded} people excluded, {found.erased} erased, "
-        f"{found.simulated} answers simulated"
+        f"{found.simulated} answers simulated",
+        [args.output],
     )
     return 0
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nacreous.medium.dispersion import Dispersion
 from nacreous.medium.record import parts_of_csv, parts_of_yaml
+from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.value import value_class
 
@@ -112,6 +113,8 @@ def _text(place: Path) -> str:
     try:
         with place.open("rb") as file:
             content = file.read(_LARGEST_BYTES + 1)
+    except FileNotFoundError:
+        raise missing(place) from None
     except OSError as error:
         raise InputError(f"{place}: cannot be read: {error.strerror}") from None
     if len(content) > _LARGEST_BYTES:

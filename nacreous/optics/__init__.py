@@ -32,3 +32,8 @@ __all__ = [
     "reflectance",
     "transmittance",
 ]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from nacreous.missing import missing
 from nacreous.number import number_of, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.server.client import Client
@@ -95,6 +96,8 @@ def scale_of(name: str) -> dict[str, float]:
         with Path(name).open(encoding="utf-8-sig", newline="") as lines:
             rows = list(csv.DictReader(lines))
         return {row["stimulus"]: float(row["scale"]) for row in rows}
+    except FileNotFoundError:
+        raise missing(name, "paper, or a CSV file") from None
     except OSError as problem:
         raise InputError(f"{name}: cannot be read ({problem.strerror})") from None
     except (KeyError, TypeError, ValueError, csv.Error):

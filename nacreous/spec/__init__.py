@@ -46,3 +46,8 @@ __all__ = [
     "json_schema",
     "load",
 ]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

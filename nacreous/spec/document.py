@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+import sys
 import tomllib
 from pathlib import Path
 from typing import Any
 
+from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
+
+#: The path that stands for standard input.
+STREAM = "-"
 
 #: Far above any pearl or scene: 5000 listed layers take 40 kB.
 MOST_BYTES = 1_000_000
@@ -16,6 +21,8 @@ MOST_BYTES = 1_000_000
 
 def label(path: Path) -> str:
     """The file's name as it stands in messages: as given, on one line."""
+    if str(path) == STREAM:
+        return "standard input"
     return str(path) if str(path).isprintable() else shown(str(path), 200)
 
 
@@ -29,6 +36,8 @@ def read(path: Path) -> dict[str, Any]:
 
 
 def _text(path: Path, where: str) -> str:
+    if str(path) == STREAM:
+        return _decoded(sys.stdin.buffer.read(MOST_BYTES + 1), where)
     if path.is_dir():
         raise InputError(f"{where}: is a folder; wanted: a TOML file")
     if path.exists() and not path.is_file():
@@ -39,9 +48,13 @@ def _text(path: Path, where: str) -> str:
         with path.open("rb") as file:
             content = file.read(MOST_BYTES + 1)
     except FileNotFoundError:
-        raise InputError(f"{where}: there is no such file") from None
+        raise missing(path, "a TOML file") from None
     except OSError as error:
         raise InputError(f"{where}: cannot be read: {error.strerror}") from None
+    return _decoded(content, where)
+
+
+def _decoded(content: bytes, where: str) -> str:
     if len(content) > MOST_BYTES:
         raise InputError(f"{where}: is longer than {MOST_BYTES} bytes, the most that is read")
     if b"\0" in content:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, Self
 
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
@@ -42,9 +42,55 @@ class Section(BaseModel):
     # arrive together at the outermost one.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
+    def __repr_args__(self) -> Iterator[tuple[str, Any]]:
+        """The keys that differ from their defaults, so that the line stays short."""
+        for name, field in type(self).model_fields.items():
+            value = getattr(self, name)
+            if isinstance(value, Section) and not any(value.__repr_args__()):
+                continue
+            if value != field.get_default(call_default_factory=True, validated_data={}):
+                yield name, value
+
+    def __str__(self) -> str:
+        """The same line as its repr."""
+        return repr(self)
+
+    def replace(self, **changes: Any) -> Self:
+        """The same section with other values of the named keys, checked as a new one is.
+
+        >>> from nacreous.spec import Pearl
+        >>> Pearl(shininess=0.2).replace(depth=0.7).shininess
+        0.2
+        >>> Pearl().replace(depth=7)
+        Traceback (most recent call last):
+        nacreous.problem.InputError: Pearl: depth is 7; allowed: 0 to 1
+        """
+        given = {name: getattr(self, name) for name in self.model_fields_set}
+        return type(self)(**given | changes)
+
+    #: What `copy.replace` of Python 3.13 calls.
+    __replace__ = replace
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy; `update`, whose values pydantic does not check, is refused: see `replace`."""
+        if update:
+            raise InputError("model_copy(update=...) checks nothing; allowed: replace(key=value)")
+        return super().model_copy(deep=deep)
+
     def contradictions(self) -> Iterator[Contradiction]:
         """What is wrong between keys that are each right; sections with such rules override it."""
         yield from ()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _without_numpy(cls, values: Any) -> Any:
+        """The values with NumPy's numbers and arrays as Python's, which strict keys demand."""
+        if not isinstance(values, dict):
+            return values
+        return {
+            key: value.tolist() if type(value).__module__ == "numpy" else value
+            for key, value in values.items()
+        }
 
     @model_validator(mode="after")
     def _agree(self) -> Self:

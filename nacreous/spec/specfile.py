@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Self, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from nacreous.missing import beside
 from nacreous.problem import InputError
 from nacreous.spec import document, override, preset
 from nacreous.spec.complaint import complaints, nearest, shown
@@ -95,7 +96,12 @@ def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path,
     of the kinds in order. So a *folder* called paper does not hide the preset paper.
     """
     path, name = Path(path_or_preset), str(path_or_preset)
-    if path.suffix.lower() == ".toml" or len(path.parts) != 1 or path.is_file():
+    if (
+        name == document.STREAM
+        or path.suffix.lower() == ".toml"
+        or len(path.parts) != 1
+        or path.is_file()
+    ):
         return "", path, document.label(path)
     for kind in kinds:
         if name in preset.names(kind):
@@ -108,7 +114,8 @@ def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path,
                 f"{shown(name)} is a {kind} preset; wanted: a {' or '.join(kinds)} file or preset"
             )
     choices = [choice for kind in kinds for choice in preset.names(kind)]
-    near = nearest(name, choices)
+    found = beside(name)
+    near = found if found and Path(found).stem == name else nearest(name, choices) or found
     hint = f"did you mean {near}?" if near else f"presets: {', '.join(dict.fromkeys(choices))}"
     raise InputError(f"{shown(name)} is neither a file nor a {' or '.join(kinds)} preset; {hint}")
 

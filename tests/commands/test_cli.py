@@ -79,7 +79,7 @@ def test_a_mistake_of_ours_is_not_hidden(monkeypatch: Any) -> None:
     [
         ([], "wanted: a command"),
         (["preset"], "preset is not a command; did you mean presets?"),
-        (["xyzzy"], "xyzzy is not a command; commands: "),
+        (["xyzzy"], "xyzzy is not a command; allowed: "),
         (["a\nb"], r"a\nb is not a command; "),
         (["--verion"], "--verion"),
         (["schema"], "kind"),

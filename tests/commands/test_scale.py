@@ -173,7 +173,7 @@ def test_options_reach_the_fit(desk: Path) -> None:
         (["answers.csv", "-o", "a.pdf"], "a.pdf: the ending is .pdf; allowed: .html, .csv, .json"),
         (["answers.csv", "-o", "gone/a.html"], "gone/a.html: the folder "),
         (["answers.csv", "-o", "a.html", "-o", "gone/a.csv"], "gone/a.csv: the folder "),
-        (["answers.csv", "--model", "cauchy"], "argument --model: invalid choice"),
+        (["answers.csv", "--model", "cauchy"], "--model is 'cauchy'; allowed: "),
     ],
     ids=lambda case: " ".join(case)[:40] if isinstance(case, list) else "",
 )

@@ -58,7 +58,7 @@ EXTREMES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "candle seen as white by day": (
         {},
         {
-            "lamps": [LEFT.model_copy(update={"spectrum": "1000K"})],
+            "lamps": [LEFT.replace(spectrum="1000K")],
             "camera": Camera(white="25000K"),
         },
     ),

@@ -28,10 +28,10 @@ RINGS_DEG = np.arange(2.5, 80.0, 5.0)
 
 def reflected(pearl: Pearl, columns: int) -> Array:
     """XYZ [angle, 3] of R by exact optics every nanometre, the mean over columns by energy."""
-    film = pearl.film.model_copy(update={"columns": columns})
+    film = pearl.film.replace(columns=columns)
     outer_um = film.outer_um
     assert outer_um is not None
-    stacks = columns_of(pearl.model_copy(update={"film": film}), outer_um)
+    stacks = columns_of(pearl.replace(film=film), outer_um)
     each = [nc.optics.energies(stack, ANGLES_RAD, NM, precision="single").R for stack in stacks]
     return nc.colour.xyz_from_spectrum(np.mean(each, axis=0), "D65")
 

@@ -190,8 +190,8 @@ def test_light_of_intensity_1_makes_white_paper_1(light: dict[str, Any]) -> None
 
 def test_twice_the_light_is_twice_the_picture_and_so_is_twice_the_exposure() -> None:
     def scene(light: float, exposure: float) -> Scene:
-        lamps = [LEFT.model_copy(update={"intensity": light}), Lamp(position_mm=(90, 80, 70))]
-        lamps[1] = lamps[1].model_copy(update={"intensity": 0.5 * light, "spectrum": "A"})
+        lamps = [LEFT.replace(intensity=light), Lamp(position_mm=(90, 80, 70))]
+        lamps[1] = lamps[1].replace(intensity=0.5 * light, spectrum="A")
         sky = Sky(kind="gradient", horizon="#803010", intensity=0.3 * light)
         return Scene(lamps=lamps, sky=sky, walls=Walls(), camera=Camera(exposure=exposure))
 

@@ -58,7 +58,7 @@ def test_without_depth_there_is_no_interference() -> None:
 
 def test_shininess_makes_the_lamps_image_brighter_and_narrower() -> None:
     """Paper 4.2, figures 12, 14c."""
-    small = LEFT.model_copy(update={"angular_radius_deg": 0.2})
+    small = LEFT.replace(angular_radius_deg=0.2)
     scene = Scene(lamps=[small], sky=BLACK, table=NO_TABLE, camera=Camera(field_mm=8.0))
     peaks, widths = [], []
     for shininess in (0.0, 0.25, 0.5, 0.75, 1.0):
@@ -147,7 +147,7 @@ def test_the_mirrored_table_fades_by_the_length_of_the_mirrored_ray() -> None:
     """Contrast exp(-distance / falloff), the distance from the geometry of a ball on a plane."""
     scene = Scene(sky=Sky(intensity=1.0), camera=Camera(field_mm=9.0, elevation_deg=24))
     swapped = Table(colour=scene.table.second_colour, second_colour=scene.table.colour)
-    other = scene.model_copy(update={"table": swapped})
+    other = scene.replace(table=swapped)
 
     def contrast(falloff_mm: float) -> Array:
         subject = pearl(surface=Surface(falloff_mm=falloff_mm))

@@ -57,7 +57,7 @@ def test_stars_take_the_given_pearls_in_turn_and_numbers_name_one() -> None:
             rows(["*"] * 6, pitch_mm=10, lamps=[Lamp(position_mm=(24, 1, 0))]),
             "scene scene: lamps.0.position_mm is [24.0, 1.0, 0.0]; allowed: outside of every pearl",
         ),
-        ([LARGE], rows(["gone.toml", "*"]), "gone.toml: there is no such file"),
+        ([LARGE], rows(["gone.toml", "*"]), "gone.toml: does not exist"),
         ([], rows(["*"]), "pearl is a list of 0; allowed: 1 to 400 pearls"),
         ([LARGE] * 401, rows(["*"]), "pearl is a list of 401; allowed: 1 to 400 pearls"),
         ([LARGE, 5], rows(["*", "*"]), "pearl is 5; allowed: a pearl, a file or a preset's name"),
@@ -120,7 +120,7 @@ def test_a_pearl_behind_another_is_covered_by_it() -> None:
     """Seen from the horizon the row behind is hidden; its light on the front is all one sees."""
     keys: dict[str, Any] = {"table": NO_TABLE, "sky": BLACK}
     scene = rows(["*0"], ["*1"], camera=Camera(elevation_deg=0, field_mm=12), **keys)
-    black = LARGE.model_copy(update={"body_colour": "#000000"})
+    black = LARGE.replace(body_colour="#000000")
     white, dark = (nc.render([back, LARGE], scene, 48, 4) for back in (LARGE, black))
     inside = np.hypot(*np.meshgrid(*[np.arange(48) - 23.5] * 2)) < 17
     for name in ("diffuse", "mirror", "interference"):

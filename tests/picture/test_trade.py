@@ -78,9 +78,7 @@ def test_the_nucleus_shows_through_thin_nacre_and_not_through_thick() -> None:
         pearl = Pearl.load(name)
         black, white = (
             nc.body.reflectance_of_body(
-                pearl.model_copy(
-                    update={"body": pearl.body.model_copy(update={"nucleus": colour})}
-                ),
+                pearl.replace(body=pearl.body.replace(nucleus=colour)),
                 nacre_mm(pearl),
             )
             for colour in ("#000000", "#ffffff")

@@ -41,7 +41,7 @@ def test_a_lossless_pearl_in_even_light_is_invisible(
 def test_a_white_table_under_a_lossless_pearl_keeps_its_light_where_they_are_apart() -> None:
     # Table, pearl and sky are white; light bounces once, so the touching point alone stays darker.
     table = {"kind": "plain", "colour": "#ffffff"}
-    scene = EVEN.model_copy(update={"table": Scene(table=table).table})
+    scene = EVEN.replace(table=Scene(table=table).table)
     image = nc.render(pearl(body=LOSSLESS), scene, size=64, samples=4)
     error = np.abs(image.linear - 1).max(axis=-1)
     assert np.median(error) < 0.01

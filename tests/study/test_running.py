@@ -169,8 +169,8 @@ def test_a_tie_only_where_the_study_has_it(
     running: Running, frozen: Frozen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     session, _ = ready(running)
-    sitting = frozen.design.sitting.model_copy(update={"ties": False})
-    strict = frozen.design.model_copy(update={"sitting": sitting})
+    sitting = frozen.design.sitting.replace(ties=False)
+    strict = frozen.design.replace(sitting=sitting)
     without = Frozen(frozen.folder, strict, "", frozen.study_hash, frozen.stimuli)
     with pytest.raises(InputError, match="chosen is 'tie'; allowed in this study: left, right"):
         Running(running.store, without).hand_in(session, 0, Response("tie"))

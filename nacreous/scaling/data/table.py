@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.missing import missing
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.csv_table import parse_csv
@@ -125,7 +126,7 @@ def read_bytes(file: Path) -> bytes:
             raise InputError(f"{file}: is {size} large; allowed: up to {MOST_BYTES >> 20} MiB")
         return file.read_bytes()
     except FileNotFoundError:
-        raise InputError(f"{file}: does not exist") from None
+        raise missing(file) from None
     except (OSError, ValueError) as problem:
         if isinstance(problem, InputError):
             raise

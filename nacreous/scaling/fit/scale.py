@@ -14,7 +14,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.label import label_of
-from nacreous.scaling.fit import bootstrap, uncertainty
+from nacreous.scaling.fit import bootstrap, frame, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
 from nacreous.scaling.fit.errors import errors_of, kind_of, parameter_covariance
 from nacreous.scaling.fit.spread import Prior, SpreadPosterior
@@ -22,6 +22,8 @@ from nacreous.scaling.fit.unit import Unit, factor, unit_of
 from nacreous.value import value_class
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
+
     from nacreous.scaling.data.answers import Answers
 
 Array = NDArray[np.float64]
@@ -95,6 +97,22 @@ class Scale:
     def __repr__(self) -> str:
         """In one line what was fitted."""
         return f"Scale({len(self.stimuli)} stimuli in {self.unit}, {self.model}, {self.method})"
+
+    def _repr_html_(self) -> str:
+        """The scale as notebooks show it: a table, from the most preferred on."""
+        return frame.html_of(self)
+
+    def to_frame(self) -> DataFrame:
+        """A pandas DataFrame: by stimulus its value, se, and low and high of its 95 % interval.
+
+        All are in `unit`, which is in `attrs`; se and interval are NaN where the answers give none.
+        Raises `InputError` where pandas is not installed.
+
+        >>> from nacreous.scaling import paper, thurstone
+        >>> thurstone(paper()).to_frame().loc["2"].round(3).to_dict()
+        {'value': 0.858, 'se': 0.053, 'low': 0.754, 'high': 0.962}
+        """
+        return frame.frame_of(self)
 
     @property
     def own_unit(self) -> Unit:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.study.design.design import Design
 
@@ -82,7 +83,7 @@ def open_frozen(path: str | Path) -> Frozen:
 
     >>> open_frozen("no such study")
     Traceback (most recent call last):
-    nacreous.problem.InputError: no such study: holds no study.json; wanted: a folder that ...
+    nacreous.problem.InputError: no such study: does not exist; wanted: a folder that ...
     """
     manifest = _read(Path(path))
     where = f"{Path(path) / RECORD}"
@@ -107,6 +108,8 @@ def _read(folder: Path) -> dict[str, Any]:
     try:
         manifest = json.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
+        if not folder.exists():
+            raise missing(folder, f"a folder that {MAKER} made") from None
         raise InputError(
             f"{folder}: holds no {RECORD}; wanted: a folder that {MAKER} made"
         ) from None

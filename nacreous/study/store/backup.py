@@ -19,6 +19,7 @@ from urllib.parse import quote
 import sqlalchemy as sa
 
 from nacreous import file
+from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.study.store.engine import engine_of, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
@@ -63,7 +64,7 @@ def restore(backup: str | PathLike[str], place: str | PathLike[str] | None) -> C
     otherwise, `StoreError` where the machine refuses.
     """
     if not Path(backup).is_file():
-        raise InputError(f"{backup}: does not exist")
+        raise missing(backup)
     counts = _checked(Path(backup))
     engine = engine_of(place)
     try:

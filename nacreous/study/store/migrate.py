@@ -11,6 +11,7 @@ from alembic.runtime.environment import EnvironmentContext
 from alembic.runtime.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
+from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.study.store.engine import keep_log, writing
 from nacreous.study.store.fault import place_of, translated
@@ -28,7 +29,7 @@ def upgrade(engine: sa.Engine, *, make: bool = True) -> None:
     """
     place = place_of(engine)
     if not make and engine.dialect.name == "sqlite" and not Path(place).is_file():
-        raise InputError(f"{place}: does not exist; wanted: a store")
+        raise missing(place, "a store")
     with translated(place):
         _upgrade(engine, place, make)
         keep_log(engine)  # only now, for it changes the file, which may be another program's

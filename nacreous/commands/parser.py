@@ -1,0 +1,78 @@
+"""The parser of the command line: its commands, and what it says of words that it does not know."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any, NoReturn
+
+from nacreous.problem import InputError
+
+#: Modules of `nacreous.commands`, in the order of the help page.
+COMMANDS = (
+    "render",
+    "grow",
+    "sheets",
+    "paper",
+    "crops",
+    "scale",
+    "study",
+    "presets",
+    "schema",
+    "completion",
+)
+
+_EXAMPLES = """\
+examples:
+  nacreous render paper          the pearl of 1996, as pearl.png
+  nacreous sheets out            families, pigments and scenes on contact sheets
+  nacreous paper out             the paper's figures again, measured, on one page
+  nacreous scale paper           the paper's judgements as a scale, with a report
+  nacreous study new paper       the paper's experiment, ready for participants
+  nacreous study demo            a whole study on this computer, to look at
+  nacreous presets               see the pearls and scenes that come along
+  nacreous presets pearl paper   look at the file of one of them
+  nacreous schema pearl          every key of a pearl file, for editors
+
+Each command explains itself: nacreous COMMAND --help
+"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """argparse, with problems said as the rest of the command line says them."""
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """What argparse words differently from version to version, with the nearest choice."""
+        if action.choices is None or value in action.choices:
+            return
+        choices = [str(choice) for choice in action.choices]
+        name = argparse._get_action_name(action) or "argument"
+        raise InputError(f"{name} is {ascii(value)[:60]}; {nearest(str(value), choices)}")
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError(f"{message}; try: {self.prog} --help")
+
+
+def build_parser(commands: Sequence[str]) -> argparse.ArgumentParser:
+    """The parser with these commands."""
+    parser = _Parser(
+        prog="nacreous",
+        description="From the layers of a pearl to the way people judge its look.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="store_true", help="print the version and stop")
+    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command")
+    for command in commands:
+        import_module(f"nacreous.commands.{command}").add_parser(subparsers)
+    return parser
+
+
+def nearest(word: str, choices: Sequence[str]) -> str:
+    """The choice that was probably meant, or all of them."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(word, choices, n=1)
+    return f"did you mean {near[0]}?" if near else f"allowed: {', '.join(choices)}"

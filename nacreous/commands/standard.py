@@ -1,0 +1,57 @@
+"""`-` in place of a file: standard input to read from, standard output to write to."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from nacreous import file
+from nacreous.problem import InputError
+
+STREAM = "-"
+
+
+def check_output(output: str, endings: Collection[str]) -> None:
+    """Refuse what cannot be written, before any long work; standard output always can."""
+    if output != STREAM:
+        file.check_output(output, endings)
+    elif sys.stdout is None or sys.stdout.isatty():
+        raise InputError("- is given as the output; allowed: with > file or | program behind")
+
+
+@contextmanager
+def writing(output: str, ending: str) -> Iterator[Path]:
+    """The path to write to; of `-` a file whose bytes go to standard output once it is whole."""
+    if output != STREAM:
+        yield Path(output)
+        return
+    with TemporaryDirectory(prefix="nacreous-") as folder:
+        path = Path(folder, f"output{ending}")
+        yield path
+        with path.open("rb") as whole:
+            shutil.copyfileobj(whole, sys.stdout.buffer)
+
+
+@contextmanager
+def reading(given: str, ending: str) -> Iterator[str]:
+    """The path to read; of `-` a file with all that standard input holds."""
+    if given != STREAM:
+        yield given
+        return
+    with TemporaryDirectory(prefix="nacreous-") as folder:
+        path = Path(folder, f"input{ending}")
+        with path.open("wb") as whole:
+            shutil.copyfileobj(sys.stdin.buffer, whole)
+        try:
+            yield str(path)
+        except InputError as problem:
+            raise InputError(str(problem).replace(str(path), "standard input")) from None
+
+
+def tell(line: str, outputs: Sequence[str]) -> None:
+    """Say what was done; beside standard output where a file goes there."""
+    print(line, file=sys.stderr if STREAM in outputs else sys.stdout)

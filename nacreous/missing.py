@@ -1,0 +1,52 @@
+"""A file that is not there, and the one beside it that was probably meant."""
+
+from __future__ import annotations
+
+import os
+from os import PathLike
+from pathlib import Path
+
+from nacreous.problem import InputError
+
+#: Names looked at in a folder, so that one of a million files costs no more than a moment.
+_MOST_NAMES = 10_000
+
+
+def missing(path: str | PathLike[str], wanted: str = "") -> InputError:
+    """The message that a path does not exist, with the name beside it that is nearest.
+
+    >>> str(missing("no such folder/pearl.toml", "a pearl file"))
+    'no such folder/pearl.toml: does not exist; wanted: a pearl file'
+    """
+    near = beside(path)
+    hints = [f"; wanted: {wanted}" if wanted else "", f"; did you mean {near}?" if near else ""]
+    return InputError(f"{os.fspath(path)}: does not exist{''.join(hints)}")
+
+
+def beside(path: str | PathLike[str]) -> str | None:
+    """The path of a file or folder in the same folder whose name is nearest, or None.
+
+    The same name with an ending comes first: `mine.toml` for `mine`.
+
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     _ = Path(folder, "mine.toml").touch()
+    ...     [Path(beside(f"{folder}/{name}")).name for name in ("mine", "mien.toml")]
+    ['mine.toml', 'mine.toml']
+    """
+    place = Path(path)
+    try:
+        with os.scandir(place.parent) as entries:
+            names = [entry.name for entry, _ in zip(entries, range(_MOST_NAMES), strict=False)]
+    except (OSError, ValueError):  # no folder either, or no name that a folder can have
+        return None
+    near = _nearest(place.name, sorted(names))
+    return None if near is None else str(place.with_name(near))
+
+
+def _nearest(name: str, names: list[str]) -> str | None:
+    from difflib import get_close_matches
+
+    with_ending = [other for other in names if Path(other).stem == name]
+    return next(iter(with_ending or get_close_matches(name, names, n=1, cutoff=0.7)), None)

@@ -1,0 +1,2 @@
+from . import cutting as cutting
+from . import make as make

@@ -1,0 +1,56 @@
+"""Numbers in another unit than the one that is wanted are refused by name."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from nacreous import colour
+from nacreous.problem import InputError
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: colour.hvc_from_rgb([255, 0, 0]), "rgb[0] is 255; allowed: -10 to 10"),
+        (lambda: colour.decode([[0.5, 0.5, 0.5], [12, 40, 7]]), "encoded[1][0] is 12; allowed"),
+        (lambda: colour.hvc_from_xyz([41.2, 21.3, 1.9]), "xyz[0] is 41.2; allowed: -10 to 10"),
+        (lambda: colour.munsell_notation([[0.1, 5, 5], [90, 5, 5]]), "hue of hvc[1] is 90"),
+        (lambda: colour.rgb_from_hvc([270, 5, 5]), "hue of hvc is 270"),
+        (lambda: colour.xyz_from_hvc([270, 5, 5]), "hue of hvc is 270"),
+    ],
+)
+def test_codes_percentages_and_degrees_are_refused_where_one_is_white_and_hue_in_rad(
+    call: Callable[[], object], said: str
+) -> None:
+    with pytest.raises(InputError) as refusal:
+        call()
+    assert str(refusal.value).startswith(said)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        colour.decode,
+        colour.encode,
+        colour.hvc_from_rgb,
+        colour.map_to_gamut,
+        colour.p3_from_srgb,
+        colour.xyz_from_rgb,
+    ],
+)
+def test_bytes_of_a_picture_are_refused_even_where_light_may_be_brighter_than_white(
+    function: Callable[[object], object],
+) -> None:
+    with pytest.raises(InputError, match="uint8, the codes 0 to 255 of a picture"):
+        function(np.array([[1, 2, 3]], np.uint8))
+
+
+def test_lab_is_relative_to_the_white_of_d65_unless_another_is_given() -> None:
+    xyz = colour.white_xyz("D65")
+    assert colour.lab_from_xyz(xyz).tolist() == [100.0, 0.0, 0.0]
+    assert colour.xyz_from_lab([100.0, 0.0, 0.0]) == pytest.approx(xyz, abs=1e-15)
+    # sRGB's white is D65 as IEC 61966-2-1 rounds it.
+    assert colour.lab_from_xyz(colour.xyz_from_rgb([1, 1, 1])) == pytest.approx(
+        [100, 0, 0], abs=0.04
+    )
