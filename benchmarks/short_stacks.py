@@ -115,8 +115,8 @@ def page(best: dict[str, dict[str, float]]) -> str:
             "|---|---|---|---|" + "---|" * len(peers) + "---|",
             *rows,
             "",
-            "One value alone shows what a call costs at least: arguments are checked, and the result "
-            "is made unchangeable.",
+            "One value alone shows what a call costs at least: arguments are checked, and the "
+            "result is made unchangeable.",
             "tmm_faster does neither, and is ahead there; a table of 90 values is not ten "
             "times ahead in stacks of under 10 layers.",
             "",
