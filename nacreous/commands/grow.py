@@ -6,6 +6,8 @@ import argparse
 import datetime as dt
 from typing import TYPE_CHECKING
 
+from nacreous.commands.terminal import say
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -58,13 +60,13 @@ def run(args: argparse.Namespace) -> int:
             f"{args.nacre}: lists its layers in nacre.thickness_nm; wanted: growth keys"
         )
     grown, stack = diary(growth), stack_of(pearl)
-    print(_statistics(args.nacre, growth, stack))
+    say(_statistics(args.nacre, growth, stack))
     with file.atomic(output) as temporary:
         if output.suffix.lower() == ".csv":
             _write_table(temporary, growth, grown)
         else:
             _draw(temporary, growth, grown)
-    print(f"{output}: thickness against depth and date")
+    say(f"{output}: thickness against depth and date")
     return 0
 
 

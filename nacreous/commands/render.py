@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
+from nacreous.commands.terminal import say
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ def run(args: argparse.Namespace) -> int:
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
     outside = picture.save(output, job.bits, job.space, job.gamut, job.alpha)
-    print(_report(output, job, time.monotonic() - begin, outside))
+    say(_report(output, job, time.monotonic() - begin, outside))
     return 0
 
 

@@ -6,6 +6,8 @@ import argparse
 import time
 from typing import TYPE_CHECKING, Any
 
+from nacreous.commands.terminal import say
+
 if TYPE_CHECKING:
     from nacreous.scaling.report.analysis import Analysis
     from nacreous.scaling.report.settings import Settings
@@ -128,7 +130,6 @@ def run(args: argparse.Namespace) -> int:
     from nacreous import file
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
-    from nacreous.printable import printable
     from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
@@ -140,11 +141,9 @@ def run(args: argparse.Namespace) -> int:
     with bar("resampling") as show:
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
-    print(told(found, time.monotonic() - begin))
-    if getattr(data, "left_out", 0):
-        print(f"{data.left_out} rows left out, which hold no pair or no answer")
+    say(told(found, time.monotonic() - begin))
     for output in outputs:
-        print(f"{printable(output)}: written")
+        say(f"{output}: written")
     return 0
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from nacreous.commands.study_store import Actions
-from nacreous.printable import printable
+from nacreous.commands.terminal import say
 
 _EXAMPLES = """\
 examples:
@@ -56,5 +56,5 @@ def run(args: argparse.Namespace) -> int:
         )
     with file.atomic(args.output) as temporary:
         temporary.write_text(page, encoding="utf-8", newline="\n")
-    print(f"{printable(args.output)}: written")
+    say(f"{args.output}: written")
     return 0

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from typing import Annotated
+from unicodedata import normalize
 
 from pydantic import AfterValidator, Field
 
+from nacreous.printable import printable
 from nacreous.spec.key import FilePath
 
 
@@ -22,13 +24,15 @@ def ending(*suffixes: str) -> str:
 
 
 def _one_line(text: str) -> str:
-    if not text.isprintable():
-        raise ValueError("not printable")
+    """In Unicode's form NFC, in which names are compared."""
+    text = normalize("NFC", text.strip())
+    if not text or printable(text) != text:
+        raise ValueError("blank, or not printable")
     return text
 
 
 Name = Annotated[str, Field(min_length=1, max_length=120), AfterValidator(_one_line)]
-NAME = "one line of 1 to 120 characters"
+NAME = "one line of 1 to 120 characters, not blank"
 
 Word = Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,39}$")]
 WORD = "1 to 40 of a to z, 0 to 9, - and _, the first a letter or digit"
