@@ -1,6 +1,6 @@
 """How often the test of fit finds a misfit among ties: ties fitted, and ties counted half.
 
-    python benchmarks/ties.py              # the table of docs/scaling.md, a minute
+    python benchmarks/ties.py              # the table of docs/scaling.md, minutes
     python benchmarks/ties.py --studies 1000
 
 Simulated studies of 7 stimuli from 1 to -1 z, 30 people, each of the 21 pairs once; leads below a

@@ -32,7 +32,7 @@ def _one_line(text: str) -> str:
 
 
 Name = Annotated[str, Field(min_length=1, max_length=120), AfterValidator(_one_line)]
-NAME = "one line of 1 to 120 characters, not blank"
+NAME = "one line of 1 to 120 characters"
 
 Word = Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,39}$")]
 WORD = "1 to 40 of a to z, 0 to 9, - and _, the first a letter or digit"
