@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -144,11 +145,29 @@ def run(args: argparse.Namespace) -> int:
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
     standard.tell(told(found, time.monotonic() - begin), outputs)
+    for line in _of_people(data):
+        standard.tell(line, outputs)
     if getattr(data, "left_out", 0):
         standard.tell(f"{data.left_out} rows left out, which hold no pair or no answer", outputs)
     for output in outputs:
         standard.tell(f"{printable(output)}: written", outputs)
     return 0
+
+
+def _of_people(data: Any) -> list[str]:
+    """That nobody is known as person where that is so, and which column may say it."""
+    from nacreous.scaling import Answers
+    from nacreous.scaling.data.fault import listed
+    from nacreous.scaling.data.program import may_name_people
+
+    if not isinstance(data, Answers) or data.person is not None:
+        return []
+    line = "nobody is known as person, so each answer counts as another person's"
+    if not data.groups:
+        return [line]
+    perhaps = next(filter(may_name_people, data.groups), "NAME")
+    named = shlex.quote(f"person={perhaps}")
+    return [f"{line}; columns here: {listed(data.groups)}; name one by --column {named}"]
 
 
 def _prior(text: str) -> float | str:

@@ -376,7 +376,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
         ("left,left,right,chosen\nA,A,B,A\n", 'has more than one column "left"'),
         ("Left,LEFT,right,chosen\nA,A,B,A\n", "has no column left; did you mean"),
         (",left,right,chosen\nx,A,B,A\n", 'column 1 has no name, and row 2 holds "x" there'),
-        ("subject,participant,left,right,chosen\n1,2,A,B,A\n", "columns .*--column person=sub"),
+        ("subject,participant,left,right,chosen\n1,2,A,B,A\n1,3,A,B,A\n", "people may .*=sub"),
         (HEAD + "p1,A,B,\"['A', 'B']\"\n", "row 2: chosen is "),
         (HEAD + ",,,\n,,,\n", "has no rows"),
         ("PK\x03\x04" + PLAIN, "is a workbook; allowed: a table as text"),

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
 from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.roles import JSPSYCH, Names, program_of
+from nacreous.scaling.data.program import JSPSYCH, program_of
+from nacreous.scaling.data.roles import Names
 from nacreous.scaling.data.table import Table
 
 _LEFT, _RIGHT, _TIE, _UNKNOWN = -2, -3, -4, -5
@@ -129,7 +130,7 @@ def _sides_of(table: Table, codes: set[str]) -> dict[str, int] | None:
     """The sides that numbers stand for: the first and second, or jsPsych's buttons from 0."""
     if codes == {"1", "2"}:
         return {"1": _LEFT, "2": _RIGHT}
-    if codes <= {"0", "1"} and program_of(table) is JSPSYCH:
+    if codes <= {"0", "1"} and program_of(table.columns) is JSPSYCH:
         return {"0": _LEFT, "1": _RIGHT}
     return None
 

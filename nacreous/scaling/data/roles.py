@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
 from typing import Any, TypedDict
 
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import number_column, text_column
+from nacreous.scaling.data.column import codes_of, number_column, text_column
 from nacreous.scaling.data.fault import Faults, listed, nearest
 from nacreous.scaling.data.header import name_of
+from nacreous.scaling.data.program import names_people, program_of
 from nacreous.scaling.data.table import Table
 
 
@@ -33,45 +33,10 @@ class Names(TypedDict, total=False):
     right_word: str
 
 
-@dataclass(frozen=True)
-class Program:
-    """A program of experiments: by which columns its files are known, and what its own ones are."""
-
-    name: str
-    marks: frozenset[str]
-    columns: Mapping[str, str]
-
-
-JSPSYCH = Program(
-    "jsPsych",
-    frozenset({"trial_type", "trial_index", "time_elapsed"}),
-    {"chosen": "response", "response_ms": "rt", "trial": "trial_index"},
-)
-LABJS = Program(
-    "lab.js",
-    frozenset({"sender", "sender_type", "sender_id"}),
-    {"chosen": "response", "response_ms": "duration"},
-)
-PROGRAMS = (JSPSYCH, LABJS)
-
 LONG = ("left", "right", "chosen")
 WINNERS = ("winner", "loser")
 OPTIONAL = ("person", "time", "trial", "response_s", "response_ms")
 WORDS = ("tie", "left_word", "right_word")
-
-#: Names under which other programs write who answered.
-PEOPLE = (
-    "participant",
-    "participant_id",
-    "participantid",
-    "subject",
-    "subject_id",
-    "subjectid",
-    "subject_nr",
-    "responseid",
-    "prolific_pid",
-    "observer",
-)
 
 
 def check_names(names: Names) -> Names:
@@ -96,11 +61,6 @@ def wanted_of(names: Names) -> list[set[str]]:
     return [{str(given.get(role) or role) for role in pair} for pair in pairs]
 
 
-def program_of(table: Table) -> Program | None:
-    """The program whose columns these are."""
-    return next((each for each in PROGRAMS if each.marks <= set(table.columns)), None)
-
-
 def column_of(table: Table, role: str, names: Names) -> str | None:
     """The column that has a role, or None: as given, as usual, or as the program calls it."""
     given: Any = names.get(role)
@@ -113,7 +73,7 @@ def column_of(table: Table, role: str, names: Names) -> str | None:
         return alike[0]
     if role == "trial" and _holds_numbers(table, "order"):
         return "order"
-    program = program_of(table)
+    program = program_of(table.columns)
     own = program.columns.get(role) if program else None
     return own if own in table.columns else None
 
@@ -154,14 +114,21 @@ def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
 
 def _people(table: Table, taken: Iterable[str]) -> str | None:
     """The column of people by another program's name for it, where one is not empty."""
-    likely = [name for name in table.columns if name.casefold() in PEOPLE and name not in taken]
+    likely = [name for name in table.columns if names_people(name) and name not in taken]
     likely = [name for name in likely if text_column(table, name).null_count < table.rows]
-    if len(likely) > 1:
+    if len(likely) > 1 and not _tell_the_same(table, likely):
         raise InputError(
             f"{table.place}: people may be in the columns {listed(likely)}; allowed: one, named by "
             f"{option(table, 'person', likely[0])}"
         )
     return likely[0] if likely else None
+
+
+def _tell_the_same(table: Table, names: list[str]) -> bool:
+    """Whether columns sort the rows into the same people, under whatever labels."""
+    codes = np.column_stack([codes_of(text_column(table, name))[1] for name in names])
+    together = len(np.unique(codes, axis=0))
+    return all(len(np.unique(column)) == together for column in codes.T)
 
 
 def _holds_numbers(table: Table, name: str) -> bool:

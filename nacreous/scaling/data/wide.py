@@ -11,7 +11,8 @@ import numpy as np
 from nacreous.scaling.data.column import NOTHING, text_column
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.label import label_of
-from nacreous.scaling.data.roles import PEOPLE, Names, column_of
+from nacreous.scaling.data.program import is_response_id, names_people
+from nacreous.scaling.data.roles import Names, column_of
 from nacreous.scaling.data.table import Table
 
 _VERSUS = re.compile(r"(.*?\S)[\s_.\-]+(?:vs|versus)\.?[\s_.\-]+(\S.*)", re.IGNORECASE)
@@ -71,8 +72,8 @@ def _person(table: Table, names: Names) -> str | None:
     given = column_of(table, "person", names)
     if given is not None or "person" in names:
         return given
-    known = {name.casefold(): name for name in table.columns if name.casefold() in PEOPLE}
-    return known.get("responseid") or next(iter(known.values()), None)
+    known = [name for name in table.columns if names_people(name)]
+    return next(iter(sorted(known, key=lambda name: not is_response_id(name))), None)
 
 
 def _pairs(table: Table) -> dict[str, tuple[str, str, bool]]:
