@@ -12,7 +12,8 @@ from nacreous.deprecation import keep_former_names
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.label import LONGEST_LABEL, hidden_in, natural
+from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
+from nacreous.scaling.data.label import LONGEST_LABEL, natural
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
 
@@ -77,7 +78,7 @@ def _maybe_hidden(text: Any) -> list[int]:
     """Rows with a character that cannot be seen."""
     import pyarrow.compute as pc
 
-    found = pc.fill_null(pc.match_substring_regex(text, r"[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]"), False)
+    found = pc.fill_null(pc.match_substring_regex(text, MAYBE_HIDDEN), False)
     return np.flatnonzero(np.asarray(found)).tolist()
 
 

@@ -19,7 +19,8 @@ from nacreous.scaling.data.column import (
     time_column,
 )
 from nacreous.scaling.data.fault import Faults, listed, quoted
-from nacreous.scaling.data.label import check_alike, check_number, labels_of
+from nacreous.scaling.data.label import check_number, labels_of
+from nacreous.scaling.data.likeness import check_alike
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs

@@ -42,39 +42,12 @@ LIMESURVEY = Program("LimeSurvey", frozenset({"id", "submitdate", "lastpage"}), 
 PROGRAMS = (JSPSYCH, LABJS, GORILLA, SOSCI, LIMESURVEY)
 
 #: Words for somebody who answers, each also with id, number and the like behind it.
-_SOMEBODY = [
-    "participant",
-    "participants",
-    "subject",
-    "subj",
-    "observer",
-    "person",
-    "respondent",
-    "judge",
-    "rater",
-    "assessor",
-    "panelist",
-    "panellist",
-    "user",
-    "worker",
-    "prolific",
-    "ppt",
-    "proband",
-    "probandin",
-    "versuchsperson",
-    "vpn",
-    "vp",
-    "teilnehmer",
-    "teilnehmerin",
-    "sujet",
-    "sujeto",
-    "参加者",
-    "被験者",
-    "回答者",
-    "観察者",
-    "実験参加者",
-    "評価者",
-]
+_SOMEBODY = (
+    *("participant", "participants", "subject", "subj", "observer", "person", "respondent"),
+    *("judge", "rater", "assessor", "panelist", "panellist", "user", "worker", "prolific", "ppt"),
+    *("proband", "probandin", "versuchsperson", "vpn", "teilnehmer", "teilnehmerin"),
+    *("sujet", "sujeto", "参加者", "実験参加者", "被験者", "回答者", "観察者", "評価者"),
+)
 _BEHIND = ("", "id", "ids", "nr", "no", "num", "number", "code", "番号")
 _PEOPLE = frozenset(
     {f"{word}{behind}" for word in _SOMEBODY for behind in _BEHIND}
