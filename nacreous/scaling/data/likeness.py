@@ -27,20 +27,28 @@ _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}(,[0-9]{3})+(\.[0-9]*)?")
 
 def check_alike(labels: Iterable[str], place: str) -> None:
     """Refuse labels that look alike or are one number: in pooled files one thing would be two."""
-    seen: dict[object, str] = {}
+    seen: dict[str, str] = {}
     for label in labels:
-        shape = _shape(label)
-        number = _number(shape)
-        other = seen.setdefault(number or shape, label)
+        other = seen.setdefault(shape_of(label), label)
         if other != label:
-            differ = "are one number" if number and _shape(other) != shape else "look alike"
+            differ = "look alike" if _drawn(other) == _drawn(label) else "are one number"
             raise InputError(
                 f"{place}: {quoted(other)} and {quoted(label)} {differ}; allowed: one way of "
                 "writing it"
             )
 
 
-def _shape(label: str) -> str:
+def shape_of(label: str) -> str:
+    """What labels that look alike, or are one number, have in common.
+
+    >>> shape_of("crop  2") == shape_of("crop 2"), shape_of("0.50") == shape_of(".5")
+    (True, True)
+    """
+    drawn = _drawn(label)
+    return _number(drawn) or drawn
+
+
+def _drawn(label: str) -> str:
     """What a label looks like: letters of one width and one script where they are drawn alike."""
     text = visible(label)
     if text.isascii():
@@ -52,15 +60,17 @@ def _shape(label: str) -> str:
     return " ".join(normalize("NFC", plain).translate(_DRAWN_AS).split())
 
 
-def _number(shape: str) -> tuple[str, str, int] | None:
-    """Sign, digits and power of ten of a number, however it is written; None of other labels."""
-    if _THOUSANDS.fullmatch(shape):
-        shape = shape.replace(",", "")
-    found = _NUMBER.fullmatch(shape)
+def _number(drawn: str) -> str | None:
+    """A number as a whole one and a power of ten, however it is written; None of other labels."""
+    if _THOUSANDS.fullmatch(drawn):
+        drawn = drawn.replace(",", "")
+    found = _NUMBER.fullmatch(drawn)
     if not found:
         return None
     fraction = found[3] or ""
     digits = (found[2] + fraction).lstrip("0")
-    bare = digits.rstrip("0")
-    power = int(found[4] or 0) - len(fraction) + len(digits) - len(bare)
-    return ("-" if found[1] == "-" and bare else "", bare, power if bare else 0)
+    whole = digits.rstrip("0")
+    if not whole:
+        return "0"
+    power = int(found[4] or 0) - len(fraction) + len(digits) - len(whole)
+    return f"{found[1].strip('+')}{whole}e{power}"
