@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shlex
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -69,7 +68,7 @@ def _add_data(parser: argparse.ArgumentParser) -> None:
         default=[],
         metavar="ROLE=NAME",
         help="left, right, chosen (or winner, loser), person, time, trial, response_s, response_ms "
-        "by another name",
+        "by another name; time= and the like for none",
     )
     data.add_argument("--left", metavar="WORD", help="what chosen holds where the left one was")
     data.add_argument("--right", metavar="WORD", help="what chosen holds where the right one was")
@@ -133,40 +132,43 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
+    from nacreous.commands.scale_people import of_people
+    from nacreous.commands.spoken import spoken
     from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
     for output in outputs:
         standard.check_output(output, SUFFIXES)
-    with standard.reading(args.answers, ".csv") as args.answers:
+    with standard.reading(args.answers, ".csv") as args.answers, spoken(args.answers):
         data = _data(args)
         settings = _settings(args, _of_study(args))
+        _check_group(data, args.group)
     begin = time.monotonic()
-    with bar("resampling") as show:
+    with bar("resampling") as show, spoken(args.answers):
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
     say(told(found, time.monotonic() - begin), outputs)
-    for line in _of_people(data):
+    for line in of_people(data):
         say(line, outputs)
     for output in outputs:
         say(f"{output}: written", outputs)
     return 0
 
 
-def _of_people(data: Any) -> list[str]:
-    """That nobody is known as person where that is so, and which column may say it."""
+def _check_group(data: Any, column: str | None) -> None:
+    """Refuse a column in which all are alike, by its name."""
+    from nacreous.problem import InputError
     from nacreous.scaling import Answers
     from nacreous.scaling.data.fault import listed
-    from nacreous.scaling.data.program import may_name_people
 
-    if not isinstance(data, Answers) or data.person is not None:
-        return []
-    line = "nobody is known as person, so each answer counts as another person's"
-    if not data.groups:
-        return [line]
-    perhaps = next(filter(may_name_people, data.groups), "NAME")
-    named = shlex.quote(f"person={perhaps}")
-    return [f"{line}; columns here: {listed(data.groups)}; name one by --column {named}"]
+    if column is None or not isinstance(data, Answers):
+        return
+    groups = data.split(column)
+    if len(groups) < 2:
+        held = listed(groups) or "nothing"
+        raise InputError(
+            f"group is {column!r}, a column that holds {held}; allowed: one with 2 groups or more"
+        )
 
 
 def _prior(text: str) -> float | str:
@@ -261,7 +263,7 @@ def _columns(args: argparse.Namespace) -> dict[str, Any]:
     names: dict[str, Any] = {role: word for role, word in words.items() if word is not None}
     for setting in args.column:
         role, equals, name = setting.partition("=")
-        if not equals or not role or not name or role in words:
+        if not equals or not role or role in words:
             raise InputError(f'--column "{setting}": wanted: role=name, such as left=first')
         if role in names:
             raise InputError(f"--column {role} is given twice; allowed: once")

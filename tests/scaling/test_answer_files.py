@@ -138,7 +138,7 @@ def test_an_encoding_that_cannot_be_told_is_asked_for(tmp_path, labels, python):
     text = PLAIN
     for letter, label in zip("ABC", labels, strict=True):
         text = text.replace(letter, label)
-    with pytest.raises(nc.InputError, match=r"line 2 is not UTF-8 .* such as --encoding"):
+    with pytest.raises(nc.InputError, match=r"line 2 is not UTF-8 .* such as encoding="):
         read(tmp_path, text.encode(python))
     name = {"cp1252": "windows-1252", "cp1251": "windows-1251", "cp932": "shift-jis"}
     answers = read(tmp_path, text.encode(python), encoding=name.get(python, python))
@@ -160,7 +160,7 @@ def test_psychopy_is_read_by_the_names_of_its_columns(tmp_path):
     assert np.array_equal(answers.response_s, [0.83, 0.7, np.nan], equal_nan=True)
     assert (answers.left_out, answers.unanswered) == (1, 0)
     late = KEYS + rows.replace("left,,", "None,,")
-    with pytest.raises(nc.InputError, match=r"row 5: key_resp.keys is empty; .*--skip-unanswered"):
+    with pytest.raises(nc.InputError, match=r"row 5: key_resp.keys is empty; .* skip_unan"):
         read(tmp_path, late, **PSYCHOPY)
     answers = read(tmp_path, late, skip_unanswered=True, **PSYCHOPY)
     assert said(answers) == ["001:A.png>B.png", "001:C.png>B.png"]
@@ -228,7 +228,7 @@ def test_winner_and_loser_are_answers_without_sides(tmp_path):
 
 def test_codes_that_may_mean_either_side_are_asked_for(tmp_path):
     binary = HEAD + "p1,A,B,1\np1,B,C,0\np2,C,A,0\n"
-    with pytest.raises(nc.InputError, match=r"chosen holds 0 and 1, and either .* --left 1 --rig"):
+    with pytest.raises(nc.InputError, match=r"chosen holds 0 and 1, and either .* left_word='1', "):
         read(tmp_path, binary)
     assert said(read(tmp_path, binary, left_word="1", right_word="0")) == TOLD
     ones = HEAD + "p1,A,B,1\n"
@@ -334,7 +334,7 @@ def test_control_and_invisible_characters_are_no_part_of_a_label(tmp_path, label
     with pytest.raises(nc.InputError, match=f"allowed: no {escape} in"):
         Answers.of_pairs([(label, "C"), ("C", label)])
     noted = read(tmp_path, HEAD.replace("\n", ",note\n") + f'p1,A,B,A,"{label}"\n')
-    assert noted.groups["note"].levels[0].isprintable()
+    assert noted.groups["note"].levels[0].replace("\u200c", "").isprintable()
 
 
 def test_words_of_any_script_are_labels(tmp_path):
@@ -392,8 +392,8 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
     ("content", "message"),
     [
         (PLAIN + HEAD + ROWS, "row 5 is the line of column names again"),
-        ("x,y,z\n" + PLAIN, "row 2 holds the names of columns, and row 1 .*--skip-rows 1"),
-        ("Study\n" + PLAIN.replace("left", "links"), "skip rows above the names by --skip-rows N"),
+        ("x,y,z\n" + PLAIN, "row 2 holds the names of columns, and row 1 .*skip_rows=1"),
+        ("Study\n" + PLAIN.replace("left", "links"), "skip rows above the names by skip_rows=N"),
         ("left,right;chosen\nA,B;A\n", "separated by commas or semicolons in .*line sep=,"),
         (HEAD + "p1,A,B\n", "row 2: has 3 cells; allowed: 4"),
         (HEAD + "p1,A,B,A,note\n", "row 2: has 5 cells; allowed: 4"),
@@ -408,12 +408,15 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
         ("left,left,right,chosen\nA,A,B,A\n", 'has more than one column "left"'),
         ("Left,LEFT,right,chosen\nA,A,B,A\n", "has no column left; did you mean"),
         (",left,right,chosen\nx,A,B,A\n", 'column 1 has no name, and row 2 holds "x" there'),
-        ("subject,participant,left,right,chosen\n1,2,A,B,A\n1,3,A,B,A\n", "people may .*=sub"),
+        (
+            "subject,participant,left,right,chosen\n1,2,A,B,A\n1,3,A,B,A\n",
+            "people may .* person='sub",
+        ),
         (HEAD + "p1,A,B,\"['A', 'B']\"\n", "row 2: chosen is "),
         (HEAD + ",,,\n,,,\n", "has no rows"),
         ("PK\x03\x04" + PLAIN, "is a workbook; allowed: a table as text"),
         ("\n\n \n", "is empty"),
-        (PLAIN.replace("chosen", "winner"), "has no column chosen; .*name it by --column chosen="),
+        (PLAIN.replace("chosen", "winner"), "has no column chosen; .*name it by chosen=NAME"),
         (f"{HEAD}p1,A,B,{'x' * 300}\n", "chosen is 300 characters long"),
     ],
     ids=range(24),
