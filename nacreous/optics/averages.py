@@ -21,7 +21,7 @@ Array: TypeAlias = NDArray[np.float64]
 Density: TypeAlias = Callable[[Array], Array]
 
 #: Pieces are halved until Gauss's and Kronrod's sums differ by no more in all: a tenth of what is
-#: promised, for at the kink of total reflection both are wrong alike (4e-6 where they differ by 1e-6).
+#: promised, for at the kink of total reflection both are wrong alike, by 4e-6 at 1e-6.
 _TOLERANCE = 1e-7
 _FEWEST_PIECES, _MOST_PIECES = 16, 20_000
 
