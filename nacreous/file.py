@@ -94,18 +94,16 @@ def require_apart(
     An input may be the number of an open file, such as 0 for standard input; those that are no
     files here, as a preset's name, count as none. Raises `InputError`.
 
-    >>> require_apart(["scale.csv", "./scale.csv"], ["answers.csv"])
+    >>> require_apart(["a.csv", "a.csv"], [])
     Traceback (most recent call last):
-    nacreous.problem.InputError: ./scale.csv: is the same file as the output scale.csv; allowed: another name
+    nacreous.problem.InputError: a.csv: is the same file as the output a.csv; allowed: another name
     """
     taken = [(f"the output {path}", path) for path in outputs]
     read = [("standard input" if path == 0 else f"the input {path}", path) for path in inputs]
     for place, output in enumerate(outputs):
         for what, other in read + taken[:place]:
             if _same_file(output, other):
-                raise InputError(
-                    f"{output}: is the same file as {what}; allowed: another name"
-                )
+                raise InputError(f"{output}: is the same file as {what}; allowed: another name")
 
 
 def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]:
@@ -156,7 +154,8 @@ def read_png_text(path: str | PathLike[str]) -> dict[str, str]:
 def _same_file(one: str | PathLike[str], other: str | PathLike[str] | int) -> bool:
     """Whether both names lead to one file, which need not be there yet."""
     try:
-        return os.path.samestat(os.stat(one), os.stat(other))
+        known = os.fstat(other) if isinstance(other, int) else Path(other).stat()
+        return os.path.samestat(Path(one).stat(), known)
     except (OSError, ValueError):
         return not isinstance(other, int) and os.path.realpath(one) == os.path.realpath(other)
 

@@ -24,9 +24,7 @@ def check_output(output: str, endings: Collection[str]) -> None:
         raise InputError("- is given as the output; allowed: with > file or | program behind")
 
 
-def require_apart(
-    outputs: Sequence[str], inputs: Iterable[str]
-) -> None:
+def require_apart(outputs: Sequence[str], inputs: Iterable[str]) -> None:
     """Refuse to write over what is read, `-` included, and to write two outputs to one place."""
     if list(outputs).count(STREAM) > 1:
         raise InputError(f"{STREAM} is given twice as an output; allowed: once")
