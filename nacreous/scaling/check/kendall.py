@@ -158,6 +158,6 @@ def _signs(people: int, answers: int) -> Array:
     """float64 [turn, person], 1 or -1; all that differ, the first person held, or some by lot."""
     if people <= _MOST_TRIED:
         ways = np.arange(2 ** (people - 1))
-        return 1.0 - 2.0 * ((ways[:, None] >> np.arange(people)) & 1)
+        return np.asarray(1.0 - 2.0 * ((ways[:, None] >> np.arange(people)) & 1), np.float64)
     turns = max(_LEAST_TURNS, min(_TURNS, _MOST_TURNED // answers))
     return np.random.default_rng(1).choice([-1.0, 1.0], (turns, people))

@@ -125,7 +125,8 @@ def shared_scale(
     if spread <= _NOTHING * size:
         raise InputError(
             "nobody answered two pairs that others answered in other ways, so that no one's own "
-            "answers can be held together; allowed: people who answered several pairs, some of them alike"
+            "answers can be held together; allowed: people who answered several pairs, some of "
+            "them the same"
         )
     # Whole, along, across; a deal that repeats the true one must count, whatever rounding says.
     p_values = (1 + (dealt >= true - _NOTHING * size).sum(axis=0)) / (1 + permutations)
