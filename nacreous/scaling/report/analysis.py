@@ -67,6 +67,11 @@ class Analysis:
         return self.people is not None and self.people.differ
 
     @property
+    def people_told(self) -> bool:
+        """Whether these answers could tell that people do not share one scale."""
+        return self.people is not None and self.people.shared.tells
+
+    @property
     def is_level(self) -> bool:
         """Whether all things stand at one place, as far as three decimals show."""
         return bool(np.ptp(self.fit.scale) < _LEVEL)

@@ -76,8 +76,7 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes:
         if analysis.people_differ:
             return words("short.fits_sums")
-        told = analysis.people is not None and analysis.people.shared.tells
-        return words("short.fits" if told else "short.fits_counts")
+        return words("short.fits" if analysis.people_told else "short.fits_counts")
     worst = analysis.goodness.largest
     return words(
         "short.misfits_ties" if worst.ties else "short.misfits",
