@@ -25,7 +25,7 @@ def ending(*suffixes: str) -> str:
 
 def _one_line(text: str) -> str:
     """In Unicode's form NFC, in which names are compared."""
-    text = normalize("NFC", text.strip())
+    text = normalize("NFC", text.strip(" \u3000"))
     if not text or printable(text) != text:
         raise ValueError("blank, or not printable")
     return text
