@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
@@ -22,7 +22,14 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["atomic", "check_output", "read_panorama", "read_photograph", "read_png_text"]
+__all__ = [
+    "atomic",
+    "check_output",
+    "read_panorama",
+    "read_photograph",
+    "read_png_text",
+    "require_apart",
+]
 
 
 @contextmanager
@@ -79,6 +86,26 @@ def check_output(path: str | PathLike[str], suffixes: Collection[str]) -> Path:
     return output
 
 
+def require_apart(
+    outputs: Sequence[str | PathLike[str]], inputs: Iterable[str | PathLike[str] | int]
+) -> None:
+    """Refuse outputs that are one of the inputs, or each other, by whatever name or link.
+
+    An input may be the number of an open file, such as 0 for standard input; those that are no
+    files here, as a preset's name, count as none. Raises `InputError`.
+
+    >>> require_apart(["a.csv", "a.csv"], [])
+    Traceback (most recent call last):
+    nacreous.problem.InputError: a.csv: is the same file as the output a.csv; allowed: another name
+    """
+    taken = [(f"the output {path}", path) for path in outputs]
+    read = [("standard input" if path == 0 else f"the input {path}", path) for path in inputs]
+    for place, output in enumerate(outputs):
+        for what, other in read + taken[:place]:
+            if _same_file(output, other):
+                raise InputError(f"{output}: is the same file as {what}; allowed: another name")
+
+
 def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]:
     """Read a photograph (PNG, JPEG or TIFF; 8 or 16 bits; grey or RGB) as linear light.
 
@@ -122,6 +149,15 @@ def read_png_text(path: str | PathLike[str]) -> dict[str, str]:
     {'nacreous:seed': '7'}
     """
     return dict(_core.read_png_text(_there(path)))
+
+
+def _same_file(one: str | PathLike[str], other: str | PathLike[str] | int) -> bool:
+    """Whether both names lead to one file, which need not be there yet."""
+    try:
+        known = os.fstat(other) if isinstance(other, int) else Path(other).stat()
+        return os.path.samestat(Path(one).stat(), known)
+    except (OSError, ValueError):
+        return not isinstance(other, int) and os.path.realpath(one) == os.path.realpath(other)
 
 
 def _there(path: str | PathLike[str]) -> str | PathLike[str]:

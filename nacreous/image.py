@@ -239,6 +239,20 @@ def render_recipe(made: Recipe, progress: Callable[[float], None] | None = None)
     return Image._rendered(picture, made.texts)
 
 
+def files_of(made: Recipe) -> list[str]:
+    """The files that a recipe names: measured lights, panoramas, photographs.
+
+    >>> from nacreous.recipe import recipe
+    >>> files_of(recipe("paper", "paper", 8, 4))
+    []
+    """
+    spectra, panoramas, photographed = _core.files_needed(made.json)
+    if not photographed:
+        return [*spectra, *panoramas]
+    pearls = json.loads(made.json)["pearls"]
+    return [*spectra, *panoramas, *(pearls[at]["texture"]["source"] for at in photographed)]
+
+
 def recipe_json(
     pearl: Given | Sequence[Given] = "paper",
     scene: str | Path | Scene = "paper",

@@ -139,6 +139,7 @@ def run(args: argparse.Namespace) -> int:
     outputs = args.output or ["report.html"]
     for output in outputs:
         standard.check_output(output, SUFFIXES)
+    standard.require_apart(outputs, [] if args.answers == PAPER else [args.answers])
     with standard.reading(args.answers, ".csv") as args.answers, spoken(args.answers):
         data = _data(args)
         settings = _settings(args, _of_study(args))
