@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
+from nacreous.named_files import hold_files, moved, relative_to
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, Recipe, recipe
@@ -77,7 +78,7 @@ class Image(Unchanging):
 
     def _repr_png_(self) -> bytes:
         """The picture as notebooks show it, in sRGB."""
-        return _core.png_bytes(self.develop()[0], "srgb", self._texts())
+        return _core.png_bytes(self.develop()[0], "srgb", self._texts({}, Path()))
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
@@ -158,39 +159,39 @@ class Image(Unchanging):
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
         _check_bits(bits)
-        outside = 0.0
+        how: dict[str, object] = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
+        if suffix == ".exr":
+            how = {"alpha": True} if alpha else {}
+        texts = self._texts(how, Path(path).parent)
         with file.atomic(path) as temporary:
             if self._picture is None or self._arrays is not None or alpha:
-                outside = self._save_arrays(
-                    temporary, suffix, (bits, str(space), str(gamut), alpha)
+                return self._save_arrays(
+                    temporary, suffix, (bits, str(space), str(gamut), alpha), texts
                 )
-            elif suffix == ".exr":
-                self._picture.save_exr(temporary, self._texts())
-            else:
-                texts = self._texts(bits, space, gamut, alpha)
-                outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
-        return outside
+            if suffix == ".exr":
+                self._picture.save_exr(temporary, texts)
+                return 0.0
+            return self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
 
     def _save_arrays(
-        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool]
+        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool], texts: _Texts
     ) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
             from nacreous.alpha import opaque, pearls_alone
 
             rgba = pearls_alone(self.layers) if how[3] else opaque(self.linear)
-            _core.write_exr(path, [("", rgba), *self.layers.items()], self._texts())
+            _core.write_exr(path, [("", rgba), *self.layers.items()], texts)
             return 0.0
         codes, outside = self.develop(*how)
-        _core.write_png(path, codes, how[1], self._texts(*how))
+        _core.write_png(path, codes, how[1], texts)
         return outside
 
-    def _texts(self, *how: object) -> list[tuple[str, str]]:
-        """The recipe, and of a PNG how it was developed."""
-        texts = dict(self.recipe)
+    def _texts(self, how: Mapping[str, object], folder: Path) -> _Texts:
+        """The recipe for a file in a folder, and how the light became what the file holds."""
+        texts = moved(self.recipe, relative_to(folder))
         if how and texts:
-            names = ("bits", "space", "gamut", "alpha")
-            texts["developed"] = json.dumps(dict(zip(names, how, strict=True)))
+            texts["developed"] = json.dumps(how)
         return [(PREFIX + name, text) for name, text in texts.items()]
 
 
@@ -236,7 +237,7 @@ def render_recipe(made: Recipe, progress: Callable[[float], None] | None = None)
         _measured_grains(made.json, photographed),
         report,
     )
-    return Image._rendered(picture, made.texts)
+    return Image._rendered(picture, hold_files(made.texts, made.json))
 
 
 def recipe_json(
@@ -300,4 +301,5 @@ def _check_bits(bits: int) -> None:
 
 
 if TYPE_CHECKING:
+    _Texts: TypeAlias = list[tuple[str, str]]
     _Arrays: TypeAlias = tuple[NDArray[np.float32], Mapping[str, NDArray[np.float32]]]

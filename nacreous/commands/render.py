@@ -138,9 +138,9 @@ def _again(args: argparse.Namespace) -> _Job:
 
     of_pearl, of_scene = shared_out(args.set)
     scene = None if args.scene is None else Scene.load(args.scene, of_scene)
-    kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else ())
+    kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else (), scene)
     size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)
-    made = recipe(kept.pearls, scene or kept.scene, size, samples)
+    made = recipe(kept.pearls, kept.scene, size, samples)
     bits, space, gamut, alpha = kept.developed
     return _Job(
         made,
