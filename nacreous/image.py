@@ -8,15 +8,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
+from nacreous.linear_light import layers_of, linear_of, texts_of
 from nacreous.named_files import hold_files, moved, relative_to
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, Recipe, recipe
-from nacreous.unchanging import Unchanging, keep, key_of, released
+from nacreous.unchanging import Unchanging, keep, key_of, ordered, released
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import DTypeLike, NDArray
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
 
     from nacreous.recipe import Given
     from nacreous.spec import Scene
@@ -37,7 +38,8 @@ class Image(Unchanging):
     pearls) and "shadow" (the share of its light that the table lacks for the pearls). recipe: texts
     "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others. A
     picture never changes; it compares, hashes, copies and pickles as its
-    numbers and its recipe.
+    numbers and its recipe. Made by hand, numbers become float32; `InputError` for what are none,
+    and for other shapes.
     """
 
     _arrays: _Arrays | None
@@ -46,11 +48,13 @@ class Image(Unchanging):
 
     def __init__(
         self,
-        linear: NDArray[np.float32],
-        layers: Mapping[str, NDArray[np.float32]],
+        linear: ArrayLike,
+        layers: Mapping[str, ArrayLike],
         recipe: Mapping[str, str] | None = None,
     ) -> None:
-        keep(self, _arrays=(linear, layers), _picture=None, recipe=recipe or {})
+        light = linear_of(linear)
+        arrays = (light, layers_of(layers, light))
+        keep(self, _arrays=arrays, _picture=None, recipe=texts_of(recipe))
 
     @classmethod
     def _rendered(cls, picture: _core.Picture, recipe: Mapping[str, str]) -> Image:
@@ -91,6 +95,10 @@ class Image(Unchanging):
     def __hash__(self) -> int:
         """Equal pictures have equal hashes."""
         return hash(self._key())
+
+    def __dask_tokenize__(self) -> object:
+        """What Dask knows equal pictures by."""
+        return type(self).__qualname__, ordered(self._key())
 
     def _key(self) -> object:
         return key_of((self.linear, self.layers, self.recipe))
@@ -296,7 +304,7 @@ def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, 
 
 
 def _check_bits(bits: int) -> None:
-    if bits not in (8, 16):
+    if type(bits) is not int or bits not in (8, 16):
         raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
 
 

@@ -134,3 +134,18 @@ def test_save_says_what_is_wrong_and_writes_nothing(
 def test_a_picture_with_a_hole_is_not_developed() -> None:
     hole = np.full((2, 2, 3), np.nan, np.float32)
     assert refusal(nc.Image(hole, {}).develop) == "linear has a value that is not finite"
+
+
+def test_a_picture_made_by_hand_is_converted_or_refused() -> None:
+    made = nc.Image([[[0.5, 0.5, 0.5]]], {"mask": np.ones((1, 1, 1))})
+    assert made.linear.dtype == made.layers["mask"].dtype == np.float32
+    light = np.zeros((2, 2, 3))
+    for given, message in (
+        ((np.zeros((2, 2)), {}), "linear has the shape (2, 2); allowed: [row, column, 3]"),
+        (("pearl", {}), "linear is 'pearl'; allowed: numbers"),
+        ((light, {"mask": np.zeros((3, 2, 1))}), "layer 'mask' has the shape (3, 2, 1)"),
+        ((light, [light]), "layers are "),
+        ((light, {}, {"x": 5}), "recipe has 5 for 'x'; allowed: texts"),
+    ):
+        assert refusal(lambda given=given: nc.Image(*given)).startswith(message)
+    assert refusal(lambda: made.develop(bits=8.0)) == "bits is 8.0; allowed: 8, 16"
