@@ -23,9 +23,10 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+from peers import PEERS, Stack, install
+
 ROOT = Path(__file__).parent.parent
 ONE_THREAD = {f"{name}_NUM_THREADS": "1" for name in ("RAYON", "OMP", "OPENBLAS", "MKL", "NUMEXPR")}
-PEERS = ("cuda-thinfilm", "tmm_faster", "tmm_fast", "PyMoosh", "tmm")
 RUNS = 9
 
 #: Multiplications and additions of the lossless kernel, fused ones counted once, per evaluation:
@@ -130,80 +131,13 @@ def wall_s() -> float:
     return min(times)
 
 
-# --- peers: each gives the mean reflectance of natural light
+# --- peers
 
 
-def layers(part: Job) -> tuple[list[float], list[float]]:
+def layers(part: Job) -> Stack:
     """(indices, thicknesses) from the ambient to the substrate."""
     thickness_nm = [nm for d in part[0] for nm in (d, 20.0)]
     return [1.0, *[1.53, 1.43] * len(part[0]), 1.53], [math.inf, *thickness_nm, math.inf]
-
-
-def peer_cuda_thinfilm(part: Job) -> float:
-    import numpy as np
-    from cuda_thinfilm import ThinFilmStack
-
-    n, d = layers(part)
-    total = 0.0
-    for angle in part[1]:
-        stack = ThinFilmStack(
-            wavelengths=np.array(part[2]),
-            incident_medium=1.0,
-            substrate=1.53,
-            angle_deg=math.degrees(angle),
-            polarization="unpolarized",
-            backend="cpu",
-        )
-        for index, nm in zip(n[1:-1], d[1:-1], strict=True):
-            stack.add_layer(index, thickness_nm=nm)
-        total += float(stack.calculate()[0].mean()) / 100
-    return total / len(part[1])
-
-
-def peer_tmm_faster(part: Job) -> float:
-    import numpy as np
-    import tmm_faster
-
-    n, d = layers(part)
-    table = np.tile(np.array(n, complex), (len(part[2]), 1))
-    result = tmm_faster.calc_coherent(table, d, np.degrees(part[1]), np.array(part[2]))
-    return float(np.mean(result["R_avg"]))
-
-
-def peer_tmm_fast(part: Job) -> float:
-    import numpy as np
-    import tmm_fast
-
-    n, d = layers(part)
-    table = np.tile(np.array(n, complex)[None, :, None], (1, 1, len(part[2])))
-    angle, nm = np.array(part[1]), np.array(part[2])
-    both = [tmm_fast.coh_tmm(p, table, np.array([d]), angle, nm)["R"] for p in "sp"]
-    return float(np.mean([np.asarray(R).mean() for R in both]))
-
-
-def peer_PyMoosh(part: Job) -> float:  # noqa: N802
-    import numpy as np
-    from PyMoosh.classes import Structure
-    from PyMoosh.vectorized import spectrum_A
-
-    _, d = layers(part)
-    types = [0, *[1, 2] * len(part[0]), 1]
-    structure = Structure([1.0, 1.53**2, 1.43**2], types, [0, *d[1:-1], 0], verbose=False)
-    nm = part[2]
-    R = [
-        np.mean(spectrum_A(structure, angle, plane, nm[0], nm[-1], len(nm))[3])
-        for angle in part[1]
-        for plane in (0, 1)
-    ]
-    return float(np.mean(R))
-
-
-def peer_tmm(part: Job) -> float:
-    import tmm
-
-    n, d = layers(part)
-    R = [tmm.coh_tmm(p, n, d, a, nm)["R"] for a in part[1] for nm in part[2] for p in "sp"]
-    return float(sum(R) / len(R))
 
 
 #: Angles and wavelengths that take a peer a few seconds with 400 bilayers.
@@ -218,16 +152,17 @@ PARTS = {
 
 def peer(name: str) -> dict[str, float]:
     """Nanoseconds per evaluation with 400 bilayers, mean reflectance; in the peer's environment."""
-    work = globals()[f"peer_{name.replace('-', '_')}"]
     part = job(400, *PARTS[name])
-    mean = work(part)
-    return {"ns": least_s(lambda: work(part), 3) / evaluations(part) * 1e9, "mean": mean}
+    work = PEERS[name](layers(part), *part[1:])
+    return {"mean": work(), "ns": least_s(work, 3) / evaluations(part) * 1e9}
 
 
-def in_another_process(python: str | Path, *arguments: str, threads: str = "1") -> dict[str, float]:
+def in_another_process(
+    python: str | Path, *arguments: str, threads: str = "1", script: str = __file__
+) -> dict[str, float]:
     environment = {**os.environ, **ONE_THREAD, "RAYON_NUM_THREADS": threads}
     done = subprocess.run(
-        [python, __file__, *arguments], env=environment, stdout=subprocess.PIPE, text=True
+        [python, script, *arguments], env=environment, stdout=subprocess.PIPE, text=True
     )
     if done.returncode:
         return {}
@@ -239,12 +174,9 @@ def compare(nanoseconds: float) -> list[str]:
     """A line of the table for each peer that installs and agrees."""
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.executable, "-m", "venv", folder], check=True)
-        python = Path(folder, "bin", "python")
         for name in PEERS:
-            install = [python, "-m", "pip", "install", "--quiet", name, "numpy", "scipy"]
-            installed = subprocess.run(install, stdout=subprocess.DEVNULL).returncode == 0
-            found = in_another_process(python, "--peer", name) if installed else {}
+            python = install(name, folder)
+            found = in_another_process(python, "--peer", name) if python else {}
             if not found:
                 rows.append(f"| {name} | did not run here | |")
                 continue
@@ -329,7 +261,9 @@ def main() -> None:
     if peers:
         document = ROOT / "docs" / "benchmarks.md"
         text = document.read_text(encoding="utf-8")
-        document.write_text(text.partition("## Exact optics")[0].rstrip() + "\n\n" + section)
+        before, _, after = text.partition("## Exact optics\n")
+        after = after.partition("\n## ")[2]
+        document.write_text(f"{before}{section}\n" + (f"## {after}" if after else ""))
 
 
 if __name__ == "__main__":

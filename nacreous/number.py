@@ -35,6 +35,8 @@ def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
         array = np.array(None)
     if array.dtype.kind not in "iuf":  # text, truth values and complex numbers would be converted
         raise InputError(f"{name} is {said(values)}; allowed: numbers")
+    if array.dtype == np.float64 and array.flags.aligned:
+        return array  # as np.require says too, three times as slowly
     return np.require(array, np.float64, "A")
 
 

@@ -95,10 +95,8 @@ def released(array: NDArray[Any]) -> NDArray[Any]:
     >>> released(np.arange(6).reshape(2, 3)).flags.writeable
     False
     """
-    held: Any = array
-    while is_array(held):
+    for held in _holders(array):
         held.flags.writeable = False
-        held = held.base
     return array
 
 
@@ -130,11 +128,9 @@ def is_array(item: object) -> TypeGuard[NDArray[Any]]:
 
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    held: Any = array
-    while is_array(held):
+    for held in _holders(array):
         if held.flags.writeable:
             return _locked(array)
-        held = held.base
     return array
 
 
@@ -147,6 +143,17 @@ def _locked(array: NDArray[Any]) -> NDArray[Any]:
     copy = array.copy()
     copy.flags.writeable = False
     return copy
+
+
+def _holders(array: NDArray[Any]) -> list[NDArray[Any]]:
+    """The array, the one whose memory it looks at, and so on."""
+    ndarray = sys.modules["numpy"].ndarray
+    holders = []
+    held: Any = array
+    while isinstance(held, ndarray):
+        holders.append(held)
+        held = held.base
+    return holders
 
 
 def keep(self: object, **fields: Any) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, TypeVar, dataclass_transform
 
-from nacreous.unchanging import keep, key_of, ordered
+from nacreous.unchanging import key_of, ordered, settled
 
 __all__ = ["value_class"]
 
@@ -42,7 +42,9 @@ def value_class(cls: type[T]) -> type[T]:
     def finish(self: Any) -> None:
         if own is not None:
             own(self)
-        keep(self, **vars(self))
+        for name, item in list(vars(self).items()):
+            if (kept := settled(item)) is not item:
+                object.__setattr__(self, name, kept)
 
     cls.__post_init__ = finish  # type: ignore[attr-defined]
     cls.__eq__ = _equal  # type: ignore[method-assign]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from nacreous.commands.terminal import say
+
 _EXAMPLES = """\
 examples:
   nacreous crops pearl.png                     crops/crop-1.png to crop-7.png
@@ -46,7 +48,7 @@ def run(args: argparse.Namespace) -> int:
     given = cutting.given_circle(args.centre, args.radius)
     cuts = cutting.cut_file(args.picture, args.output, given, args.bits)
     circle, side = cuts.circle, cuts.crops[0].side_px
-    print(
+    say(
         f"{args.output}: {len(cuts.crops)} crops, {side} x {side} pixels each; pearl's centre at "
         f"({circle.x_px:.1f}, {circle.y_px:.1f}), radius {circle.radius_px:.1f}, {cuts.found}"
     )

@@ -6,6 +6,8 @@ import argparse
 import datetime as dt
 from typing import TYPE_CHECKING
 
+from nacreous.commands.terminal import say
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -62,13 +64,13 @@ def run(args: argparse.Namespace) -> int:
             f"{args.nacre}: lists its layers in nacre.thickness_nm; wanted: growth keys"
         )
     grown, stack = diary(growth), stack_of(pearl)
-    standard.tell(_statistics(args.nacre, growth, stack), [args.output])
+    say(_statistics(args.nacre, growth, stack), [args.output])
     with standard.writing(args.output, ".csv") as output, file.atomic(output) as temporary:
         if output.suffix.lower() == ".csv":
             _write_table(temporary, growth, grown)
         else:
             _draw(temporary, growth, grown)
-    standard.tell(f"{args.output}: thickness against depth and date", [args.output])
+    say(f"{args.output}: thickness against depth and date", [args.output])
     return 0
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import time
 
+from nacreous.commands.terminal import say
+
 _EXAMPLES = """\
 examples:
   nacreous paper out             figures 8 to 14, the crops of figure 2, and out/index.html
@@ -38,7 +40,7 @@ def run(args: argparse.Namespace) -> int:
         paper = make(args.out, args.size, show)
     asked = [measured for shown in paper.exhibits for measured in shown.asked]
     held = sum(bool(measured.holds) for measured in asked)
-    print(
+    say(
         f"{args.out}/{PAGE}: {len(paper.exhibits)} figures, {held} of {len(asked)} criteria hold, "
         f"{time.monotonic() - begin:.1f} s"
     )

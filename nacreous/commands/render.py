@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
+from nacreous.commands.terminal import say
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ def run(args: argparse.Namespace) -> int:
         picture = image.render_recipe(job.made, show)
     with standard.writing(output, ".png") as place:
         outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
-    standard.tell(_report(output, job, time.monotonic() - begin, outside), [output])
+    say(_report(output, job, time.monotonic() - begin, outside), [output])
     return 0
 
 

@@ -6,6 +6,8 @@ import argparse
 import time
 from typing import TYPE_CHECKING, Any
 
+from nacreous.commands.terminal import say
+
 if TYPE_CHECKING:
     from nacreous.scaling.report.analysis import Analysis
     from nacreous.scaling.report.settings import Settings
@@ -130,7 +132,6 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
-    from nacreous.printable import printable
     from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
@@ -143,11 +144,9 @@ def run(args: argparse.Namespace) -> int:
     with bar("resampling") as show:
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
-    standard.tell(told(found, time.monotonic() - begin), outputs)
-    if getattr(data, "left_out", 0):
-        standard.tell(f"{data.left_out} rows left out, which hold no pair or no answer", outputs)
+    say(told(found, time.monotonic() - begin), outputs)
     for output in outputs:
-        standard.tell(f"{printable(output)}: written", outputs)
+        say(f"{output}: written", outputs)
     return 0
 
 

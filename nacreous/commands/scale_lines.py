@@ -30,6 +30,7 @@ def told(found: Analysis, seconds: float) -> str:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
+    lines += _left_out_told(found)
     together = "all people together: " if found.people_differ else ""
     lines.append(together + found.goodness.verdict)
     return "\n".join(lines)
@@ -43,16 +44,22 @@ def _fit_told(fit: Scale) -> str:
     return f"prior over the spread ({spread:.2f} {fit.own_unit})"
 
 
+def _left_out_told(found: Analysis) -> list[str]:
+    """How many rows of the table are no answers, and why."""
+    if found.answers is None or not found.answers.left_out:
+        return []
+    unanswered = found.answers.unanswered
+    rows = {"no pair": found.answers.left_out - unanswered, "no answer": unanswered}
+    told = " and ".join(f"{count} with {what}" for what, count in rows.items() if count)
+    return [f"rows left out: {told}"]
+
+
 def _people_told(found: Analysis) -> list[str]:
     """Before the scale, that it is not that of each of the people; nothing where it may be."""
     people = found.people
     if people is None or not people.differ:
         return []
-    shared, risk = people.shared, 1 - found.settings.level
-    ways = ["other orders"] if shared.order_p_value < risk else []
-    ways += ["sharper, or the other way round"] if shared.sharper_p_value < risk else []
-    way = f" ({'; '.join(ways)})" if ways else ""
-    lines = [f"people do not share one scale, p {shared.p_value:.3g}{way}"]
+    lines = [people.shared.verdict(found.settings.level)]
     described = people.population
     if described is None:
         return lines

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import time
 
+from nacreous.commands.terminal import say
+
 _EXAMPLES = """\
 examples:
   nacreous sheets out                      every sheet, in the folder out
@@ -39,5 +41,5 @@ def run(args: argparse.Namespace) -> int:
     begin = time.monotonic()
     with bar("making contact sheets") as show:
         files = sheets.make(args.out, args.only or sheets.NAMES, args.size, show)
-    print(f"{args.out}: {', '.join(files)}, {time.monotonic() - begin:.1f} s")
+    say(f"{args.out}: {', '.join(files)}, {time.monotonic() - begin:.1f} s")
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import sys
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from nacreous import file
 from nacreous.problem import InputError
 
+#: The name that stands for both.
 STREAM = "-"
 
 
@@ -50,8 +51,3 @@ def reading(given: str, ending: str) -> Iterator[str]:
             yield str(path)
         except InputError as problem:
             raise InputError(str(problem).replace(str(path), "standard input")) from None
-
-
-def tell(line: str, outputs: Sequence[str]) -> None:
-    """Say what was done; beside standard output where a file goes there."""
-    print(line, file=sys.stderr if STREAM in outputs else sys.stdout)

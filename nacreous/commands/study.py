@@ -6,6 +6,7 @@ import argparse
 import time
 
 from nacreous.commands import study_demo, study_report, study_serve, study_store
+from nacreous.commands.terminal import say
 
 _EXAMPLES = """\
 examples:
@@ -65,13 +66,13 @@ def new(args: argparse.Namespace) -> int:
     begin = time.monotonic()
     with bar("making stimuli") as show:
         frozen = freeze(args.study, output, show)
-    print(
+    say(
         f"{output}: study {frozen.design.name}, {len(frozen.stimuli)} stimuli, "
         f"{len(shown)} trials a participant, {time.monotonic() - begin:.1f} s; "
         f"hash {frozen.study_hash[:12]}"
     )
     if again := repetitions(shown):
-        print(
+        say(
             f"{output}: a stimulus is shown twice in a row {again} times; with so few stimuli or "
             "pairs there is no better order"
         )

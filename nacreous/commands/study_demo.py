@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from nacreous.commands.study_store import Actions
+from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
     import socket
@@ -92,7 +93,7 @@ def rehearse(args: argparse.Namespace) -> int:
             links=links,
             progress=show,
         )
-    print(
+    say(
         f"{args.url}: {done.observers} simulated observers gave {done.answers} answers, "
         f"{done.seconds:.1f} s; each is marked as simulated"
     )
@@ -110,7 +111,7 @@ def demo(args: argparse.Namespace) -> int:
             frozen = freeze(_PRESET, folder, show)
         _serve(frozen, listening, not args.no_browser)
         kept = args.folder is not None
-    print(
+    say(
         f"{args.folder}: kept; go on with   nacreous study serve {args.folder}"
         if kept
         else "demo: ended; its temporary folder is removed"
@@ -187,7 +188,7 @@ def _rehearsed(
         if stopping.is_set():
             return
         raise
-    print(_told(address, password), flush=True)
+    say(_told(address, password))
     if browser:
         import webbrowser
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from nacreous.commands.study_store import Actions
-from nacreous.printable import printable
+from nacreous.commands.terminal import say
 
 _EXAMPLES = """\
 examples:
@@ -57,5 +57,5 @@ def run(args: argparse.Namespace) -> int:
         )
     with standard.writing(args.output, ".html") as path, file.atomic(path) as temporary:
         temporary.write_text(page, encoding="utf-8", newline="\n")
-    standard.tell(f"{printable(args.output)}: written", [args.output])
+    say(f"{args.output}: written", [args.output])
     return 0

@@ -7,6 +7,7 @@ import os
 from typing import TYPE_CHECKING
 
 from nacreous.commands.study_store import Actions, who
+from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
     from nacreous.study.design import Frozen
@@ -51,7 +52,7 @@ def serve(args: argparse.Namespace) -> int:
         with listening.listen(args.host, args.port) as opened, listening.until_stopped():
             address = listening.address_of(opened)
             for line in _told(args.study, frozen, store, address, url):
-                print(f"{args.study}: {line}", flush=True)
+                say(f"{args.study}: {line}")
             listening.serve(app, opened)
     return 0
 
@@ -62,12 +63,12 @@ def account(args: argparse.Namespace) -> int:
     with store:
         if args.remove:
             store.remove_account(args.name, who())
-            print(f"{args.name}: removed; logins under this name are over")
+            say(f"{args.name}: removed; logins under this name are over")
             return 0
         password = _password(args)
         store.set_password(args.name, password, who())
     drawn = f"; password: {password}" if args.generate else ""
-    print(f"{args.name}: may log in{drawn}")
+    say(f"{args.name}: may log in{drawn}")
     return 0
 
 

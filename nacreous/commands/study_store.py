@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from nacreous.printable import printable
+from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
     from nacreous.study.store import Copied, Session, Store
@@ -56,7 +56,7 @@ def backup(args: argparse.Namespace) -> int:
     """Copy, and say how much."""
     from nacreous.study.store import backup
 
-    print(f"{printable(args.output)}: written, {_told(backup(args.place, args.output))}")
+    say(f"{args.output}: written, {_told(backup(args.place, args.output))}")
     return 0
 
 
@@ -64,7 +64,7 @@ def restore(args: argparse.Namespace) -> int:
     """Check, copy, and say how much."""
     from nacreous.study.store import restore
 
-    print(f"restored: {_told(restore(args.backup, args.place))}")
+    say(f"restored: {_told(restore(args.backup, args.place))}")
     return 0
 
 
@@ -80,8 +80,8 @@ def export(args: argparse.Namespace) -> int:
         study = store.study(args.study)
         rows = export(store, study, output)
         found = store.progress(study)
-    standard.tell(
-        f"{printable(args.output)}: written, {rows} answers of {found.entered} people; "
+    say(
+        f"{args.output}: written, {rows} answers of {found.entered} people; "
         f"among them, marked: {found.excluded} people excluded, {found.erased} erased, "
         f"{found.simulated} answers simulated",
         [args.output],
@@ -96,7 +96,7 @@ def exclude(args: argparse.Namespace) -> int:
     with Store.open(args.place, make=False) as store:
         session = _person(store, args)
         store.exclude(session.id, args.reason, who())
-    print(f"person {session.number}: excluded; the answers stay, marked")
+    say(f"person {session.number}: excluded; the answers stay, marked")
     return 0
 
 
@@ -107,7 +107,7 @@ def erase(args: argparse.Namespace) -> int:
     with Store.open(args.place, make=False) as store:
         session = _person(store, args)
         store.erase(session.id, who())
-    print(f"person {session.number}: erased; backups and exports made before still hold the data")
+    say(f"person {session.number}: erased; backups and exports made before still hold the data")
     return 0
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import partial
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy import integrate
 
 from nacreous.nacre import LayerStack
 from nacreous.number import within
@@ -17,12 +17,12 @@ from nacreous.optics.transfer import Energies, energies
 from nacreous.problem import InputError
 
 Array: TypeAlias = NDArray[np.float64]
-#: Angles in rad and their weights, whose sum is 1, for a number of nodes.
-Rule: TypeAlias = Callable[[int], tuple[Array, Array]]
+#: The share of the light per rad of incidence, at angles in rad.
+Density: TypeAlias = Callable[[Array], Array]
 
-#: Nodes are doubled until no value changes by more.
+#: Pieces are halved until Gauss's and Kronrod's sums differ by no more in all.
 _TOLERANCE = 1e-6
-_FIRST_NODES, _MOST_NODES = 16, 4096
+_FEWEST_PIECES, _MOST_PIECES = 16, 20_000
 
 
 def over_aperture(
@@ -36,7 +36,8 @@ def over_aperture(
 
     Every direction within `half_angle_rad` (0 to pi/2) of the axis carries the same power per solid
     angle, as from a lens of even brightness. The whole cone lies above the surface: angle_rad +
-    half_angle_rad is at most pi/2. "s" and "p" are of each ray's own plane of incidence. The rest
+    half_angle_rad is at most pi/2. A line of guided light narrower than 1e-5 rad may be missed, which
+    changes the mean by no more than some of its width. "s" and "p" are of each ray's own plane of incidence. The rest
     as `energies`. Raises `InputError` for what is out of range.
 
     Fringes of a plate fade as the cone opens:
@@ -55,12 +56,13 @@ def over_aperture(
                 f"angle_rad is {angle:g}; allowed with half_angle_rad {half:g}: "
                 f"0 to {math.pi / 2 - half:g}"
             )
-    rows = [
-        _averaged(stack, wavelength, polarisation, partial(_cone, float(angle), half))
-        for angle in angles
-    ]
-    shape = (3, angles.size, wavelength.size)
-    return Energies(*(np.stack(rows, axis=1) if rows else np.zeros(shape)))
+    if half == 0:
+        return energies(stack, angles, wavelength, polarisation)
+    shares = np.zeros((3, angles.size, wavelength.size))
+    for row, angle in enumerate(angles):
+        cone = _of_cone(float(angle), half)
+        shares[:, row] = _averaged(stack, wavelength, polarisation, *cone)
+    return Energies(*shares)
 
 
 def over_hemisphere(
@@ -79,43 +81,62 @@ def over_hemisphere(
     [[0.0918]]
     """
     _, wavelength = asked(stack, 0.0, wavelength_nm)
-    return Energies(*_averaged(stack, wavelength, polarisation, _hemisphere)[:, None])
+    edges = [0.0, math.pi / 2]
+    shares = _averaged(stack, wavelength, polarisation, lambda angle: np.sin(2 * angle), edges)
+    return Energies(*shares[:, None])
 
 
-def _averaged(stack: LayerStack, nm: Array, polarisation: str, rule: Rule) -> Array:
-    """R, T, A [3, wavelength], with as many nodes as they need."""
-    coarse, nodes = None, _FIRST_NODES
-    while True:
-        angle, weight = rule(nodes)
+def _averaged(
+    stack: LayerStack, nm: Array, polarisation: str, density: Density, edges: list[float]
+) -> Array:
+    """R, T, A [3, wavelength]: the integral over incidence of density times each of them."""
+    if nm.size == 0:
+        return np.zeros((3, 0))
+
+    def summed(turn: Array) -> Array:
+        """Between two edges, the angle runs as 1 - cos, which takes roots at both ends away."""
+        at = turn[:, 0]
+        piece = np.minimum(at.astype(int), len(edges) - 2)
+        low, high = np.array(edges)[piece], np.array(edges)[piece + 1]
+        angle = low + (high - low) * np.sin(0.5 * np.pi * (at - piece)) ** 2
+        speed = 0.5 * np.pi * (high - low) * np.sin(np.pi * (at - piece))
         found = energies(stack, angle, nm, polarisation)
-        fine = np.stack([weight @ found.R, weight @ found.T, weight @ found.A])
-        if coarse is not None and np.abs(fine - coarse).max(initial=0.0) <= _TOLERANCE:
-            return fine
-        if nodes >= _MOST_NODES:
-            raise InputError(
-                f"the stack is {stack.total_um:g} um thick; allowed here: one whose fringes "
-                f"{_MOST_NODES} directions resolve to {_TOLERANCE:g}"
-            )
-        coarse, nodes = fine, 2 * nodes
+        weight = (density(angle) * speed)[:, None, None]
+        return np.asarray(weight * np.stack([found.R, found.T, found.A], axis=1))
+
+    ends = np.linspace(0, len(edges) - 1, (len(edges) - 1) * _FEWEST_PIECES + 1)[1:-1]
+    done = integrate.cubature(
+        summed,
+        [0.0],
+        [len(edges) - 1.0],
+        rule="gk21",
+        rtol=0,
+        atol=_TOLERANCE,
+        points=[[end] for end in ends],
+        max_subdivisions=_MOST_PIECES,
+    )
+    if done.status != "converged":
+        raise InputError(
+            f"the stack, {stack.total_um:g} um thick, changes too fast with the angle; allowed "
+            f"here: what {_MOST_PIECES} pieces of 21 directions resolve to {_TOLERANCE:g}"
+        )
+    return np.asarray(done.estimate)
 
 
-def _hemisphere(nodes: int) -> tuple[Array, Array]:
-    """Gauss's rule in the cosine, in which R and T are smooth up to grazing, weight 2 cos."""
-    x, w = np.polynomial.legendre.leggauss(nodes)
-    cosine = 0.5 * (x + 1)
-    return np.arccos(cosine), w * cosine
+def _of_cone(axis: float, half: float) -> tuple[Density, list[float]]:
+    """The share of the cone's directions at each incidence, and where it has its roots."""
 
+    def density(angle: Array) -> Array:
+        # How far around the normal the cone reaches at this incidence: the spherical triangle of
+        # normal, axis and ray.
+        reach = math.cos(half) - math.cos(axis) * np.cos(angle)
+        width = math.sin(axis) * np.sin(angle)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            around = np.arccos(np.clip(reach / width, -1, 1))
+        around = np.where(width > 0, around, np.where(reach > 0, 0.0, np.pi))
+        return np.asarray(np.sin(angle) * around / (np.pi * (1 - math.cos(half))))
 
-def _cone(axis: float, half: float, nodes: int) -> tuple[Array, Array]:
-    """Gauss's rule in the cosine from the axis, equal steps around it."""
-    if half == 0:
-        return np.array([axis]), np.ones(1)
-    x, w = np.polynomial.legendre.leggauss(nodes)
-    cosine = 1 - 0.5 * (1 - math.cos(half)) * (x + 1)
-    # Half a turn is enough, for the other half mirrors it; head on, one direction is.
-    turns = max(8, nodes // 4) if axis > 0 else 1
-    around = (np.arange(turns) + 0.5) * np.pi / turns
-    sine = np.sqrt(1 - cosine**2)
-    tilted = cosine[:, None] * math.cos(axis) + sine[:, None] * np.cos(around) * math.sin(axis)
-    weight = np.repeat(0.5 * w / turns, turns)
-    return np.arccos(np.clip(tilted, 0, 1)).ravel(), weight
+    edges = {max(axis - half, 0.0), min(axis + half, math.pi / 2)}
+    if half > axis:
+        edges.add(half - axis)
+    return density, sorted(edges)

@@ -18,8 +18,6 @@ from .check.repetition import retest as retest
 from .check.response import ResponseTime as ResponseTime
 from .check.response import response_time as response_time
 from .check.share import Share as Share
-from .check.shared import SharedScale as SharedScale
-from .check.shared import shared_scale as shared_scale
 from .check.side import SideBias as SideBias
 from .check.side import side_bias as side_bias
 from .check.transitive import Transitivity as Transitivity
@@ -55,6 +53,8 @@ from .fit.bootstrap import Bootstrap as Bootstrap
 from .fit.bradley import bradley_terry as bradley_terry
 from .fit.case_v import thurstone as thurstone
 from .fit.scale import Scale as Scale
+from .fit.shared import SharedScale as SharedScale
+from .fit.shared import shared_scale as shared_scale
 from .fit.uncertainty import Difference as Difference
 from .planning.design import PairDesign as PairDesign
 from .planning.design import cyclic_design as cyclic_design

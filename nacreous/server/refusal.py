@@ -10,6 +10,7 @@ from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, ValidationError
 from starlette.exceptions import HTTPException
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.study.store import Conflict, NotAllowed, OutOfTurn, StoreError, UnknownToken
 
@@ -55,7 +56,7 @@ def refusal_of(problem: Exception) -> Refusal | None:
     >>> refusal_of(InputError("trial is 99; allowed: 0 to 27")).status
     400
     """
-    line = " ".join(str(problem).split())[:_LONGEST]
+    line = _line(str(problem))
     match problem:
         case Refusal():
             return problem
@@ -72,7 +73,7 @@ def refusal_of(problem: Exception) -> Refusal | None:
         case InputError():
             return Refusal(400, "input", line)
         case StoreError():
-            told = problem.strerror or "the store refuses"
+            told = _line(problem.strerror or "the store refuses")
             return Refusal(503, "store", f"not stored: {told}", {"Retry-After": "2"})
         case HTTPException():
             return _of_starlette(problem)
@@ -82,7 +83,7 @@ def refusal_of(problem: Exception) -> Refusal | None:
 def _of_starlette(problem: HTTPException) -> Refusal:
     kind: Kind = "missing" if problem.status_code in (404, 405) else "input"
     told = {404: "there is nothing here", 405: "this is not done here; see Allow"}
-    line = told.get(problem.status_code, problem.detail)
+    line = told.get(problem.status_code, _line(problem.detail))
     return Refusal(problem.status_code, kind, line, problem.headers or {})
 
 
@@ -92,5 +93,10 @@ def _first(errors: Sequence[Any]) -> str:
     where = ".".join(str(part) for part in error["loc"]) or "body"
     secret = where in ("body", "password")
     if secret or error["type"] in ("missing", "extra_forbidden", "json_invalid"):
-        return f"{where}: {error['msg']}"[:_LONGEST]
-    return f"{where} is {ascii(error['input'])[:60]}; wanted: {error['msg']}"[:_LONGEST]
+        return _line(f"{where}: {error['msg']}")
+    return _line(f"{where} is {ascii(error['input'])[:60]}; wanted: {error['msg']}")
+
+
+def _line(text: str) -> str:
+    """As one line that a page, a terminal and the audit log can show."""
+    return printable(" ".join(text.split()))[:_LONGEST]

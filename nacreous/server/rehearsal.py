@@ -21,6 +21,8 @@ import numpy as np
 from nacreous.missing import missing
 from nacreous.number import number_of, seed_of, whole_of
 from nacreous.problem import InputError
+from nacreous.scaling.data.fault import listed, quoted
+from nacreous.scaling.data.label import label_of
 from nacreous.server.client import Client
 from nacreous.server.observer import responses
 from nacreous.study.design import Frozen
@@ -95,24 +97,25 @@ def scale_of(name: str) -> dict[str, float]:
     try:
         with Path(name).open(encoding="utf-8-sig", newline="") as lines:
             rows = list(csv.DictReader(lines))
-        return {row["stimulus"]: float(row["scale"]) for row in rows}
+        return {label_of(row["stimulus"]): float(row["scale"]) for row in rows}
     except FileNotFoundError:
         raise missing(name, "paper, or a CSV file") from None
     except OSError as problem:
         raise InputError(f"{name}: cannot be read ({problem.strerror})") from None
-    except (KeyError, TypeError, ValueError, csv.Error):
+    except (AttributeError, KeyError, TypeError, ValueError, csv.Error):
         raise InputError(
             f"{name}: is no scale; wanted: paper, or CSV with the columns stimulus and scale"
         ) from None
 
 
 def _by_picture(frozen: Frozen, scale: Mapping[str, float]) -> dict[str, float]:
+    known = {label_of(label): value for label, value in scale.items()}
     values = {}
     for stimulus in frozen.stimuli:
-        if stimulus.label not in scale:
-            known = ", ".join(scale)[:200]
-            raise InputError(f'scale has no value for "{stimulus.label}"; it has: {known}')
-        values[stimulus.sha256] = number_of(f'scale["{stimulus.label}"]', scale[stimulus.label])
+        name = quoted(stimulus.label)
+        if stimulus.label not in known:
+            raise InputError(f"scale has no value for {name}; it has: {listed(known)}")
+        values[stimulus.sha256] = number_of(f"scale[{name}]", known[stimulus.label])
     return values
 
 

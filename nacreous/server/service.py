@@ -11,6 +11,7 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse
 from starlette.types import Scope
 
+from nacreous.printable import printable
 from nacreous.server.facts import Facts
 from nacreous.server.origin import origin_of
 from nacreous.server.person import People
@@ -92,7 +93,7 @@ class Service:
         session = state.get("session")
         who = state.get("name") or ("participant" if session else "somebody")
         detail: dict[str, Any] = {"status": refusal.status, "problem": refusal.problem}
-        detail["asked"] = f"{scope['method'][:20]} {scope['path'][:200]}"
+        detail["asked"] = printable(f"{scope['method'][:20]} {scope['path'][:200]}")
         # Whom the store refuses hears why, even if nothing more can be written.
         with contextlib.suppress(StoreError):
             self.store.audit(who, "refused", self.running.study, session, **detail)

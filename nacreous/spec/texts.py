@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from typing import Annotated
+from unicodedata import normalize
 
 from pydantic import AfterValidator, Field
 
+from nacreous.printable import printable
 from nacreous.spec.key import FilePath
 
 
@@ -22,8 +24,10 @@ def ending(*suffixes: str) -> str:
 
 
 def _one_line(text: str) -> str:
-    if not text.isprintable():
-        raise ValueError("not printable")
+    """In Unicode's form NFC, in which names are compared."""
+    text = normalize("NFC", text.strip(" \u3000"))
+    if not text or printable(text) != text:
+        raise ValueError("blank, or not printable")
     return text
 
 

@@ -54,6 +54,41 @@ def test_an_aperture_is_the_mean_over_its_directions(axis: float, half: float) -
     assert abs(found - R.mean()) < 4.5 * R.std() / math.sqrt(R.size)
 
 
+@pytest.mark.parametrize(
+    ("stack", "axis", "half", "polarisation", "expected"),
+    [
+        # 512 x 128 directions of Gauss's rule, at which another doubling moves less than 1e-7.
+        (
+            nc.LayerStack([421.079, 363.811, 137.205], 380.8117074904739, 1.0, 2.4, 1.8, 1.0),
+            0.19539477829203383,
+            0.2139152349007004,
+            "unpolarised",
+            0.5459617,
+        ),
+        # Beyond the critical angle of the gap; a one-dimensional quadrature.
+        (nc.LayerStack([300.0], 0.0, 1.0, 1.5, 1.8, 1.8), 0.3, 0.6, "p", 0.3043574),
+    ],
+)
+def test_light_caught_between_layers_is_no_false_convergence(
+    stack: nc.LayerStack, axis: float, half: float, polarisation: str, expected: float
+) -> None:
+    found = over_aperture(stack, axis, half, 550.0, polarisation).R[0, 0]
+    assert found == pytest.approx(expected, abs=1e-6)
+
+
+def test_total_reflection_guided_light_and_a_plates_fringes_are_resolved() -> None:
+    angle = np.linspace(0, math.pi / 2, 2_000_001)
+    weight = np.sin(2 * angle)
+    for stack, error in (
+        # Guided in the middle: of its lines one is 1e-6 rad wide, and may be missed.
+        (nc.LayerStack([600.0, 600.0], [500.0, 0.0], 1.0, 2.2, 1.8, 1.8), 1e-5),
+        (nc.LayerStack([1.0], 0.0, 1.0, 1.0, 1.5, 1.0), 1e-6),  # total reflection, a kink
+        (nc.LayerStack([20000.0], 0.0, 1.53, substrate=1.0), 1e-6),  # 110 fringes
+    ):
+        fine = integrate.simpson(weight * energies(stack, angle, 550.0).R[:, 0], x=angle)
+        assert over_hemisphere(stack, 550.0).R[0, 0] == pytest.approx(fine, abs=error)
+
+
 def test_a_closed_aperture_is_the_plane_wave_and_energy_is_kept() -> None:
     closed, wave = over_aperture(NACRE, [0.0, 0.7], 0.0, NM), energies(NACRE, [0.0, 0.7], NM)
     np.testing.assert_allclose(closed.R, wave.R, rtol=0, atol=1e-14)

@@ -30,6 +30,9 @@ def formula(folder: Path, number: int, coefficients: str, span_um: str) -> mediu
     return medium.read(written(folder, text))
 
 
+#: Of formula 4: the first resonance's exponent, and no second one.
+ONE_RESONANCE = "1 0 0 0 1"
+
 #: Number, coefficients, range in um, a wavelength in um, its published index, and to how much.
 PUBLISHED = [
     # Malitson 1965, table II: fused silica at D and at 1.06 um.
@@ -68,12 +71,26 @@ PUBLISHED = [
         1.603,
         5e-6,
     ),
-    # Eimerl et al. 1987: beta barium borate, ordinary ray, at 1064 nm, here from the range's end.
-    (4, "2.7405 0.0184 0 0.0179 1 0 0 0 1 -0.0155 2", "0.22 1.065", 1.064, 1.6551, 5e-4),
-    # Ciddor 1996: standard air at 633 nm.
-    (6, "0 0.05792105 238.0185 0.00167917 57.362", "0.23 1.69", 0.633, 1.0002765, 2e-7),
-    # Edwards and Ochoa 1980: silicon at 10 um.
-    (7, "3.41983 0.159906 -0.123109 1.26878E-6 -1.95104E-9", "2.4373 25", 10.0, 3.4215, 5e-4),
+    # Yttrium orthovanadate, both rays: sheets of its makers print equation and indices
+    # (as quoted in Wikipedia).
+    (4, f"3.77834 0.069736 0 0.04724 {ONE_RESONANCE} -0.0108133 2", "0.4 4", 1.30, 1.9500, 1e-4),
+    (4, f"3.77834 0.069736 0 0.04724 {ONE_RESONANCE} -0.0108133 2", "0.4 4", 1.55, 1.9447, 1e-4),
+    (4, f"4.59905 0.110534 0 0.04813 {ONE_RESONANCE} -0.012267612 2", "0.4 4", 1.30, 2.1554, 1e-4),
+    (4, f"4.59905 0.110534 0 0.04813 {ONE_RESONANCE} -0.012267612 2", "0.4 4", 1.55, 2.1486, 1e-4),
+    # Rheims et al. 1997: ethanol at 20 degrees; Chronological Scientific Tables 2000: n_D = 1.3618.
+    (5, "1.35265 0.00306 -2 0.00002 -4", "0.4765 0.83", 0.5893, 1.3618, 3e-4),
+    # Mansfield and Peck 1969: helium; Weber, Handbook of Optical Materials, 6.3, prints indices
+    # that are all lower by 5e-8.
+    (6, "0 0.01470091 423.98", "0.4799 2.0586", 0.479992, 1.00003498, 6e-8),
+    (6, "0 0.01470091 423.98", "0.4799 2.0586", 1.013979, 1.00003470, 6e-8),
+    (6, "0 0.01470091 423.98", "0.4799 2.0586", 2.058128, 1.00003464, 6e-8),
+    # Edwards and Ochoa 1980: silicon; a maker of windows (PLIR Optics) prints 3.423 at 4.58 um, and
+    # samples differ by 5e-3 (Frey, Leviton and Madison 2006).
+    (7, "3.41983 0.159906 -0.123109 1.26878E-6 -1.95104E-9", "2.4373 25", 4.58, 3.423, 5e-3),
+    # Schroeter 1931: silver bromide; a maker of windows (Crystran) prints 2.313, 2.25 and 2.24.
+    (8, "0.452505 0.09939 0.070537 -0.000150", "0.495 0.67", 0.496, 2.313, 5e-4),
+    (8, "0.452505 0.09939 0.070537 -0.000150", "0.495 0.67", 0.6, 2.25, 5e-3),
+    (8, "0.452505 0.09939 0.070537 -0.000150", "0.495 0.67", 0.65, 2.24, 5e-3),
 ]
 
 
@@ -94,18 +111,67 @@ def test_every_formula_gives_the_published_index(
     assert n.real == pytest.approx(index, abs=within)
 
 
-def test_cauchys_and_the_exotic_formula_are_as_documented(tmp_path: Path) -> None:
+#: Number, coefficients and range as the database has them (its data are CC0), and what another
+#: program (Optiland, tests/materials/test_file.py) makes of them, {wavelength in um: index}.
+ELSEWHERE = [
+    # Loiko et al. 2017: CaGdAlO4, ordinary ray.
+    (
+        4,
+        "3.64863 0.03926 0 0.02239 1 0 0 0 0 -0.01121 2",
+        "0.35 2.1",
+        {0.4: 1.9829612788706874, 0.6: 1.9392994674994937, 1.5: 1.9081487808757178},
+    ),
+    # Amotchkina et al. 2020: ytterbium fluoride.
+    (
+        5,
+        "1.484489 5.4996e-5 -2 2.6266e-3 -4",
+        "0.4 14",
+        {0.4: 1.5874342875, 1.0: 1.487170596, 5.0: 1.4844954023999999},
+    ),
+    # Bideau-Mehu et al. 1973: carbon dioxide.
+    (
+        6,
+        "0 6.99100e-2 166.175 1.44720e-3 79.609 6.42941e-5 56.3064 5.21306e-5 46.0196 1.46847e-6 "
+        "0.0584738",
+        "0.1807 1.6945",
+        {0.4: 1.0004592281255849, 1.0: 1.0004424189669583, 1.5: 1.0004386003514163},
+    ),
+    # Made up, with all six coefficients.
+    (
+        7,
+        "1.0 0.58 0.12 0.87 0.21 0.81",
+        "0.4 1.5",
+        {0.4: 12.428885495537186, 1.0: 3.6137209774932684, 1.5: 13.532362213339358},
+    ),
+    # Schroeter 1931: silver bromide.
+    (
+        8,
+        "0.452505 0.09939 0.070537 -0.000150",
+        "0.495 0.67",
+        {0.5: 2.3094520454859557, 0.55: 2.275584479878346, 0.65: 2.237243954654548},
+    ),
+    # Rosker, Cheng and Tang 1985: urea, extraordinary ray.
+    (
+        9,
+        "2.51527 0.0240 0.0300 0.020 1.52 0.8771",
+        "0.3 1.06",
+        {0.3: 1.7043928702073146, 0.6: 1.605403788031452, 1.0: 1.5908956870937045},
+    ),
+]
+
+
+@pytest.mark.parametrize(("number", "coefficients", "span", "index"), ELSEWHERE)
+def test_every_formula_gives_another_programs_index(
+    tmp_path: Path, number: int, coefficients: str, span: str, index: dict[float, float]
+) -> None:
+    found = formula(tmp_path, number, coefficients, span)
+    n = found(1e3 * np.array(list(index)))
+    np.testing.assert_allclose(n, list(index.values()), rtol=1e-12)
+
+
+def test_coefficients_that_a_formula_leaves_out_are_0(tmp_path: Path) -> None:
     um = 0.55
-    cauchy = formula(tmp_path, 5, "1.5 0.004 -2 0.0001 -4", "0.3 1")
-    assert cauchy(np.array([550.0]))[0] == pytest.approx(1.5 + 0.004 / um**2 + 0.0001 / um**4)
-    urea = formula(tmp_path, 9, "2.51527 0.0240 0.0300 0.020 1.52 0.8771", "0.3 1.06")
-    square = 2.51527 + 0.024 / (um**2 - 0.03) + 0.02 * (um - 1.52) / ((um - 1.52) ** 2 + 0.8771)
-    assert urea(np.array([550.0]))[0] == pytest.approx(math.sqrt(square))
-    quotient = 0.452505 + 0.09939 * um**2 / (um**2 - 0.070537) - 0.00015 * um**2
-    silver_bromide = formula(tmp_path, 8, "0.452505 0.09939 0.070537 -0.000150", "0.495 0.67")
-    n = silver_bromide(np.array([550.0]))[0].real
-    assert (n**2 - 1) / (n**2 + 2) == pytest.approx(quotient)  # Schroeter's form
-    short = formula(tmp_path, 4, "2.25 0.01 0 0.02 1", "0.3 1")  # coefficients left out are 0
+    short = formula(tmp_path, 4, "2.25 0.01 0 0.02 1", "0.3 1")
     assert short(np.array([550.0]))[0] == pytest.approx(math.sqrt(2.25 + 0.01 / (um**2 - 0.02)))
 
 

@@ -158,13 +158,13 @@ def test_psychopy_is_read_by_the_names_of_its_columns(tmp_path):
     answers = read(tmp_path, KEYS + rows, **PSYCHOPY)
     assert said(answers) == ["001:A.png>B.png", "001:C.png>B.png", "001:C.png>A.png"]
     assert np.array_equal(answers.response_s, [0.83, 0.7, np.nan], equal_nan=True)
-    assert answers.left_out == 1
+    assert (answers.left_out, answers.unanswered) == (1, 0)
     late = KEYS + rows.replace("left,,", "None,,")
     with pytest.raises(nc.InputError, match=r"row 5: key_resp.keys is empty; .*--skip-unanswered"):
         read(tmp_path, late, **PSYCHOPY)
     answers = read(tmp_path, late, skip_unanswered=True, **PSYCHOPY)
     assert said(answers) == ["001:A.png>B.png", "001:C.png>B.png"]
-    assert answers.left_out == 2
+    assert (answers.left_out, answers.unanswered) == (2, 1)
 
 
 def test_jspsych_counts_its_buttons_from_the_left_and_from_0(tmp_path):

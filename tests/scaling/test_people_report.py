@@ -98,6 +98,30 @@ def test_the_command_says_first_that_people_do_not_share_one_scale(tmp_path, cap
     assert third.startswith("1260 answers")
 
 
+def test_print_says_first_that_people_do_not_share_one_scale():
+    answers = nc.scaling.Answers.read(CAMPS)
+    for fit in (
+        nc.scaling.thurstone(answers),
+        nc.scaling.bradley_terry(answers).to("logit"),
+        nc.scaling.thurstone(answers, method="least-squares"),
+    ):
+        first, second, *_ = str(fit).splitlines()
+        assert first.startswith("people do not share one scale, p 0.001")
+        assert second.startswith("scale in ")
+        assert str(fit) == str(fit)
+
+
+def test_print_says_nothing_of_people_who_are_alike_or_unknown(alike):
+    for fit in (alike.fit, nc.scaling.thurstone(nc.scaling.Answers.read(CAMPS).comparisons())):
+        assert str(fit).startswith("scale in z")
+
+
+def test_print_says_what_it_does_not_test(camps, monkeypatch):
+    monkeypatch.setattr("nacreous.scaling.fit.summary._MOST_DEALT", 98)
+    first = str(camps.fit).splitlines()[0]
+    assert first == "whether people share one scale was not tested here; shared_scale(answers) does"
+
+
 def test_camps_differ_at_a_strict_level_too():
     found = nc.scaling.analyse(nc.scaling.Answers.read(CAMPS), bootstrap=0, level=0.999)
     assert found.people_differ

@@ -9,10 +9,10 @@ from scipy.stats import multivariate_normal
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, population, simulate, thurstone
-from nacreous.scaling.check.blocks import blocks_of
 from nacreous.scaling.check.classes import fit_classes
 from nacreous.scaling.check.link import slopes_at
 from nacreous.scaling.check.own_values import Marginal, fit_own_values
+from nacreous.scaling.fit.blocks import blocks_of
 from tests.scaling.test_shared import together
 
 TRUTH = np.linspace(0.8, -0.8, 7)

@@ -263,6 +263,13 @@ def test_labels_carry_their_language_on_pages_in_any_language():
     assert '<text lang="ja" x="1">真珠</text><text>a</text>' in drawn
 
 
+def test_a_question_carries_its_language_and_the_title_is_text_alone():
+    page = nc.scaling.analyse(survey(), question="どちらが<深い>?", bootstrap=0).text("x.html")
+    assert '<h1>“<span lang="ja">どちらが&lt;深い&gt;?</span>”</h1>' in page
+    assert "<title>“どちらが&lt;深い&gt;?”</title>" in page
+    assert 'Asked “<span lang="ja">どちらが' in page
+
+
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("case", ["nobody disagrees", "ties only", "one answer a pair", "counts"])
 def test_without_resampling_nothing_warns(case):
@@ -339,6 +346,33 @@ def test_a_prior_places_what_the_answers_alone_do_not():
 def test_few_people_are_said_to_be_few():
     found = nc.scaling.analyse(survey(people=8), bootstrap=100)
     assert "Only 8 people took part" in told(found)
+
+
+def test_rows_left_out_are_counted_and_told_with_the_reason():
+    table = {"left": ["a", "b", "a", "", ""], "right": ["b", "a", "b", "", ""]}
+    table["chosen"] = ["a", "a", "", "", "space"]
+    table["left"] += ["a"] * 2
+    table["right"] += ["b"] * 2
+    table["chosen"] += ["b", "a"]
+    answers = nc.scaling.Answers.of_table(table, repeats=True, skip_unanswered=True)
+    study = nc.scaling.analyse(answers, bootstrap=0)
+    page = told(study)
+    assert "Left out of the table: 2 rows without a pair, such as instructions." in page
+    assert "Left out of the table: 1 row without an answer." in page
+    page = told(study, "ja")
+    assert "対の書かれていない2行は除きました" in page
+    assert "回答のない1行は除きました" in page
+    assert json.loads(study.text("x.json"))["rows_left_out"] == {"pair": 2, "answer": 1}
+    assert "Left out" not in told(nc.scaling.analyse(survey(), bootstrap=0))
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_no_control_character_reaches_a_page(language):
+    question = "Which\x1b[31m\u202e is\nbetter?\x85"
+    page = nc.scaling.analyse(survey(), question=question, bootstrap=0).text("x.html", language)
+    hidden = {c for c in page if not c.isprintable()} - {"\n", "\u202f"}
+    assert hidden == set()
+    assert "\\u001b[31m\\u202e is" in page
 
 
 def test_groups_sides_repeats_and_times_are_told(answered):

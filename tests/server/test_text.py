@@ -1,6 +1,7 @@
 """Text and JSON that no page of ours sends: refused, or nothing but text."""
 
 import json
+from urllib.parse import quote
 
 import httpx
 
@@ -72,3 +73,25 @@ def test_text_that_cannot_be_kept(server: httpx.Client, service: Service) -> Non
             assert told(lab.post("people/0/exclude", {"reason": text})) == (400, "input")
             asked = lab.post("invitations", {"count": 1, "label": text})
             assert told(asked) == (400, "input")
+
+
+def test_a_refusal_and_its_line_in_the_log_have_no_control_character(
+    server: httpx.Client, service: Service
+) -> None:
+    person = Person.consented(server)
+    lab = Experimenter.login(server)
+    hidden = "\x1b[31m\u202e\x9b"
+    path = quote(hidden)
+    asked = [
+        server.put(f"/api/answers/{path}", json={}, headers=person.headers),
+        lab.get(f"scale?question={path}"),
+        person.answer(0, chosen=hidden),
+        person.answer(0, flags={hidden: 1}, unknown=hidden),
+    ]
+    for response in asked:
+        assert response.status_code >= 400
+        assert all(letter.isprintable() for letter in response.json()["problem"])
+    refused = [event for event in service.store.events() if event.what == "refused"]
+    assert refused
+    told = "".join(str(value) for event in refused for value in event.detail.values())
+    assert all(letter.isprintable() for letter in told)

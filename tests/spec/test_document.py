@@ -45,9 +45,8 @@ def test_a_folder_a_missing_file_and_a_device_are_refused(tmp_path: Path) -> Non
     folder.mkdir()
     assert problems(lambda: Pearl.load(folder)) == [f"{folder}: is a folder; wanted: a TOML file"]
     missing = tmp_path / "none.toml"
-    assert problems(lambda: Pearl.load(missing)) == [
-        f"{missing}: does not exist; wanted: a TOML file"
-    ]
+    said = f"{missing}: does not exist; wanted: a TOML file; did you mean {folder}?"
+    assert problems(lambda: Pearl.load(missing)) == [said]
     assert "not a regular file" in problems(lambda: Pearl.load("/dev/zero"))[0]
     assert problems(lambda: Pearl.load("a\0b.toml"))
 

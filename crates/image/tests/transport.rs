@@ -81,7 +81,8 @@ impl Scene {
         let spread = Spread::of_square(0.01 / self.surroundings.balls[0].radius_mm, hit.cos_view);
         for part in 0..side {
             let view = -ray.along;
-            let sight = Sight { ball: 0, hit, view, pixel_mm: 0.01, spread, part, around: None };
+            let (ball, pixel_mm, part, around) = (0, 0.01, (part, side), None);
+            let sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
                 inside[i] += (parts.interference[i] + parts.diffuse[i]) / side as f64;

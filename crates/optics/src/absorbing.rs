@@ -13,9 +13,9 @@ use num_complex::Complex64;
 use crate::{
     incidence::Shares,
     lanes::{LANES, Lanes, Pair, fused, products},
-    media::Waves,
     phase,
     real::Split,
+    waves::Waves,
 };
 
 /// Adds R, T and A of one block of wavelengths, the mean of `N` polarisations; where `ALIKE`, all of them have

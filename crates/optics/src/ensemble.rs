@@ -107,6 +107,11 @@ struct Means<'a> {
 }
 
 impl Use<4> for Means<'_> {
+    fn bilayers(&self) -> usize {
+        let stacks = self.columns.iter().flat_map(|columns| columns.stacks);
+        stacks.map(|stack| stack.thickness_nm().len()).sum()
+    }
+
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 4]) {
         let lanes = tables[0].len();
         let mut sums = [[0.0; LANES]; 4];

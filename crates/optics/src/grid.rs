@@ -21,6 +21,9 @@ pub(crate) trait Work<const K: usize>: Sync {
     /// What is the same for all blocks of one angle.
     type Angle: Sync;
 
+    /// Bilayers that each block goes through, those of all stacks together.
+    fn bilayers(&self) -> usize;
+
     /// Meets an angle, once for its row.
     fn meet(&self, angle_rad: f64) -> Self::Angle;
 
@@ -53,8 +56,10 @@ fn angles<const K: usize>(
         angles => {
             let (first, second) = angles.split_at(angles.len() / 2);
             let row = tables[0].len() / angles.len();
+            let at_once = is_brief(angles.len() * row.div_ceil(LANES), work.bilayers());
             let [before, after] = split(tables, row * first.len());
-            parallel::join(
+            both(
+                at_once,
                 || self::angles(work, first, before, stop),
                 || self::angles(work, second, after, stop),
             );
@@ -62,8 +67,26 @@ fn angles<const K: usize>(
     }
 }
 
-/// Blocks that one thread takes in one go: with few layers, less is not worth a hand-over.
-const BLOCKS_AT_ONCE: usize = 4;
+/// Whether so many blocks are computed before another thread would have taken up half of them.
+pub(crate) fn is_brief(blocks: usize, bilayers: usize) -> bool {
+    blocks.saturating_mul(bilayers + BILAYERS_OF_MEDIA) <= BRIEF
+}
+
+/// What a block costs before its first bilayer, in bilayers: the media are met, a table is written.
+const BILAYERS_OF_MEDIA: usize = 32;
+
+/// Bilayers times blocks, some 30 to 80 ns each.
+const BRIEF: usize = 2048;
+
+/// Both pieces of work, on two threads unless they are brief.
+fn both(brief: bool, first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
+    if brief {
+        first();
+        second();
+    } else {
+        parallel::join(first, second);
+    }
+}
 
 /// One row from block `from` on.
 fn row<W: Work<K>, const K: usize>(
@@ -74,7 +97,7 @@ fn row<W: Work<K>, const K: usize>(
     stop: &AtomicBool,
 ) {
     let blocks = rows[0].len().div_ceil(LANES);
-    if blocks > BLOCKS_AT_ONCE {
+    if blocks > 1 && !is_brief(blocks, work.bilayers()) {
         let half = blocks / 2;
         let [before, after] = split(rows, half * LANES);
         parallel::join(
@@ -107,4 +130,44 @@ fn split<const K: usize>(tables: [&mut [f64]; K], at: usize) -> [[&mut [f64]; K]
         start
     });
     [before, after]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Counts how often each value is written.
+    struct Count {
+        bilayers: usize,
+    }
+
+    impl Work<1> for Count {
+        type Angle = ();
+
+        fn bilayers(&self) -> usize {
+            self.bilayers
+        }
+
+        fn meet(&self, _: f64) {}
+
+        fn fill(&self, (): &(), _: usize, [out]: [&mut [f64]; 1]) {
+            for times in out {
+                *times += 1.0;
+            }
+        }
+    }
+
+    #[test]
+    fn every_value_is_written_once_by_one_thread_or_more() {
+        let brief: Vec<bool> = [1, 2000, 100_000].map(|bilayers| is_brief(20, bilayers)).to_vec();
+        assert_eq!(brief, [true, false, false]);
+        for bilayers in [1, 2000, 100_000] {
+            for (angles, wavelengths) in [(1, 1), (1, 33), (5, 31), (7, 401), (900, 1)] {
+                let mut table = vec![0.0; angles * wavelengths];
+                let work = Count { bilayers };
+                fill(&work, &vec![0.0; angles], [&mut table], &AtomicBool::new(false));
+                assert_eq!(table, vec![1.0; angles * wavelengths]);
+            }
+        }
+    }
 }

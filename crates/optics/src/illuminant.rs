@@ -139,6 +139,10 @@ impl<'a> Nacre<'a> {
 impl Work<1> for Nacre<'_> {
     type Angle = Line;
 
+    fn bilayers(&self) -> usize {
+        self.depth_nm.len()
+    }
+
     fn meet(&self, theta_0: f64) -> Line {
         let constant = self.is_constant.then(|| {
             let sight = Sight::new(&self.indices[0], self.protein_nm, theta_0);

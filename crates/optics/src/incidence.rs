@@ -10,12 +10,13 @@ use crate::{
     grid::{self, Work},
     lanes::{LANES, Lanes},
     lossless,
-    media::{Media, Table},
+    media::Table,
     real::Real,
     tablets::{Columns, Tablets},
     tabulated,
     transfer::{Precision, TransferModel},
     wave::{Plane, Polarisation},
+    waves::Media,
 };
 
 /// R, T and A of one block of wavelengths.
@@ -23,6 +24,9 @@ pub(crate) type Shares = [Lanes<f64>; 3];
 
 /// What becomes of the light of each angle and block of wavelengths.
 pub(crate) trait Use<const K: usize>: Sync {
+    /// Bilayers of all stacks together.
+    fn bilayers(&self) -> usize;
+
     /// Fills the block's part of each of the `K` tables.
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; K]);
 }
@@ -68,13 +72,27 @@ impl<U, const N: usize> Light<'_, U, N> {
     ) where
         U: Use<K>,
     {
-        if self.table.wavelengths <= HALF && angle_rad.len() > 1 {
+        if are_points(angle_rad.len(), self.table.wavelengths) {
             let cos_angle = angle_rad.iter().map(|angle| angle.cos()).collect();
             // All points are one row.
             grid::fill(&Points { light: self, cos_angle }, &[0.0], tables, stop);
         } else {
             grid::fill(self, angle_rad, tables, stop);
         }
+    }
+}
+
+/// Whether blocks run on from angle to angle.
+fn are_points(angles: usize, wavelengths: usize) -> bool {
+    wavelengths <= HALF && angles > 1
+}
+
+/// Blocks of a table.
+pub(crate) fn blocks(angles: usize, wavelengths: usize) -> usize {
+    if are_points(angles, wavelengths) {
+        (angles * wavelengths).div_ceil(LANES)
+    } else {
+        angles.saturating_mul(wavelengths.div_ceil(LANES))
     }
 }
 
@@ -86,6 +104,10 @@ struct Points<'a, U, const N: usize> {
 
 impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Points<'_, U, N> {
     type Angle = ();
+
+    fn bilayers(&self) -> usize {
+        self.light.using.bilayers()
+    }
 
     fn meet(&self, _: f64) {}
 
@@ -130,6 +152,10 @@ pub(crate) struct Block<'a, const N: usize> {
 impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
     type Angle = Incidence<N>;
 
+    fn bilayers(&self) -> usize {
+        self.using.bilayers()
+    }
+
     fn meet(&self, angle_rad: f64) -> Incidence<N> {
         let cos_angle = angle_rad.cos();
         let constant = self.table.is_constant.then(|| self.table.at(self.planes, cos_angle, 0));
@@ -145,14 +171,8 @@ impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Light<'_, U, N> {
             &dispersed
         };
         let half_turns_per_nm = &self.table.half_turns_per_nm[block];
-        let block = Block {
-            table: self.table,
-            half_turns_per_nm,
-            media,
-            precision: self.precision,
-            lanes: tables[0].len(),
-        };
-        self.using.fill(&block, tables);
+        let (table, precision, lanes) = (self.table, self.precision, tables[0].len());
+        self.using.fill(&Block { table, half_turns_per_nm, media, precision, lanes }, tables);
     }
 }
 

@@ -36,6 +36,7 @@ mod tabulated;
 mod transfer;
 mod turbid;
 mod wave;
+mod waves;
 mod window;
 
 pub use depth::Profile;

@@ -10,9 +10,9 @@ use multiversion::multiversion;
 use crate::{
     incidence::Shares,
     lanes::{LANES, Lanes, fused},
-    media::Waves,
     phase,
     real::{Real, Split},
+    waves::Waves,
 };
 
 /// The media of one block of wavelengths as light of `N` polarisations meets them, for every stack of them

@@ -1,13 +1,13 @@
-//! The media of a stack, as light of a block of wavelengths meets them.
+//! The media of a stack at blocks of wavelengths.
 
-use multiversion::multiversion;
 use nacreous_nacre::{LayerStack, Medium, NacreError, Principal};
 use num_complex::Complex64;
 
 use crate::{
     OpticsError,
     lanes::{LANES, Lanes, Pair, filled},
-    wave::{Plane, Wave},
+    wave::Plane,
+    waves::Media,
 };
 
 /// Wavelengths and indices, block by block: all that does not depend on the angle.
@@ -27,41 +27,17 @@ pub(crate) struct Table {
 }
 
 /// The media's indices at a block of wavelengths.
-struct Indices {
-    ambient: Principals,
-    aragonite: Principals,
-    protein: Principals,
-    substrate: Principals,
+pub(crate) struct Indices {
+    pub(crate) ambient: Principals,
+    pub(crate) aragonite: Principals,
+    pub(crate) protein: Principals,
+    pub(crate) substrate: Principals,
+    pub(crate) are_real: bool,
 }
 
-struct Principals {
-    ordinary: Pair,
-    extraordinary: Pair,
-}
-
-/// What `N` polarisations at one angle meet at a block of wavelengths.
-#[derive(Clone)]
-pub(crate) struct Media<const N: usize> {
-    pub(crate) waves: [Waves; N],
-    /// Light runs through the ambient and all layers: none absorbs, and in none is it evanescent.
-    pub(crate) is_lossless: bool,
-}
-
-/// One polarisation in each medium.
-#[derive(Clone)]
-pub(crate) struct Waves {
-    /// Admittances, in units of that of vacuum.
-    pub(crate) ambient: Pair,
-    pub(crate) aragonite: Pair,
-    pub(crate) substrate: Pair,
-    /// Of the substrate in units of aragonite's, as fields inside the stack are.
-    pub(crate) substrate_ratio: Pair,
-    /// q, that of protein in units of aragonite's, and 1 / q.
-    pub(crate) q: Pair,
-    pub(crate) per_q: Pair,
-    /// Components of the wave vector along the normal, in units of that in vacuum.
-    pub(crate) aragonite_along: Pair,
-    pub(crate) protein_along: Pair,
+pub(crate) struct Principals {
+    pub(crate) ordinary: Pair,
+    pub(crate) extraordinary: Pair,
 }
 
 /// Below this, fields in units of an admittance overflow; no medium has so small an index.
@@ -107,17 +83,12 @@ impl Table {
         cos_angle: f64,
         block: usize,
     ) -> Media<N> {
-        let (block, lanes) = if self.is_constant { (0, 1) } else { (block, LANES) };
-        // In place: these are kilobytes.
-        let mut media = Media { waves: [const { Waves::EMPTY }; N], is_lossless: true };
-        for (waves, plane) in media.waves.iter_mut().zip(planes) {
-            meet(&self.indices[block], plane, &[cos_angle; LANES], lanes, waves);
-            if self.is_constant {
-                waves.spread();
-            }
-            media.is_lossless &= waves.are_lossless();
+        let cos_angle = &[cos_angle; LANES];
+        if self.is_constant {
+            Media::of::<1>(planes, &self.indices[0], cos_angle)
+        } else {
+            Media::of::<LANES>(planes, &self.indices[block], cos_angle)
         }
-        media
     }
 
     /// The media where each lane has an angle of its own, and one of the first block's wavelengths.
@@ -127,31 +98,26 @@ impl Table {
         cos_angle: &Lanes<f64>,
         wavelength: &Lanes<usize>,
     ) -> Media<N> {
-        let gathered;
-        let indices = if self.is_constant {
-            &self.indices[0]
+        if self.is_constant {
+            Media::of::<LANES>(planes, &self.indices[0], cos_angle)
         } else {
-            gathered = self.indices[0].gathered(wavelength);
-            &gathered
-        };
-        let mut media = Media { waves: [const { Waves::EMPTY }; N], is_lossless: true };
-        for (waves, plane) in media.waves.iter_mut().zip(planes) {
-            meet(indices, plane, cos_angle, LANES, waves);
-            media.is_lossless &= waves.are_lossless();
+            Media::of::<LANES>(planes, &self.indices[0].gathered(wavelength), cos_angle)
         }
-        media
     }
 }
 
 impl Indices {
-    fn of(stack: &LayerStack, wavelength_nm: &Lanes<f64>) -> Result<Self, OpticsError> {
+    pub(crate) fn of(stack: &LayerStack, wavelength_nm: &Lanes<f64>) -> Result<Self, OpticsError> {
         let principals = |name, medium| Principals::of(name, medium, wavelength_nm);
-        Ok(Self {
-            ambient: principals("ambient", stack.ambient())?,
-            aragonite: principals("aragonite", stack.aragonite())?,
-            protein: principals("protein", stack.protein())?,
-            substrate: principals("substrate", stack.substrate())?,
-        })
+        let [ambient, aragonite, protein, substrate] = [
+            principals("ambient", stack.ambient())?,
+            principals("aragonite", stack.aragonite())?,
+            principals("protein", stack.protein())?,
+            principals("substrate", stack.substrate())?,
+        ];
+        let are_real =
+            [&ambient, &aragonite, &protein, &substrate].iter().all(|medium| medium.is_real());
+        Ok(Self { ambient, aragonite, protein, substrate, are_real })
     }
 
     fn gathered(&self, from: &Lanes<usize>) -> Self {
@@ -160,6 +126,7 @@ impl Indices {
             aragonite: self.aragonite.gathered(from),
             protein: self.protein.gathered(from),
             substrate: self.substrate.gathered(from),
+            are_real: self.are_real,
         }
     }
 }
@@ -198,67 +165,7 @@ impl Principals {
     }
 
     #[inline(always)]
-    fn at(&self, i: usize) -> (Complex64, Complex64) {
+    pub(crate) fn at(&self, i: usize) -> (Complex64, Complex64) {
         (self.ordinary.at(i), self.extraordinary.at(i))
-    }
-}
-
-impl Waves {
-    const EMPTY: Self = Self {
-        ambient: Pair::ZERO,
-        aragonite: Pair::ZERO,
-        substrate: Pair::ZERO,
-        substrate_ratio: Pair::ZERO,
-        q: Pair::ZERO,
-        per_q: Pair::ZERO,
-        aragonite_along: Pair::ZERO,
-        protein_along: Pair::ZERO,
-    };
-
-    /// The first lane's in all of them.
-    fn spread(&mut self) {
-        for pair in [
-            &mut self.ambient,
-            &mut self.aragonite,
-            &mut self.substrate,
-            &mut self.substrate_ratio,
-            &mut self.q,
-            &mut self.per_q,
-            &mut self.aragonite_along,
-            &mut self.protein_along,
-        ] {
-            *pair = Pair { re: [pair.re[0]; LANES], im: [pair.im[0]; LANES] };
-        }
-    }
-
-    fn are_lossless(&self) -> bool {
-        let pairs =
-            [&self.ambient, &self.aragonite, &self.aragonite_along, &self.q, &self.protein_along];
-        pairs.iter().all(|pair| pair.is_real())
-    }
-}
-
-/// Snell and Fresnel for the first `lanes` wavelengths. Nothing is fused here, so the numbers are everywhere the same.
-#[multiversion(targets(
-    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
-    "x86_64+avx2+fma"
-))]
-fn meet(indices: &Indices, plane: Plane, cos_angle: &Lanes<f64>, lanes: usize, waves: &mut Waves) {
-    for i in 0..lanes {
-        let n_0 = indices.ambient.ordinary.at(i);
-        let ambient = Wave::incident(plane, n_0, cos_angle[i]);
-        let refracted =
-            |medium: &Principals| Wave::refracted(plane, medium.at(i), n_0, ambient.along);
-        let aragonite = refracted(&indices.aragonite);
-        let protein = refracted(&indices.protein);
-        let substrate = refracted(&indices.substrate);
-        waves.ambient.set(i, ambient.admittance);
-        waves.aragonite.set(i, aragonite.admittance);
-        waves.substrate.set(i, substrate.admittance);
-        waves.substrate_ratio.set(i, substrate.admittance / aragonite.admittance);
-        waves.q.set(i, protein.admittance / aragonite.admittance);
-        waves.per_q.set(i, aragonite.admittance / protein.admittance);
-        waves.aragonite_along.set(i, aragonite.along);
-        waves.protein_along.set(i, protein.along);
     }
 }

@@ -12,12 +12,8 @@ use nacreous_nacre::LayerStack;
 use num_complex::Complex64;
 
 use crate::{
-    OpticsError, Polarisation,
-    lanes::LANES,
-    media::{Table, Waves},
-    parallel, phase,
-    transfer::table,
-    wave::Plane,
+    OpticsError, Polarisation, lanes::LANES, media::Table, parallel, phase, transfer::table,
+    wave::Plane, waves::Waves,
 };
 
 /// A narrow line of a spectrum.

@@ -11,10 +11,10 @@ use crate::{
     incidence::Shares,
     lanes::{LANES, Lanes, fused},
     lossless::Field,
-    media::Waves,
     phase,
     real::{Real, Split},
     tablets::{Tablet, Tablets},
+    waves::Waves,
 };
 
 /// The bilayers of one block of wavelengths as light of `N` polarisations meets them.

@@ -118,6 +118,12 @@ impl TransferModel {
         incidence::fill(*self, &media, angle_rad, tables, &Stack(stack), stop);
         Ok((!stop.load(Ordering::Relaxed)).then_some(Energies { shares }))
     }
+
+    /// Whether [`Self::energies`] answers before another thread would have taken up the question, in some
+    /// tens of microseconds; then it stays on the caller's thread.
+    pub fn is_brief(stack: &LayerStack, angles: usize, wavelengths: usize) -> bool {
+        grid::is_brief(incidence::blocks(angles, wavelengths), stack.thickness_nm().len())
+    }
 }
 
 /// The media of a question within its range.
@@ -133,6 +139,10 @@ pub(crate) fn table(
 struct Stack<'a>(&'a LayerStack);
 
 impl Use<3> for Stack<'_> {
+    fn bilayers(&self) -> usize {
+        self.0.thickness_nm().len()
+    }
+
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 3]) {
         let shares = block.met(self.0.protein_nm()).shares(self.0);
         for (table, share) in tables.into_iter().zip(shares) {

@@ -71,18 +71,47 @@ impl Wave {
         ambient: Complex64,
         incident_along: Complex64,
     ) -> Self {
-        let beside = |n: Complex64| {
-            away(root((n - ambient) * (n + ambient) + incident_along * incident_along))
-        };
         if plane == Plane::S {
-            let along = beside(ordinary);
+            let along = beside(ordinary, ambient, incident_along);
             return Self { along, admittance: along };
         }
-        let mut along = ordinary / extraordinary * beside(extraordinary);
+        let mut along = ordinary / extraordinary * beside(extraordinary, ambient, incident_along);
         let admittance = ordinary * ordinary / along;
         along.im = if along.im > 0.0 { along.im } else { 0.0 };
         Self { along, admittance }
     }
+
+    /// (along, admittance) of the wave that comes in through a lossless ambient.
+    #[inline(always)]
+    pub(crate) fn incident_real(plane: Plane, ambient: f64, cos_angle: f64) -> (f64, f64) {
+        let along = ambient * cos_angle;
+        (along, if plane == Plane::S { along } else { ambient / cos_angle })
+    }
+
+    /// (along, admittance) as [`Self::refracted`] between lossless media; `along` is 0 where the wave is
+    /// evanescent or nearly so.
+    #[inline(always)]
+    pub(crate) fn refracted_real(
+        plane: Plane,
+        (ordinary, extraordinary): (f64, f64),
+        ambient: f64,
+        incident_along: f64,
+    ) -> (f64, f64) {
+        let n = if plane == Plane::S { ordinary } else { extraordinary };
+        let square = (n - ambient) * (n + ambient) + incident_along * incident_along;
+        let beside = if square >= LEAST_SQUARE { square.sqrt() } else { 0.0 };
+        if plane == Plane::S {
+            return (beside, beside);
+        }
+        let along = ordinary / extraordinary * beside;
+        (along, ordinary * ordinary / along)
+    }
+}
+
+/// sqrt(n^2 - s^2).
+#[inline(always)]
+fn beside(n: Complex64, ambient: Complex64, incident_along: Complex64) -> Complex64 {
+    away(root((n - ambient) * (n + ambient) + incident_along * incident_along))
 }
 
 #[inline(always)]
@@ -90,6 +119,9 @@ fn away(along: Complex64) -> Complex64 {
     let back = (along.im < 0.0) | ((along.im == 0.0) & (along.re < 0.0));
     if back { -along } else { along }
 }
+
+/// Below this the square of a wave vector's component along the normal counts as 0.
+const LEAST_SQUARE: f64 = 1e-24;
 
 /// The square root, never quite 0: a layer's matrix is even in it and bounded, but written with 1 / root.
 /// At the very angle of total reflection the phase is thereby wrong by 1e-12 of a radian per
@@ -100,7 +132,7 @@ fn root(square: Complex64) -> Complex64 {
     let large = (0.5 * (size + square.re.abs())).sqrt();
     let small = 0.5 * square.im / large;
     let (re, im) = if square.re >= 0.0 { (large, small) } else { (small, large) };
-    let tiny = size < 1e-24;
+    let tiny = size < LEAST_SQUARE;
     Complex64::new(if tiny { 1e-12 } else { re }, if tiny { 0.0 } else { im })
 }
 

@@ -80,7 +80,11 @@ pub fn energies<'py>(
     let (angle, wavelength) = (angle_rad.as_array().to_vec(), wavelength_nm.as_array().to_vec());
     let stop = AtomicBool::new(false);
     let work = || model.energies(&stack.0, &angle, &wavelength, &stop);
-    let found = watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?;
+    let found = if TransferModel::is_brief(&stack.0, rows, columns) {
+        py.detach(work)
+    } else {
+        watched(py, || Ok(()), || stop.store(true, Ordering::Relaxed), work)?
+    };
     let energies = found.map_err(refused)?.ok_or_else(broken_off)?;
     energies.into_flat().into_pyarray(py).reshape([3, rows, columns])
 }

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.check.blocks import Array, Blocks
 from nacreous.scaling.check.link import slopes_at
+from nacreous.scaling.fit.blocks import Array, Blocks
 
 __all__ = ["Mixture", "fit_classes"]
 

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.number import seed_of, whole_of
-from nacreous.scaling.check.blocks import Array, Blocks, blocks_of
-from nacreous.scaling.check.person import known_people
-from nacreous.scaling.check.shared import MOST_STIMULI
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.person import known_people
+from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
+from nacreous.scaling.fit.shared import MOST_STIMULI
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.value import value_class
 

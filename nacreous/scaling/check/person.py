@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.problem import InputError
 from nacreous.scaling.check.triads import Triads, circular_triads
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.person import known_people
 from nacreous.value import value_class
 
 
@@ -55,10 +55,3 @@ def rows_by_person(answers: Answers) -> Iterator[tuple[str, NDArray[np.int64]]]:
         rows = order[ends[index] : ends[index + 1]]
         if len(rows):
             yield label, rows
-
-
-def known_people(answers: Answers) -> NDArray[np.int64]:
-    """int64 [answer], who gave it; or one clear message where that is unknown."""
-    if answers.person is None:
-        raise InputError("the answers do not say who gave them; wanted: a column person")
-    return answers.person

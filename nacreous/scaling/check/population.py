@@ -8,10 +8,10 @@ import numpy as np
 
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.check.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.check.classes import Mixture, fit_classes
 from nacreous.scaling.check.own_values import OwnValues, fit_own_values
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.unit import check_model
 from nacreous.value import value_class
 

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.check.person import known_people
 from nacreous.scaling.check.share import Share
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.person import known_people
 from nacreous.value import value_class
 
 

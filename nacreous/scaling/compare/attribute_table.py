@@ -13,6 +13,7 @@ from nacreous.number import number_of, said
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import number_column, text_column
 from nacreous.scaling.data.fault import listed, nearest, quoted
+from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.data.table import read_table, table_of
 from nacreous.value import value_class
@@ -58,7 +59,7 @@ class AttributeTable:
     @classmethod
     def _of_rows(cls, rows: Mapping[Any, Any]) -> AttributeTable:
         first = next(iter(rows.values()))
-        names = tuple(str(name) for name in first) if isinstance(first, Mapping) else ()
+        names = tuple(label_of(str(name)) for name in first) if isinstance(first, Mapping) else ()
         if not names:
             raise InputError("attributes has none; allowed: 1 attribute or more a stimulus")
         values = np.empty((len(rows), len(names)))
@@ -66,7 +67,7 @@ class AttributeTable:
             place = f"attributes[{quoted(label)}]"
             if not isinstance(row, Mapping):
                 raise InputError(f"{place} is {said(row)}; allowed: attribute -> number")
-            cells = {str(name): value for name, value in row.items()}
+            cells = {label_of(str(name)): value for name, value in row.items()}
             if cells.keys() != set(names):
                 odd = sorted(cells.keys() ^ set(names))
                 raise InputError(f"{place} has {listed(cells)}, not the same as others: {odd[0]}")
@@ -78,6 +79,7 @@ class AttributeTable:
     def _of_columns(cls, attributes: Any, stimulus: str) -> AttributeTable:
         is_path = isinstance(attributes, str | PathLike)
         table = read_table(attributes) if is_path else table_of(attributes)
+        stimulus = name_of(stimulus)
         if stimulus not in table.columns:
             near = nearest(stimulus, table.columns)
             hint = f"did you mean {near}?" if near else f"columns here: {listed(table.columns)}"
@@ -117,7 +119,7 @@ class AttributeTable:
             raise InputError(f"terms is {said(terms)}; allowed: a list of {listed(self.names)}")
         found: list[tuple[str, ...]] = []
         for term in terms:
-            parts = tuple(str(term).split(":"))
+            parts = tuple(label_of(part) for part in str(term).split(":"))
             for name in parts:
                 if name not in self.names:
                     near = nearest(name, self.names)

@@ -25,6 +25,7 @@ from nacreous.scaling.compare.estimate import (
     spread_over,
 )
 from nacreous.scaling.data.fault import listed, quoted
+from nacreous.scaling.data.label import label_of
 from nacreous.value import value_class
 
 __all__ = ["ClusterRatio", "RatioChange", "cluster_ratio", "compare_ratios"]
@@ -195,7 +196,7 @@ def _ratio_of(
     reach = float(t.ppf((1 + level) / 2, one.freedom))
     # distance^2 - ratio^2 spread^2 is 0 on average at the true ratio.
     low, high = _fieller(squares.value, squares.covariance, reach)
-    labels = [tuple(map(str, part)) for part in (first, second)]
+    labels = [tuple(label_of(str(label)) for label in part) for part in (first, second)]
     return ClusterRatio(
         first=labels[0],
         second=labels[1],
@@ -291,7 +292,7 @@ def _clusters(
     places: list[list[int]] = []
     for name, labels in (("first", first), ("second", second)):
         places.append([])
-        for label in map(str, labels):
+        for label in (label_of(str(label)) for label in labels):
             if label not in index:
                 stimuli = listed(one.fit.stimuli)
                 raise InputError(f"{name} names {quoted(label)}; allowed: {stimuli}")

@@ -36,7 +36,8 @@ class Answers:
     - `response_s`: float64 [answer], seconds until the answer, NaN where empty; or None
     - `time`: float64 [answer], when or in which order (column time, else trial or order); or None
     - `sided`: left and right are places before the eye, and not only an order of listing
-    - `left_out`: how many rows of the table are no answers, such as those of instructions
+    - `left_out`: how many rows of the table are no answers, such as those of instructions;
+      `unanswered`: how many of them show a pair
 
     >>> answers = Answers.of_pairs([("a", "b"), ("a", "c"), ("c", "b")])
     >>> answers
@@ -54,6 +55,7 @@ class Answers:
     time: NDArray[np.float64] | None = None
     sided: bool = True
     left_out: int = 0
+    unanswered: int = 0
 
     @classmethod
     def read(

@@ -40,6 +40,7 @@ class Fields(TypedDict):
     time: NDArray[np.float64] | None
     sided: bool
     left_out: int
+    unanswered: int
 
 
 def fields_of(
@@ -52,13 +53,14 @@ def fields_of(
     skip_unanswered: bool,
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
-    table, column, left_out = _trials(table, names)
+    table, column, unpaired = _trials(table, names)
     won = "winner" in column
+    paired = table.rows
     if skip_unanswered and not won:
-        kept = np.ones(table.rows, bool)
+        kept = np.ones(paired, bool)
         kept[unanswered(table, column, names)] = False
-        left_out += table.rows - int(kept.sum())
         table = table.take(kept)
+    skipped = paired - table.rows
     faults = table.faults()
     if table.rows == 0:
         faults.say("has no row with a pair and an answer; allowed: 1 or more")
@@ -90,7 +92,8 @@ def fields_of(
         response_s=response_s,
         time=trial if time is None else time,
         sided=sided and not won,
-        left_out=left_out,
+        left_out=unpaired + skipped,
+        unanswered=skipped,
     )
 
 

@@ -92,15 +92,25 @@ def check_alike(labels: Iterable[str], place: str) -> None:
     """Refuse labels that look alike or are one number: in pooled files one thing would be two."""
     seen: dict[str, str] = {}
     for label in labels:
-        shape = " ".join(label.translate(_INVISIBLE).split())
-        number = _WHOLE.fullmatch(shape)
-        other = seen.setdefault(number[1] if number else shape, label)
+        other = seen.setdefault(shape_of(label), label)
         if other != label:
-            differ = "are one number" if number or _WHOLE.fullmatch(other) else "look alike"
+            number = _WHOLE.fullmatch(label) or _WHOLE.fullmatch(other)
+            differ = "are one number" if number else "look alike"
             raise InputError(
                 f"{place}: {quoted(other)} and {quoted(label)} {differ}; allowed: one way of "
                 "writing it"
             )
+
+
+def shape_of(label: str) -> str:
+    """What labels that look alike, or are one number, have in common.
+
+    >>> shape_of("crop  2") == shape_of("crop 2"), shape_of("1.0") == shape_of("1")
+    (True, True)
+    """
+    shape = " ".join(label.translate(_INVISIBLE).split())
+    number = _WHOLE.fullmatch(shape)
+    return number[1] if number else shape
 
 
 def _joins(letter: str) -> bool:

@@ -16,8 +16,9 @@ from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit import bootstrap, frame, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
-from nacreous.scaling.fit.errors import errors_of, kind_of, parameter_covariance
+from nacreous.scaling.fit.errors import errors_of, parameter_covariance
 from nacreous.scaling.fit.spread import Prior, SpreadPosterior
+from nacreous.scaling.fit.summary import summary
 from nacreous.scaling.fit.unit import Unit, factor, unit_of
 from nacreous.value import value_class
 
@@ -78,21 +79,10 @@ class Scale:
     def __str__(self) -> str:
         """A line for each stimulus, with its unit above and standard errors beside.
 
-        Where people are known a last line says whose errors these are, or why there are none.
+        Where people are known a last line says whose errors these are, or why there are none, and
+        a first one that people do not share one scale, where `shared_scale` finds so.
         """
-        how = self.method if self.posterior is None else "prior over the spread"
-        of = f"{self.model}, {how}, {self.comparisons.total:g} answers"
-        width = max(map(len, self.stimuli))
-        rows = zip(self.stimuli, self.scale, strict=True)
-        lines = [f"{label:{width}}  {value:6.3f}" for label, value in rows]
-        note = "+- is over people; the scale is that of their average answer"
-        try:
-            lines = [f"{line} +- {se:.3f}" for line, se in zip(lines, self.se, strict=True)]
-        except InputError as problem:
-            note = f"no errors over people: {problem}"
-        if kind_of(self, None) == "people":
-            lines.append(note)
-        return "\n".join((f"scale in {self.unit} ({of})", *lines))
+        return summary(self)
 
     def __repr__(self) -> str:
         """In one line what was fitted."""

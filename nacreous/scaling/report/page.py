@@ -18,7 +18,7 @@ from nacreous.scaling.report.chapters import (
     scale,
     short,
 )
-from nacreous.scaling.report.translation import Html, Words, thousands
+from nacreous.scaling.report.translation import Html, Words, markup, thousands
 
 __all__ = ["html"]
 
@@ -51,13 +51,13 @@ def html(analysis: Analysis, language: str = "en") -> str:
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{_title(analysis, words)}</title>
+<title>{_title(analysis, words, markup)}</title>
 <style>
 {_STYLE.read_text(encoding="utf-8")}</style>
 </head>
 <body>
 <header>
-<h1>{_title(analysis, words)}</h1>
+<h1>{_title(analysis, words, words.quoted)}</h1>
 {_asked(analysis, words)}</header>
 <main>
 <section id="short">
@@ -79,9 +79,10 @@ def _order(analysis: Analysis) -> list[str]:
     return sorted(keys, key=lambda key: key != "people") if analysis.people_differ else keys
 
 
-def _title(analysis: Analysis, words: Words) -> Html:
+def _title(analysis: Analysis, words: Words, quoted: Callable[[str], Html]) -> Html:
+    """quoted: how the question is set; a browser's tab shows text alone."""
     asked = words.question(analysis.settings.question, analysis.example)
-    title = words("page.title") if asked is None else words("page.asked", question=asked)
+    title = words("page.title") if asked is None else words("page.asked", question=quoted(asked))
     return words("page.simulated", title=title) if analysis.settings.simulated else title
 
 
@@ -106,12 +107,23 @@ def _asked(analysis: Analysis, words: Words) -> Html:
         said.append(words("head.missing", pairs=words.count("pair", missing)))
     if counts.ties.any():
         said.append(words("head.ties", ties=thousands(float(counts.ties.sum()))))
+    said += _left_out(analysis, words)
     shown = f"<p>{words.sentences(*said)}</p>\n"
     if analysis.settings.simulated:
         shown = f'<p class="note"><b>{words("head.simulated")}</b></p>\n' + shown
     if analysis.example:
         shown += f'<p class="note">{words("head.paper")}</p>\n'
     return Html(shown)
+
+
+def _left_out(analysis: Analysis, words: Words) -> list[Html]:
+    """How many rows of the table are no answers, and why."""
+    if analysis.answers is None:
+        return []
+    unanswered = analysis.answers.unanswered
+    unpaired = analysis.answers.left_out - unanswered
+    found = {"head.unpaired": unpaired, "head.unanswered": unanswered}
+    return [words(key, rows=words.count("row", count)) for key, count in found.items() if count]
 
 
 def _range(each: np.typing.NDArray[np.float64], words: Words) -> Html:

@@ -7,8 +7,8 @@ from math import ceil
 from nacreous.problem import InputError
 from nacreous.scaling.check.covariate import Covariate, person_covariates
 from nacreous.scaling.check.population import Population, population
-from nacreous.scaling.check.shared import SharedScale, shared_scale
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.shared import SharedScale, shared_scale
 from nacreous.scaling.report.settings import Settings
 from nacreous.value import value_class
 

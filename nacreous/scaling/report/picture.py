@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from html import escape
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from nacreous.scaling.report.translation import Html, language_of
+from nacreous.scaling.report.translation import Html, language_of, markup
 
 __all__ = ["WIDE_PT", "picture"]
 
@@ -58,6 +57,6 @@ def inline(svg: str, prefix: str, kind: str, alt: str) -> str:
     )
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{prefix}-\1"', svg)
     look = f' class="{kind}"' if kind else ""
-    head = f'<svg{look} role="img" aria-label="{escape(alt)}"'
+    head = f'<svg{look} role="img" aria-label="{markup(alt)}"'
     svg = svg.replace("<svg", head, 1)
     return re.sub(r">\s+<(?!tspan)", "><", svg)

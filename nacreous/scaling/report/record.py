@@ -50,6 +50,7 @@ def json_text(analysis: Analysis) -> str:
         "reconstructed_from_the_published_table": analysis.example,
         "answers": analysis.comparisons.total,
         "people": None if analysis.answers is None else len(analysis.answers.people),
+        "rows_left_out": _left_out(analysis),
         "unit": fit.unit,
         "stimuli": [
             {
@@ -79,6 +80,14 @@ def json_text(analysis: Analysis) -> str:
         "groups": _groups(analysis),
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def _left_out(analysis: Analysis) -> dict[str, int] | None:
+    """Rows of the table that are no answers, by what they lack; None for counts."""
+    answers = analysis.answers
+    if answers is None:
+        return None
+    return {"pair": answers.left_out - answers.unanswered, "answer": answers.unanswered}
 
 
 def _pairs(analysis: Analysis) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from nacreous.printable import printable_lines
 from nacreous.problem import InputError
 
 __all__ = ["LANGUAGES", "Html", "Words"]
@@ -24,12 +25,12 @@ class Html(str):
 
 
 def markup(value: object) -> Html:
-    """The value as HTML.
+    """The value as HTML, without control characters.
 
     >>> markup("<b>"), markup(Html("<b>"))
     ('&lt;b&gt;', '<b>')
     """
-    return value if isinstance(value, Html) else Html(escape(str(value)))
+    return value if isinstance(value, Html) else Html(escape(printable_lines(str(value))))
 
 
 def language_of(label: object) -> str:
@@ -75,6 +76,11 @@ class Words:
         """The question as it was put; the paper's own where the data are its."""
         return self._texts["paper.question"] if asked is None and example else asked
 
+    def quoted(self, text: str) -> Html:
+        """A question as it was put, in the glyphs of its language."""
+        language = language_of(text)
+        return Html(f"<span{language}>{markup(text)}</span>") if language else markup(text)
+
     def count(self, noun: str, number: float) -> Html:
         """A number with its noun: "1 person", "2 people".
 
@@ -86,7 +92,7 @@ class Words:
 
     def name(self, label: object) -> Html:
         """A stimulus, a person or a group, set so that it stands out of the sentence."""
-        return Html(f'<b class="name"{language_of(label)}>{escape(str(label))}</b>')
+        return Html(f'<b class="name"{language_of(label)}>{markup(str(label))}</b>')
 
     def listed(self, items: Sequence[object], most: int = 30) -> Html:
         """Items in a row: "a, b and c"; beyond `most` the rest is only counted."""

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from nacreous.scaling.data.label import shape_of
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
@@ -148,10 +149,12 @@ class Design(SpecFile):
         for path, names in named.items():
             first: dict[str, int] = {}
             for place, name in names:
-                if name in first:
-                    verdict = f"is {shown(name)}, as {{other}}; allowed: a name of its own"
-                    yield Contradiction(path.format(place), verdict, path.format(first[name]))
-                first.setdefault(name, place)
+                shape = shape_of(name)
+                if shape in first:
+                    alike = "as" if (first[shape], name) in names else "which looks like"
+                    verdict = f"is {shown(name)}, {alike} {{other}}; allowed: a name of its own"
+                    yield Contradiction(path.format(place), verdict, path.format(first[shape]))
+                first.setdefault(shape, place)
 
     def _counts(self) -> Iterator[Contradiction]:
         count = len(self.labels)

@@ -11,6 +11,7 @@ from typing import Any
 
 from nacreous.missing import missing
 from nacreous.problem import InputError
+from nacreous.scaling.data.label import label_of
 from nacreous.study.design.design import Design
 
 __all__ = ["MAKER", "RECORD", "STIMULI", "Frozen", "FrozenStimulus", "hash_of", "open_frozen"]
@@ -56,7 +57,7 @@ class Frozen:
     def path(self, label: str) -> Path:
         """Where the picture of a stimulus lies."""
         for stimulus in self.stimuli:
-            if stimulus.label == label:
+            if stimulus.label == label_of(label):
                 return self.folder / stimulus.file
         raise InputError(f'"{label}" is no stimulus of the study; allowed: its labels')
 
@@ -91,8 +92,11 @@ def open_frozen(path: str | Path) -> Frozen:
     try:
         intact = manifest["study_hash"] == hash_of(sealed)
         intact = intact and manifest["design_hash"] == hash_of(manifest["design"])
-        stimuli = tuple(FrozenStimulus(**stimulus) for stimulus in manifest["stimuli"])
-    except (KeyError, TypeError, ValueError):
+        stimuli = tuple(
+            FrozenStimulus(**{**stimulus, "label": label_of(stimulus["label"])})
+            for stimulus in manifest["stimuli"]
+        )
+    except (KeyError, TypeError, ValueError, AttributeError):
         intact, stimuli = False, ()
     if not intact:
         raise InputError(f"{where}: has been changed since it was frozen; wanted: as it was made")

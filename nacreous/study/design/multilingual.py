@@ -7,6 +7,7 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import AfterValidator, Field
 
+from nacreous.printable import printable_lines
 from nacreous.spec.complaint import Contradiction
 from nacreous.spec.key import key
 from nacreous.spec.section import Section
@@ -17,7 +18,7 @@ LANGUAGES: tuple[str, ...] = get_args(Language)
 
 
 def _readable(text: str) -> str:
-    if not text.strip() or not all(letter.isprintable() or letter == "\n" for letter in text):
+    if not text.strip() or printable_lines(text) != text:
         raise ValueError("blank, or not printable")
     return text
 

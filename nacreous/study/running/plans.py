@@ -7,6 +7,7 @@ from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from nacreous.scaling.data.label import label_of
 from nacreous.study.plan import Trial
 from nacreous.study.task.task import Task
 
@@ -48,7 +49,7 @@ def trials_of(plan: Sequence[Mapping[str, Any]], task: Task[Any]) -> tuple[Trial
         Trial(
             number=row["number"],
             question=row["question"],
-            stimuli=tuple(row[place] for place in task.places),
+            stimuli=tuple(label_of(row[place]) for place in task.places),
             kind=row["kind"],
             block=row["block"],
             break_before=row["break_before"],

@@ -1,5 +1,7 @@
 /** Elements made from script: never from text, so that nobody's words become markup. */
 
+import { printable } from "./printable";
+
 type Attributes = Record<string, string | number | boolean>;
 type Child = Node | string;
 
@@ -17,7 +19,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
     if (value === false) continue;
     made.setAttribute(key, value === true ? "" : String(value));
   }
-  made.append(...children);
+  made.append(...children.map((child) => (typeof child === "string" ? printable(child) : child)));
   return made;
 }
 

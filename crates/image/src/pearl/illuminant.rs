@@ -61,19 +61,21 @@ impl IlluminantPearl {
         rgb::times(self.body_colour, light)
     }
 
+    /// Whether what a line of sight stands for may show the edge of a mirrored window.
+    pub(crate) fn has_window_edges(&self, surroundings: &Lit, sight: &Sight) -> bool {
+        let along = 2.0 * sight.hit.cos_view * sight.hit.normal - sight.view;
+        let panes = surroundings.windows.iter().filter_map(|w| w.before(sight.hit.point));
+        panes.into_iter().any(|pane| pane.has_edge_within(along, sight.spread.outward_rad))
+    }
+
     /// Lamps by their images in the facets, all else by one mirrored ray that fades with distance.
     fn mirror(&self, surroundings: &Lit, sight: &Sight) -> Rgb {
         let Sight { ball, hit, view, spread, .. } = *sight;
         let along = 2.0 * hit.cos_view * hit.normal - view;
         let outward = view.cross(hit.normal).cross(along).normalize_or_zero();
         let cone = Cone::stretched(spread.around_rad, spread.outward_rad, outward);
-        let seen = surroundings.seen(&Ray { from: hit.point, along }, &cone, Some(ball));
-        let clear = libm::exp(-seen.distance_mm / self.falloff_mm);
-        let faded = if clear < 1.0 && seen.distance_mm.is_finite() {
-            rgb::mix(surroundings.backdrop(along, &cone), seen.radiance, clear)
-        } else {
-            seen.radiance
-        };
+        let ray = Ray { from: hit.point, along };
+        let faded = surroundings.faded(&ray, &cone, Some(ball), self.falloff_mm);
         let mut mirrored =
             rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
         for lamp in &surroundings.lamps {

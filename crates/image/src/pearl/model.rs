@@ -65,6 +65,22 @@ impl Model {
         matches!(self, Self::Transport(_))
     }
 
+    /// Whether a pixel, for which `sight` stands as a whole, shows edges of what is mirrored.
+    pub(crate) fn has_edges(&self, surroundings: &Lit, sight: &Sight) -> bool {
+        match self {
+            Self::Illuminant(_) => true,
+            Self::Transport(model) => model.has_edges(surroundings, sight),
+        }
+    }
+
+    /// Whether a pixel, for which `sight` stands as a whole, shows the edge of a mirrored window that no facets blur.
+    pub(crate) fn has_sharp_edges(&self, surroundings: &Lit, sight: &Sight) -> bool {
+        match self {
+            Self::Illuminant(model) => model.has_window_edges(surroundings, sight),
+            Self::Transport(_) => false,
+        }
+    }
+
     /// The light that interference adds at a view angle, of a model in which it depends on nothing else.
     pub(crate) fn rings(&self, cos_view: f64) -> Option<Rgb> {
         match self {
@@ -103,8 +119,9 @@ impl Model {
             let y = (DVec3::Y - towards * towards.y).normalize_or(DVec3::X);
             let x = y.cross(towards);
             let mut sum = [0.0; 3];
-            for part in 0..DISC_POINTS {
-                let [across, up] = glow::on_disc(part);
+            for number in 0..DISC_POINTS {
+                let [across, up] = glow::on_disc(number);
+                let part = (number, DISC_POINTS);
                 let cos_view = (1.0 - across * across - up * up).sqrt();
                 let normal = x * across + y * up + towards * cos_view;
                 let point = surroundings.balls[ball].centre + normal * radius_mm;

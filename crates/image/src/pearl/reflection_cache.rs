@@ -48,7 +48,7 @@ const BORDER: usize = 2;
 const STEPS_PER_SPREAD: f64 = 1.4;
 
 /// The cache's share of the facets that it spares, and how many a knot has; by eye **(ours)**.
-const SHARE: f64 = 0.4;
+const SHARE: f64 = 0.25;
 const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;
 

@@ -20,9 +20,8 @@ pub struct Sight {
     pub pixel_mm: f64,
     /// What the line of sight stands for once it is mirrored.
     pub spread: Spread,
-    /// Which part of the light around this sample looks at: a pixel's samples, as many as stand along its
-    /// side, share it out. Any number.
-    pub part: usize,
+    /// Which part of the light around this sample looks at, of how many: a pixel's samples share it out.
+    pub part: (usize, usize),
     /// What all facets show of the surroundings, where that is known.
     pub around: Option<Around>,
 }

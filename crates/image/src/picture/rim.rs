@@ -4,7 +4,10 @@
 //! Left out: edges that are no pearl's, which are seen as sharply as samples lie.
 
 use crate::{
-    pearl::sight::{Sight, Spread},
+    pearl::{
+        model::Model,
+        sight::{Sight, Spread},
+    },
     picture::{
         chord::{Chord, Piece},
         sampler::Sampler,
@@ -21,6 +24,9 @@ const FULL_ANGLE: f64 = 8.0;
 /// What a line stands for, over the mean distance of lines, which lie two pixels wide.
 const BETWEEN: f64 = 2.0;
 
+/// So many times the lines where a pearl mirrors the edge of a window **(ours)**.
+const AT_EDGES: f64 = 1.5;
+
 /// The stretch of a line between two edges.
 struct Stretch<'a> {
     from: f64,
@@ -33,12 +39,15 @@ impl Sampler {
     /// Lines across the pixel, each cut where it meets a silhouette. At the rim the ray that a pearl mirrors turns the faster the
     /// nearer it is: by samples over even parts of its turn each stands for directions that lie together.
     pub(super) fn lines(&self, at: (usize, usize), view: &mut View) {
-        let lines = self.samples_side().max(2);
+        let middle = self.ray(at, 0.0, 0.0);
+        let edges = |&ball: &usize| self.shows(ball, &middle, Model::has_sharp_edges);
+        let more = if view.balls.iter().any(edges) { AT_EDGES } else { 1.0 };
+        let lines = (self.samples_side().max(2) as f64 * more) as usize;
         let width_px = BETWEEN / lines as f64;
         let upright = self.is_upright(at, view);
         for (line, across) in tent_of_full_width(lines).into_iter().enumerate() {
             // Each line begins with other facets, so that none are always looked at next to the rim.
-            let mut part = line;
+            let mut part = line * lines;
             let ray_at = |along: f64| {
                 let (down, aside) = if upright { (along, across) } else { (across, along) };
                 self.ray(at, down, aside)
@@ -50,7 +59,7 @@ impl Sampler {
                 if let Some((place, chord)) = stretch.ball {
                     for piece in chord.pieces(stretch.from, stretch.to, count) {
                         let ray = ray_at(piece.place);
-                        self.piece(&ray, place, &piece, (lines, part), view);
+                        self.piece(&ray, place, &piece, (lines, (part, lines * lines)), view);
                         part += 1;
                     }
                 } else {
@@ -70,7 +79,7 @@ impl Sampler {
         ray: &Ray,
         place: usize,
         piece: &Piece,
-        (lines, part): (usize, usize),
+        (lines, part): (usize, (usize, usize)),
         view: &mut View,
     ) {
         let ball = view.balls[place];

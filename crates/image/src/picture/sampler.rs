@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::{
     parallel,
     pearl::{
-        model::Pearl,
+        model::{Model, Pearl},
         reflection_cache::Around,
         sight::{Sight, Spread},
     },
@@ -48,6 +48,9 @@ pub struct Sampler {
     pub(super) pixel_mm: Vec<f64>,
     reflections: Arc<Reflections>,
 }
+
+/// Width of an even disc that spreads as a pixel's tent does.
+const PIXEL_PX: f64 = 1.633;
 
 impl Sampler {
     /// `pearls[i]` is the ball `surroundings.balls[i]`; `samples_side` samples stand along a pixel's side.
@@ -150,7 +153,7 @@ impl Sampler {
         match self.detail(row, column, view) {
             Detail::None => {
                 let (x, y) = self.place(row, column, 0.0, 0.0);
-                self.sample(&self.camera.ray(x, y), (1.0, 0), view);
+                self.sample(&self.camera.ray(x, y), (1.0, (0, 1)), view);
             }
             Detail::BelowPixel => {
                 self.few((row, column), false, view);
@@ -184,7 +187,7 @@ impl Sampler {
             let j = rook(i, side);
             let (x, y) = self.place(row, column, down, self.offsets[j]);
             // Alone, the samples share all facets out among themselves.
-            let part = if spread { (i + j) % side } else { i };
+            let part = if spread { (i * side + j, side * side) } else { (i, side) };
             let light = self.sample(&self.camera.ray(x, y), (self.weight(), part), view);
             for channel in 0..3 {
                 least[channel] = least[channel].min(light[channel]);
@@ -201,7 +204,11 @@ impl Sampler {
         for (i, &down) in self.offsets.iter().enumerate() {
             for (j, &aside) in self.offsets.iter().enumerate() {
                 let (x, y) = self.place(row, column, down, aside);
-                self.sample(&self.camera.ray(x, y), (self.weight(), (i + j) % side), view);
+                self.sample(
+                    &self.camera.ray(x, y),
+                    (self.weight(), (i * side + j, side * side)),
+                    view,
+                );
             }
         }
     }
@@ -254,14 +261,30 @@ impl Sampler {
             true if cached && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm => {
                 Detail::None
             }
+            true if !cached && self.shows(ball, &ray, Model::has_edges) => Detail::Edges,
             true => Detail::BelowPixel,
             false if many => Detail::Unknown,
             false => Detail::Edges,
         }
     }
 
+    /// Whether a pixel around a line of sight shows something of what a ball mirrors.
+    pub(super) fn shows(
+        &self,
+        ball: usize,
+        ray: &Ray,
+        something: impl Fn(&Model, &Lit, &Sight) -> bool,
+    ) -> bool {
+        let (place, pixel_mm) = (&self.surroundings.balls[ball], self.pixel_mm[ball]);
+        let hit = place.nearest(ray);
+        let spread = Spread::of_square(PIXEL_PX * pixel_mm / place.radius_mm, hit.cos_view);
+        let (view, part, around) = (-ray.along, (0, 1), None);
+        let sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
+        something(&self.pearls[ball].model, &self.surroundings, &sight)
+    }
+
     /// What one line of sight shows. Gives its light.
-    fn sample(&self, ray: &Ray, (weight, part): (f64, usize), view: &mut View) -> Rgb {
+    fn sample(&self, ray: &Ray, (weight, part): (f64, (usize, usize)), view: &mut View) -> Rgb {
         let Some((place, hit)) = self.front(ray, view) else {
             return self.behind(ray, weight, self.width_px, view);
         };
@@ -279,7 +302,7 @@ impl Sampler {
     /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.
     pub(super) fn behind(&self, ray: &Ray, weight: f64, width_px: f64, view: &mut View) -> Rgb {
         let pixel_rad = self.camera.cell_mm(self.size_px) / self.camera.reach_mm(ray);
-        let light = self.surroundings.scenery(ray, width_px * pixel_rad).radiance;
+        let light = self.surroundings.scenery(ray, width_px * pixel_rad);
         rgb::add(&mut view.behind, rgb::scaled(light, weight));
         light
     }

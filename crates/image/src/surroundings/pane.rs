@@ -52,6 +52,12 @@ impl Pane {
         (share > 0.0).then_some((distance_mm.min(self.farthest_mm), share))
     }
 
+    /// Whether one of its edges may lie within an angle of a direction.
+    pub(crate) fn has_edge_within(&self, along: DVec3, within_rad: f64) -> bool {
+        let sine = libm::sin(within_rad.min(FRAC_PI_2));
+        self.is_within(along, within_rad) && self.inward.iter().any(|i| i.dot(along) < sine)
+    }
+
     /// Whether any of it may lie within an angle of a direction.
     pub(crate) fn is_within(&self, along: DVec3, within_rad: f64) -> bool {
         let sine = libm::sin(within_rad.min(FRAC_PI_2));

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::Rgb,
-    surroundings::{ground::Seen, lit::Lit, viewpoint::Viewpoint},
+    surroundings::{lit::Lit, viewpoint::Viewpoint},
     view::{cone::Cone, ray::Ray},
 };
 
@@ -15,15 +15,27 @@ impl Lit {
     /// What `ray` meets, the pearl `from` left out that it comes from. `cone` is what
     /// the ray stands for: finer patterns are averaged away, not aliased, and balls and windows have
     /// soft edges.
-    pub fn seen(&self, ray: &Ray, cone: &Cone, from: Option<usize>) -> Seen {
+    pub fn seen(&self, ray: &Ray, cone: &Cone, from: Option<usize>) -> Rgb {
         Viewpoint::new(self, &self.windows, ray.from, from).seen(ray.along, cone)
+    }
+
+    /// The same, where each thing but sky and windows fades into the backdrop with its own distance, to 1/e of the contrast
+    /// over `falloff_mm`.
+    pub(crate) fn faded(
+        &self,
+        ray: &Ray,
+        cone: &Cone,
+        from: Option<usize>,
+        falloff_mm: f64,
+    ) -> Rgb {
+        Viewpoint::new(self, &self.windows, ray.from, from).faded(ray.along, cone, falloff_mm)
     }
 
     /// What the middle of a ball would see, were there no windows.
     pub(crate) fn seen_without_windows(&self, ball: usize, along: DVec3, spread_rad: f64) -> Rgb {
         let centre = self.balls[ball].centre;
         let cone = Cone::round(spread_rad);
-        Viewpoint::new(self, &[], centre, Some(ball)).seen(along, &cone).radiance
+        Viewpoint::new(self, &[], centre, Some(ball)).seen(along, &cone)
     }
 
     /// What windows add to that, at points all over them: (direction, solid angle, radiance). For sums over
@@ -33,7 +45,7 @@ impl Lit {
         self.windows.iter().flat_map(move |window| {
             let this = Viewpoint::new(self, std::slice::from_ref(window), from, Some(ball));
             window.directions(from, WINDOW_RAD).map(move |(along, solid)| {
-                let with = this.seen(along, &Cone::round(FINE_RAD)).radiance;
+                let with = this.seen(along, &Cone::round(FINE_RAD));
                 let without = self.seen_without_windows(ball, along, WINDOW_RAD);
                 (along, solid, std::array::from_fn(|i| with[i] - without[i]))
             })
@@ -41,7 +53,7 @@ impl Lit {
     }
 
     /// What `ray` meets of windows, table, walls and sky.
-    pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Seen {
+    pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Rgb {
         let windows = self.windows.iter().filter(|window| !window.is_clear_of(ray, spread_rad));
         Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, &Cone::round(spread_rad))
     }
@@ -79,7 +91,7 @@ mod tests {
                 assert!((light[0] - 1.0).abs() < 1e-3, "{x}: {light:?}");
                 let down = DVec3::new(0.3, -1.0, 0.2).normalize();
                 let ray = Ray { from: DVec3::new(x, 9.0, 0.0), along: down };
-                let seen = surroundings.seen(&ray, &Cone::round(0.2), None).radiance[0];
+                let seen = surroundings.seen(&ray, &Cone::round(0.2), None)[0];
                 assert!((seen - 1.0).abs() < 1e-3, "{x}: {seen}");
             }
         }
@@ -92,7 +104,7 @@ mod tests {
         let surroundings = Surroundings::new(None, None, night, vec![], balls).settled(false);
         let ray = Ray { from: DVec3::ZERO, along: DVec3::X };
         let seen = surroundings.seen(&ray, &Cone::round(0.01), Some(0));
-        assert!((seen.radiance[0] - 1.0).abs() < 1e-9 && (seen.distance_mm - 16.0).abs() < 1e-9);
-        assert!(surroundings.seen(&ray, &Cone::round(0.01), Some(1)).radiance[0] < 1e-9);
+        assert!((seen[0] - 1.0).abs() < 1e-9);
+        assert!(surroundings.seen(&ray, &Cone::round(0.01), Some(1))[0] < 1e-9);
     }
 }

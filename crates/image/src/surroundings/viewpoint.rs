@@ -43,10 +43,30 @@ impl<'a> Viewpoint<'a> {
         Self { surroundings, panes, point, on }
     }
 
-    /// What a ray along a direction meets; it stands for `cone`.
-    pub(crate) fn seen(&self, along: DVec3, cone: &Cone) -> Seen {
+    /// The light from a direction; the ray stands for `cone`.
+    pub(crate) fn seen(&self, along: DVec3, cone: &Cone) -> Rgb {
+        self.seen_as(along, cone, |radiance, _| radiance)
+    }
+
+    /// The same, where each thing but sky and windows fades into the backdrop with its own distance, to 1/e of the contrast
+    /// over `falloff_mm`.
+    pub(crate) fn faded(&self, along: DVec3, cone: &Cone, falloff_mm: f64) -> Rgb {
+        let backdrop = self.surroundings.backdrop(along, cone);
+        self.seen_as(along, cone, |radiance, distance_mm| {
+            if distance_mm.is_finite() {
+                rgb::mix(backdrop, radiance, libm::exp(-distance_mm / falloff_mm))
+            } else {
+                radiance
+            }
+        })
+    }
+
+    /// The light from a direction, each thing's as `looks` says of its radiance and distance; that of windows and sky is
+    /// infinite.
+    fn seen_as(&self, along: DVec3, cone: &Cone, looks: impl Fn(Rgb, f64) -> Rgb) -> Rgb {
         if self.surroundings.balls.len() == usize::from(self.on.is_some()) {
-            return self.scenery(along, cone);
+            let ray = Ray { from: self.point, along };
+            return through(self.windows(along, cone), self.surroundings.ground(&ray, cone), looks);
         }
         let ray = Ray { from: self.point, along };
         let (ground, spread_rad) = (self.surroundings.ground(&ray, cone), cone.mean_rad());
@@ -70,7 +90,12 @@ impl<'a> Viewpoint<'a> {
             let radiance = ball.glow.at((self.point - ball.centre).normalize());
             Some(Layer { distance_mm, share, radiance, fades: true })
         });
-        through(balls.chain(self.windows(along, cone)), ground)
+        through(balls.chain(self.windows(along, cone)), ground, looks)
+    }
+
+    /// Whether the edge of a window may lie within an angle of a direction.
+    pub(crate) fn may_meet_window_edge(&self, along: DVec3, within_rad: f64) -> bool {
+        self.panes.iter().any(|pane| pane.has_edge_within(along, within_rad))
     }
 
     /// Whether something bright with an edge, a window or what a panorama shows, may lie within an angle of
@@ -81,10 +106,11 @@ impl<'a> Viewpoint<'a> {
             || self.panes.iter().any(|pane| pane.is_within(along, within_rad))
     }
 
-    /// The same without the pearls.
-    pub(crate) fn scenery(&self, along: DVec3, cone: &Cone) -> Seen {
+    /// The light from a direction without the pearls.
+    pub(crate) fn scenery(&self, along: DVec3, cone: &Cone) -> Rgb {
         let ray = Ray { from: self.point, along };
-        through(self.windows(along, cone), self.surroundings.ground(&ray, cone))
+        let ground = self.surroundings.ground(&ray, cone);
+        through(self.windows(along, cone), ground, |radiance, _| radiance)
     }
 
     fn windows(&self, along: DVec3, cone: &Cone) -> impl Iterator<Item = Layer> {
@@ -96,30 +122,33 @@ impl<'a> Viewpoint<'a> {
 }
 
 /// What is seen through layers in any order.
-fn through(mut layers: impl Iterator<Item = Layer>, ground: Seen) -> Seen {
+fn through(
+    mut layers: impl Iterator<Item = Layer>,
+    ground: Seen,
+    looks: impl Fn(Rgb, f64) -> Rgb,
+) -> Rgb {
     // Hardly a ray meets more than one, and most of the time of a picture is spent here.
     match (layers.next(), layers.next()) {
-        (None, _) => ground,
-        (Some(one), None) => before(&[one], ground),
+        (None, _) => looks(ground.radiance, ground.distance_mm),
+        (Some(one), None) => before(&[one], ground, looks),
         (Some(one), Some(two)) => {
             let mut all: Vec<Layer> = [one, two].into_iter().chain(layers).collect();
             all.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
-            before(&all, ground)
+            before(&all, ground, looks)
         }
     }
 }
 
 /// From front to back, each layer lets the rest of the light through.
-fn before(layers: &[Layer], ground: Seen) -> Seen {
-    let (mut radiance, mut nearness, mut left) = ([0.0; 3], 0.0, 1.0);
+fn before(layers: &[Layer], ground: Seen, looks: impl Fn(Rgb, f64) -> Rgb) -> Rgb {
+    let (mut radiance, mut left) = ([0.0; 3], 1.0);
     for layer in layers.iter().filter(|layer| layer.distance_mm < ground.distance_mm) {
-        rgb::add(&mut radiance, rgb::scaled(layer.radiance, left * layer.share));
-        if layer.fades {
-            nearness += left * layer.share / layer.distance_mm.max(1e-9);
-        }
+        let distance_mm = if layer.fades { layer.distance_mm } else { f64::INFINITY };
+        let light = looks(layer.radiance, distance_mm);
+        rgb::add(&mut radiance, rgb::scaled(light, left * layer.share));
         left *= 1.0 - layer.share;
     }
-    rgb::add(&mut radiance, rgb::scaled(ground.radiance, left));
-    nearness += left / ground.distance_mm;
-    Seen { radiance, distance_mm: 1.0 / nearness }
+    let light = looks(ground.radiance, ground.distance_mm);
+    rgb::add(&mut radiance, rgb::scaled(light, left));
+    radiance
 }

@@ -23,9 +23,10 @@ _MAP_PT = 256.0
 def chapter(analysis: Analysis, words: Words) -> Html:
     """Verdict, largest misfits, the two maps, the tests."""
     untold = "few" if analysis.goodness.df else "none"
-    verdict = {None: untold, True: "good", False: "bad"}[analysis.goodness.describes]
+    good = "good_sums" if analysis.people_differ else "good"
+    verdict = {None: untold, True: good, False: "bad"}[analysis.goodness.describes]
     parts = [words.paragraph(f"fit.{verdict}")]
-    if analysis.people_differ:
+    if analysis.people_differ and verdict != good:
         parts.append(words.paragraph("fit.people_differ"))
     if analysis.goodness.describes is False:
         parts.append(_largest(analysis, words))

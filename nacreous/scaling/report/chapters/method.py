@@ -14,7 +14,7 @@ import nacreous
 from nacreous.scaling.fit.spread import HIERARCHICAL
 from nacreous.scaling.report import record
 from nacreous.scaling.report.analysis import Analysis
-from nacreous.scaling.report.translation import Html, Words
+from nacreous.scaling.report.translation import Html, Words, markup
 
 __all__ = ["MOST_BYTES", "chapter"]
 
@@ -87,7 +87,7 @@ def again(analysis: Analysis, words: Words) -> Html:
         numbers = words("method.record_large", csv=scale)
     lines = [
         words(key, link=link) if link else words(key),
-        Html(f"<code>{escape(command.strip())}</code>"),
+        Html(f"<code>{markup(command.strip())}</code>"),
         numbers,
         words("method.versions", versions=versions(), seed=analysis.settings.seed),
     ]

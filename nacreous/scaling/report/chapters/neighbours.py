@@ -50,4 +50,4 @@ def _table(pairs: Iterable[Pair], first: str, words: Words) -> Html:
     heads = [
         words(f"neighbours.{key}") for key in (first, "verdict", "expected", "difference", "p")
     ]
-    return table(heads, rows, ["", "", "n", "n", "n"])
+    return table(heads, rows, ["", "verdict", "n", "n", "n"])

@@ -37,7 +37,7 @@ def _places(analysis: Analysis, words: Words) -> Html:
     key = ("first" if asked else "unasked") + ("" if sure else "_open")
     ends = words(
         f"short.{key}",
-        question=asked,
+        question=None if asked is None else words.quoted(asked),
         first=words.name(ranking[0]),
         last=words.name(ranking[-1]),
         second=words.name(ranking[1]),
@@ -52,7 +52,8 @@ def _apart(analysis: Analysis, words: Words) -> Html:
     if not runs:
         return words("short.all_apart")
     if len(runs) == 1 and len(runs[0]) == len(analysis.ranking):
-        return words("short.none_apart")
+        far = any(pair.apart for pair in analysis.differences)
+        return words("short.none_apart_far" if far else "short.none_apart")
     return words("short.some_apart", runs=words.listed([words.chain(run) for run in runs], 12))
 
 

@@ -11,6 +11,7 @@ from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.label import label_of
 from nacreous.study.task.row import Row, Tallied, person_of
 
 if TYPE_CHECKING:
@@ -35,9 +36,12 @@ def _columns(row: Row | Tallied) -> _PairColumns:
 
 
 def sides_of(row: Row | Tallied) -> tuple[str, str]:
-    """The labels on the left and on the right."""
+    """The labels on the left and on the right, in the form in which labels are compared.
+
+    Stores of earlier versions keep them as their study files wrote them.
+    """
     pair = _columns(row)
-    return pair["left"], pair["right"]
+    return label_of(pair["left"]), label_of(pair["right"])
 
 
 def pair_of(row: Row | Tallied) -> frozenset[str]:
@@ -51,10 +55,9 @@ def chosen_of(row: Row | Tallied) -> str | None:
     >>> chosen_of({"left": "a", "right": "b", "chosen": "right"})
     'b'
     """
-    pair = _columns(row)
-    if pair["chosen"] == "tie":
-        return None
-    return pair["left"] if pair["chosen"] == "left" else pair["right"]
+    chosen = _columns(row)["chosen"]
+    left, right = sides_of(row)
+    return None if chosen == "tie" else left if chosen == "left" else right
 
 
 def settings(chosen_by: str | None) -> Settings:

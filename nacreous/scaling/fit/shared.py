@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.check.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.value import value_class
 
@@ -49,6 +49,21 @@ class SharedScale:
     def differ(self, level: float = 0.95) -> bool:
         """Whether people differ by more than chance, at a level."""
         return self.p_value < 1 - level
+
+    def verdict(self, level: float = 0.95) -> str:
+        """What was found, in a line.
+
+        >>> import nacreous as nc
+        >>> own = nc.scaling.simulate([0.8, 0.0, -0.8], people=60, person_spread=1.0, seed=1)
+        >>> nc.scaling.shared_scale(own).verdict()
+        'people do not share one scale, p 0.001 (other orders)'
+        """
+        if not self.differ(level):
+            return f"nothing says that people do not share one scale, p {self.p_value:.2g}"
+        ways = ["other orders"] if self.order_p_value < 1 - level else []
+        ways += ["sharper, or the other way round"] if self.sharper_p_value < 1 - level else []
+        way = f" ({'; '.join(ways)})" if ways else ""
+        return f"people do not share one scale, p {self.p_value:.3g}{way}"
 
 
 def shared_scale(answers: Answers, permutations: int = 999, seed: int = 1) -> SharedScale:

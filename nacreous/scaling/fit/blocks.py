@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.check.person import known_people
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.person import known_people
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]

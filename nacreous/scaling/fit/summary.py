@@ -1,0 +1,55 @@
+"""What `print` shows of a scale."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nacreous.problem import InputError
+from nacreous.scaling.fit.errors import kind_of
+
+if TYPE_CHECKING:
+    from nacreous.scaling.fit.scale import Scale
+
+__all__ = ["summary"]
+
+#: Answers x stimuli x permutations that are dealt before anybody waits, a tenth of a second.
+_MOST_DEALT = 100_000_000
+
+
+def summary(fit: Scale) -> str:
+    """A line for each stimulus with its standard error, and before them whether people differ."""
+    how = fit.method if fit.posterior is None else "prior over the spread"
+    head = f"scale in {fit.unit} ({fit.model}, {how}, {fit.comparisons.total:g} answers)"
+    width = max(map(len, fit.stimuli))
+    rows = zip(fit.stimuli, fit.scale, strict=True)
+    lines = [f"{label:{width}}  {value:6.3f}" for label, value in rows]
+    note = "+- is over people; the scale is that of their average answer"
+    try:
+        lines = [f"{line} +- {se:.3f}" for line, se in zip(lines, fit.se, strict=True)]
+    except InputError as problem:
+        note = f"no errors over people: {problem}"
+    if kind_of(fit, None) == "people":
+        lines.append(note)
+    return "\n".join((*_people(fit), head, *lines))
+
+
+def _people(fit: Scale) -> list[str]:
+    """That people do not share one scale, where they are known and do not.
+
+    Seed and number of permutations are fixed, so that a scale is printed alike each time. Of more
+    answers than can be dealt at once it says which call tests them.
+    """
+    # Whoever fits a scale but prints none need not load it; and the test itself fits scales.
+    from nacreous.scaling.fit.shared import MOST_STIMULI, shared_scale
+
+    answers = fit.answers
+    if answers is None or answers.person is None or len(fit.stimuli) > MOST_STIMULI:
+        return []
+    permutations = min(999, _MOST_DEALT // (len(answers) * len(fit.stimuli)))
+    if permutations < 99:
+        return ["whether people share one scale was not tested here; shared_scale(answers) does"]
+    try:
+        found = shared_scale(answers, permutations)
+    except InputError:  # no pair was answered by two, or all agree
+        return []
+    return [found.verdict()] if found.differ() else []
