@@ -167,6 +167,7 @@ class Image(Unchanging):
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
         _check_bits(bits)
+        _check_words(str(space), str(gamut))
         how: dict[str, object] = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
         if suffix == ".exr":
             how = {"alpha": True} if alpha else {}
@@ -301,6 +302,16 @@ def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, 
         (number, measured_grain(Pearl.model_validate_json(json.dumps(pearls[number]))))
         for number in photographed
     ]
+
+
+def _check_words(space: str, gamut: str) -> None:
+    """Asked of OpenEXR too, which needs neither."""
+    for name, word, allowed in (
+        ("RGB space", space, ("srgb", "display-p3")),
+        ("gamut", gamut, ("clip", "soft")),
+    ):
+        if word not in allowed:
+            raise InputError(f'{name} is "{word}"; allowed: {", ".join(allowed)}')
 
 
 def _check_bits(bits: int) -> None:

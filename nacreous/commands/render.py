@@ -91,6 +91,7 @@ def run(args: argparse.Namespace) -> int:
     job = _again(args) if _is_picture(args.pearl[0]) else _first(args)
     output = _output(args)
     standard.check_output(output, image.SUFFIXES)
+    _check_options(args, output)
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
@@ -173,6 +174,14 @@ def _output(args: argparse.Namespace) -> str:
         return "pearl.png"
     picture = Path(args.pearl[0])
     return f"{picture.stem}-again{picture.suffix}"
+
+
+def _check_options(args: argparse.Namespace, output: str) -> None:
+    """OpenEXR holds light as it is, which no option of PNG changes."""
+    if Path(output).suffix.lower() == ".exr":
+        for name in ("bits", "space", "gamut"):
+            if getattr(args, name) is not None:
+                raise InputError(f"--{name} is given for {output}; allowed: with a .png alone")
 
 
 def _report(output: str, job: _Job, seconds: float, outside: float) -> str:

@@ -15,6 +15,7 @@ import pytest
 from PIL import Image as Pillow
 
 import nacreous as nc
+from nacreous import cli
 from nacreous.spec import (
     Growth,
     Lamp,
@@ -149,3 +150,17 @@ def test_a_picture_made_by_hand_is_converted_or_refused() -> None:
     ):
         assert refusal(lambda given=given: nc.Image(*given)).startswith(message)
     assert refusal(lambda: made.develop(bits=8.0)) == "bits is 8.0; allowed: 8, 16"
+
+
+def test_what_means_nothing_is_refused_and_not_passed_over(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    image = nc.render("paper", size=4, samples=1)
+    message = refusal(lambda: image.save(tmp_path / "k.exr", gamut="x"))
+    assert message == 'gamut is "x"; allowed: clip, soft'
+    assert cli.main(["render", "paper", "-o", str(tmp_path / "p.exr"), "--bits", "16"]) == 2
+    assert "--bits is given for" in capsys.readouterr().err
+    masked = np.ma.masked_array([400.0, 500.0], [True, False])
+    assert "has masked values" in refusal(lambda: nc.LayerStack(masked))
+    message = refusal(lambda: nc.nacre.diary("paper"))  # type: ignore[arg-type]
+    assert message.startswith("growth is 'paper'")
