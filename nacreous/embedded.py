@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import os
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Literal, NamedTuple, TypeAlias, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
 from nacreous import _core, file
+from nacreous.named_files import FILES, absolute, check_unchanged
 from nacreous.problem import InputError
-from nacreous.recipe import PREFIX
+from nacreous.recipe import PREFIX, recipe
 from nacreous.spec import Pearl, Scene, document
 from nacreous.spec.complaint import shown
 from nacreous.spec.override import Override
+from nacreous.spec.specfile import move_paths
 
 __all__ = ["Developed", "Embedded", "read_embedded"]
 
@@ -56,12 +59,14 @@ def read_embedded(
     path: str | Path,
     of_pearl: Iterable[Override] = (),
     of_scene: Iterable[Override] = (),
+    scene: Scene | None = None,
 ) -> Embedded:
     """The recipe in a picture that `nacreous render` or `Image.save` made, .png or .exr.
 
-    of_pearl, of_scene: single keys changed, as in `Pearl.load`; of several pearls, in each. Paths
-    in the recipe are relative to where the program runs. Raises `InputError` for a file without a
-    whole recipe.
+    of_pearl, of_scene: single keys changed, as in `Pearl.load`; of several pearls, in each. scene:
+    another scene in place of the picture's own. Paths in the recipe are relative to the picture.
+    Raises `InputError` for a file without a whole recipe, and where a file that the recipe names is
+    gone or holds something else than it did.
 
     >>> from tempfile import TemporaryDirectory
     >>> import nacreous as nc
@@ -78,14 +83,38 @@ def read_embedded(
         raise InputError(
             f"{where}: has no recipe; allowed: a picture that nacreous render made, unchanged"
         )
-    changes, folder = list(of_pearl), Path()
-    keys = {name: document.parse(found[name], f"{where}: {name}") for name in (*names, "scene")}
-    pearls = [Pearl.check(keys[name], f"{where}: {name}", folder, changes) for name in names]
-    scene = Scene.check(keys["scene"], f"{where}: scene", folder, of_scene)
+    changes, folder = list(of_pearl), Path(os.path.realpath(Path(path).parent))
+    read = [*names, *(["scene"] if scene is None else [])]
+    keys = {name: document.parse(found[name], f"{where}: {name}") for name in read}
+    own: set[str] = set()
+    for name, values in keys.items():
+        move_paths(Scene if name == "scene" else Pearl, values, _collected(own, folder))
+    pearls = [Pearl.check(keys[name], f"{where}: {name}", Path(), changes) for name in names]
+    if scene is None:
+        scene = Scene.check(keys["scene"], f"{where}: scene", Path(), of_scene)
+    if own:
+        held = _json(dict[str, str], found.get(FILES, "{}"), where)
+        held = {_placed(name, folder): sha256 for name, sha256 in held.items()}
+        check_unchanged(recipe(pearls, scene, 1, 1).json, own, held, where)
     settings = _json(_Settings, found["settings"], where)
     developed = _json(Developed, found.get("developed", "{}"), where)
     version = _json(dict[str, str], found.get("versions", "{}"), where).get("nacreous", "")
     return Embedded(pearls, scene, settings.size, settings.samples, developed, version)
+
+
+def _placed(name: str, folder: Path) -> str:
+    return absolute(str(folder / name))
+
+
+def _collected(own: set[str], folder: Path) -> Callable[[str], str]:
+    """What makes the paths in a recipe absolute, and keeps them."""
+
+    def move(name: str) -> str:
+        path = _placed(name, folder)
+        own.add(path)
+        return path
+
+    return move
 
 
 def _texts(path: str | Path) -> dict[str, str]:

@@ -7,6 +7,7 @@ decode anything that is beyond the limits: 16384 pixels a side, 64 megapixels, 5
 from __future__ import annotations
 
 import os
+import reprlib
 import stat
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 __all__ = [
     "atomic",
     "check_output",
+    "named",
+    "read_bytes",
     "read_panorama",
     "read_photograph",
     "read_png_text",
@@ -78,7 +81,7 @@ def check_output(path: str | PathLike[str], suffixes: Collection[str]) -> Path:
     Traceback (most recent call last):
     nacreous.problem.InputError: pearl.gif: the ending is .gif; allowed: .png, .exr
     """
-    output = Path(path)
+    output = named(path)
     if output.suffix.lower() not in suffixes:
         given = output.suffix or "missing"
         raise InputError(f"{output}: the ending is {given}; allowed: {', '.join(suffixes)}")
@@ -151,6 +154,38 @@ def read_png_text(path: str | PathLike[str]) -> dict[str, str]:
     return dict(_core.read_png_text(_there(path)))
 
 
+def read_bytes(path: str | PathLike[str], most_mb: int) -> bytes:
+    """All that a file holds, or `InputError` where it cannot be read or is larger.
+
+    >>> read_bytes("no such lamp.csv", 1)
+    Traceback (most recent call last):
+    nacreous.problem.InputError: no such lamp.csv: does not exist
+    """
+    place = named(path)
+    try:
+        with place.open("rb") as file:
+            content = file.read(most_mb * 1_000_000 + 1)
+    except FileNotFoundError:
+        raise missing(path) from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    if len(content) > most_mb * 1_000_000:
+        raise InputError(f"{path}: more than {most_mb} MB; allowed: up to {most_mb} MB")
+    return content
+
+
+def named(path: object) -> Path:
+    """A path that a file can have, or one clear message.
+
+    >>> named(None)
+    Traceback (most recent call last):
+    nacreous.problem.InputError: path is None; allowed: the path of a file
+    """
+    if not isinstance(path, str | PathLike) or "\0" in os.fspath(path):
+        raise InputError(f"path is {reprlib.repr(path)}; allowed: the path of a file")
+    return Path(path)
+
+
 def _same_file(one: str | PathLike[str], other: str | PathLike[str] | int) -> bool:
     """Whether both names lead to one file, which need not be there yet."""
     try:
@@ -162,7 +197,7 @@ def _same_file(one: str | PathLike[str], other: str | PathLike[str] | int) -> bo
 
 def _there(path: str | PathLike[str]) -> str | PathLike[str]:
     """The path, unless nothing is there."""
-    if not os.path.lexists(path):
+    if not os.path.lexists(named(path)):
         raise missing(path)
     return path
 

@@ -8,14 +8,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
+from nacreous.linear_light import layers_of, linear_of, texts_of
+from nacreous.named_files import hold_files, moved, relative_to
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, Recipe, recipe
-from nacreous.unchanging import Unchanging, keep, key_of, released
+from nacreous.unchanging import Unchanging, keep, key_of, ordered, released
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import DTypeLike, NDArray
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
 
     from nacreous.recipe import Given
     from nacreous.spec import Scene
@@ -36,7 +38,8 @@ class Image(Unchanging):
     pearls) and "shadow" (the share of its light that the table lacks for the pearls). recipe: texts
     "pearl" (of several different pearls "pearl.0", "pearl.1" and so on), "scene" and others. A
     picture never changes; it compares, hashes, copies and pickles as its
-    numbers and its recipe.
+    numbers and its recipe. Made by hand, numbers become float32; `InputError` for what are none,
+    and for other shapes.
     """
 
     _arrays: _Arrays | None
@@ -45,11 +48,13 @@ class Image(Unchanging):
 
     def __init__(
         self,
-        linear: NDArray[np.float32],
-        layers: Mapping[str, NDArray[np.float32]],
+        linear: ArrayLike,
+        layers: Mapping[str, ArrayLike],
         recipe: Mapping[str, str] | None = None,
     ) -> None:
-        keep(self, _arrays=(linear, layers), _picture=None, recipe=recipe or {})
+        light = linear_of(linear)
+        arrays = (light, layers_of(layers, light))
+        keep(self, _arrays=arrays, _picture=None, recipe=texts_of(recipe))
 
     @classmethod
     def _rendered(cls, picture: _core.Picture, recipe: Mapping[str, str]) -> Image:
@@ -77,7 +82,7 @@ class Image(Unchanging):
 
     def _repr_png_(self) -> bytes:
         """The picture as notebooks show it, in sRGB."""
-        return _core.png_bytes(self.develop()[0], "srgb", self._texts())
+        return _core.png_bytes(self.develop()[0], "srgb", self._texts({}, Path()))
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
@@ -90,6 +95,10 @@ class Image(Unchanging):
     def __hash__(self) -> int:
         """Equal pictures have equal hashes."""
         return hash(self._key())
+
+    def __dask_tokenize__(self) -> object:
+        """What Dask knows equal pictures by."""
+        return type(self).__qualname__, ordered(self._key())
 
     def _key(self) -> object:
         return key_of((self.linear, self.layers, self.recipe))
@@ -158,39 +167,40 @@ class Image(Unchanging):
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
         _check_bits(bits)
-        outside = 0.0
+        _check_words(str(space), str(gamut))
+        how: dict[str, object] = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
+        if suffix == ".exr":
+            how = {"alpha": True} if alpha else {}
+        texts = self._texts(how, Path(path).parent)
         with file.atomic(path) as temporary:
             if self._picture is None or self._arrays is not None or alpha:
-                outside = self._save_arrays(
-                    temporary, suffix, (bits, str(space), str(gamut), alpha)
+                return self._save_arrays(
+                    temporary, suffix, (bits, str(space), str(gamut), alpha), texts
                 )
-            elif suffix == ".exr":
-                self._picture.save_exr(temporary, self._texts())
-            else:
-                texts = self._texts(bits, space, gamut, alpha)
-                outside = self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
-        return outside
+            if suffix == ".exr":
+                self._picture.save_exr(temporary, texts)
+                return 0.0
+            return self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
 
     def _save_arrays(
-        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool]
+        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool], texts: _Texts
     ) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
             from nacreous.alpha import opaque, pearls_alone
 
             rgba = pearls_alone(self.layers) if how[3] else opaque(self.linear)
-            _core.write_exr(path, [("", rgba), *self.layers.items()], self._texts())
+            _core.write_exr(path, [("", rgba), *self.layers.items()], texts)
             return 0.0
         codes, outside = self.develop(*how)
-        _core.write_png(path, codes, how[1], self._texts(*how))
+        _core.write_png(path, codes, how[1], texts)
         return outside
 
-    def _texts(self, *how: object) -> list[tuple[str, str]]:
-        """The recipe, and of a PNG how it was developed."""
-        texts = dict(self.recipe)
+    def _texts(self, how: Mapping[str, object], folder: Path) -> _Texts:
+        """The recipe for a file in a folder, and how the light became what the file holds."""
+        texts = moved(self.recipe, relative_to(folder))
         if how and texts:
-            names = ("bits", "space", "gamut", "alpha")
-            texts["developed"] = json.dumps(dict(zip(names, how, strict=True)))
+            texts["developed"] = json.dumps(how)
         return [(PREFIX + name, text) for name, text in texts.items()]
 
 
@@ -236,7 +246,7 @@ def render_recipe(made: Recipe, progress: Callable[[float], None] | None = None)
         _measured_grains(made.json, photographed),
         report,
     )
-    return Image._rendered(picture, made.texts)
+    return Image._rendered(picture, hold_files(made.texts, made.json))
 
 
 def files_of(made: Recipe) -> list[str]:
@@ -308,10 +318,21 @@ def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, 
     ]
 
 
+def _check_words(space: str, gamut: str) -> None:
+    """Asked of OpenEXR too, which needs neither."""
+    for name, word, allowed in (
+        ("RGB space", space, ("srgb", "display-p3")),
+        ("gamut", gamut, ("clip", "soft")),
+    ):
+        if word not in allowed:
+            raise InputError(f'{name} is "{word}"; allowed: {", ".join(allowed)}')
+
+
 def _check_bits(bits: int) -> None:
-    if bits not in (8, 16):
+    if type(bits) is not int or bits not in (8, 16):
         raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
 
 
 if TYPE_CHECKING:
+    _Texts: TypeAlias = list[tuple[str, str]]
     _Arrays: TypeAlias = tuple[NDArray[np.float32], Mapping[str, NDArray[np.float32]]]

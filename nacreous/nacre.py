@@ -206,6 +206,10 @@ def diary(growth: Growth) -> Diary:
     >>> days.date[-1] < Growth().harvest_date
     True
     """
+    from nacreous.spec import Growth
+
+    if not isinstance(growth, Growth):
+        raise InputError(f"growth is {said(growth)}; allowed: a nacreous.spec.Growth")
     day, thickness_nm = _core.grow(growth.model_dump_json())
     seeding = growth.seeding_date
     return Diary(tuple(seeding + dt.timedelta(days=int(days)) for days in day), thickness_nm)

@@ -33,6 +33,8 @@ def array_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
         array = np.asarray(values)
     except (TypeError, ValueError):  # lists of different lengths
         array = np.array(None)
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise InputError(f"{name} has masked values; allowed: numbers, such as values.filled(0)")
     if array.dtype.kind not in "iuf":  # text, truth values and complex numbers would be converted
         raise InputError(f"{name} is {said(values)}; allowed: numbers")
     if array.dtype == np.float64 and array.flags.aligned:

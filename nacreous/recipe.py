@@ -32,8 +32,8 @@ class Recipe(NamedTuple):
     json: all of it, complete, as every renderer of ours takes it: each key of the pearls and of the
     scene, with null where it is left out and the renderer finds its value; rows name pearls by
     number. texts: what the picture's file keeps: "pearl" (of several different pearls "pearl.0",
-    "pearl.1" and so on) and "scene" as TOML, "settings" and "versions" as JSON. size: pixels
-    a side.
+    "pearl.1" and so on) and "scene" as TOML, "settings" and "versions" as JSON, and where files are
+    named "files" (`nacreous.named_files`). size: pixels a side.
     """
 
     json: str
@@ -56,7 +56,8 @@ def recipe(
     >>> sorted(json.loads(recipe("akoya-rg", "booth", 64, 16).json))
     ['pearls', 'samples', 'scene', 'size']
     """
-    pearls, written = _presets(pearl, scene) or _read(pearl, scene)
+    presets = _presets(pearl, scene)
+    pearls, written = presets or _read(pearl, scene)
     size, samples = _whole("size", size), _whole("samples", samples)
     listed = ", ".join(one.json for one in pearls)
     together = (
@@ -77,7 +78,21 @@ def recipe(
         "settings": json.dumps(settings),
         "versions": json.dumps({"nacreous": __version__, "python": platform.python_version()}),
     }
-    return Recipe(together, texts, size)
+    return Recipe(together, texts if presets else _with_files(texts), size)
+
+
+def _with_files(texts: dict[str, str]) -> dict[str, str]:
+    """The texts with absolute paths, and a place for what the files hold; where any is named."""
+    from nacreous.named_files import FILES, absolute, moved
+
+    named: list[str] = []
+
+    def place(path: str) -> str:
+        named.append(path)
+        return absolute(path)
+
+    placed = moved({**texts, FILES: "{}"}, place)
+    return placed if named else texts
 
 
 def _presets(pearl: object, scene: object) -> tuple[list[_Written], _Written] | None:

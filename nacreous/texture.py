@@ -24,7 +24,7 @@ from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
 from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
-from nacreous.unchanging import Unchanging, keep, key_of
+from nacreous.unchanging import Unchanging, keep, key_of, ordered
 from nacreous.value import value_class
 
 if TYPE_CHECKING:
@@ -135,6 +135,10 @@ class Texture(Unchanging):
     def __hash__(self) -> int:
         """Equal textures have equal hashes."""
         return hash(self._key())
+
+    def __dask_tokenize__(self) -> object:
+        """What Dask knows equal textures by."""
+        return type(self).__qualname__, ordered(self._key())
 
     def _key(self) -> object:
         return key_of((self.band_limit, self.lost_variance, self.grid()))

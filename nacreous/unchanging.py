@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeGuard, TypeVar
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["ReadOnlyMapping", "Unchanging", "keep", "key_of", "released", "settled"]
+__all__ = ["ReadOnlyMapping", "Unchanging", "keep", "key_of", "ordered", "released", "settled"]
 
 K = TypeVar("K")
 V = TypeVar("V", covariant=True)
@@ -114,6 +114,13 @@ def key_of(item: Any) -> Any:
     return item
 
 
+def ordered(key: Any) -> Any:
+    """A key of `key_of` with the items of mappings in a fixed order, the same in every process."""
+    if isinstance(key, frozenset):
+        return "mapping", *sorted(map(ordered, key), key=repr)
+    return tuple(map(ordered, key)) if isinstance(key, tuple) else key
+
+
 def is_array(item: object) -> TypeGuard[NDArray[Any]]:
     """Whether it is an array; where NumPy was never loaded, nothing is."""
     numpy = sys.modules.get("numpy")
@@ -123,10 +130,19 @@ def is_array(item: object) -> TypeGuard[NDArray[Any]]:
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     for held in _holders(array):
         if held.flags.writeable:
-            copy = array.copy()
-            copy.flags.writeable = False
-            return copy
+            return _locked(array)
     return array
+
+
+def _locked(array: NDArray[Any]) -> NDArray[Any]:
+    """A copy on bytes, which nobody can make writable again."""
+    import numpy as np
+
+    if array.size and not array.dtype.hasobject:
+        return np.frombuffer(array.tobytes(), array.dtype).reshape(array.shape)
+    copy = array.copy()
+    copy.flags.writeable = False
+    return copy
 
 
 def _holders(array: NDArray[Any]) -> list[NDArray[Any]]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, TypeVar, dataclass_transform
 
-from nacreous.unchanging import key_of, settled
+from nacreous.unchanging import key_of, ordered, settled
 
 __all__ = ["value_class"]
 
@@ -49,6 +49,7 @@ def value_class(cls: type[T]) -> type[T]:
     cls.__post_init__ = finish  # type: ignore[attr-defined]
     cls.__eq__ = _equal  # type: ignore[method-assign]
     cls.__hash__ = _hash  # type: ignore[method-assign]
+    cls.__dask_tokenize__ = _token  # type: ignore[attr-defined]
     cls.__getstate__ = _state  # type: ignore[method-assign]
     cls.__setstate__ = _set_state  # type: ignore[attr-defined]
     return dataclasses.dataclass(frozen=True, eq=False)(cls)
@@ -69,6 +70,12 @@ def _equal(self: Any, other: object) -> bool:
 def _hash(self: Any) -> int:
     """Equal values have equal hashes."""
     return hash((type(self), *_key(self)))
+
+
+def _token(self: Any) -> tuple[Any, ...]:
+    """What Dask knows equal values by."""
+    kind = type(self)
+    return kind.__module__, kind.__qualname__, *map(ordered, _key(self))
 
 
 def _state(self: Any) -> dict[str, Any]:

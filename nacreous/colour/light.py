@@ -7,10 +7,10 @@ from pathlib import Path
 
 from nacreous import _core
 from nacreous.colour.samples import Array
-from nacreous.missing import missing
+from nacreous.file import read_bytes
 from nacreous.problem import InputError
 
-_LARGEST_TABLE_BYTES = 1_000_000
+_LARGEST_MB = 1
 
 
 def illuminant(name: str) -> Array:
@@ -35,8 +35,9 @@ def spectrum_from_csv(path: str | Path) -> Array:
     r"""Spectrum in a file as instruments write it, float64 `[401]`, 380 to 780 nm by 1 nm.
 
     Two columns, wavelength in nm and value, between semicolons, tabs, commas or blanks, with
-    decimal points or commas; wavelengths rise or fall, in any steps. Lines before and after the
-    numbers are passed over, `#` begins a comment. UTF-8, UTF-16 or Latin-1, at most 1 MB.
+    decimal points or commas, one of them in the whole file; wavelengths rise or fall, in any steps.
+    Lines before and after the numbers are passed over, `#` begins a comment. UTF-8, UTF-16 or
+    Latin-1, at most 1 MB.
 
     Values between samples lie on straight lines. Of samples finer than 1 nm each value is the mean
     over the nm around it, so that no line of a spectrum is missed. The file covers at least 400 to
@@ -52,15 +53,7 @@ def spectrum_from_csv(path: str | Path) -> Array:
     ...     float(spectrum_from_csv(file)[100])
     1.0
     """
-    try:
-        with Path(path).open("rb") as file:
-            content = file.read(_LARGEST_TABLE_BYTES + 1)
-    except FileNotFoundError:
-        raise missing(path) from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    if len(content) > _LARGEST_TABLE_BYTES:
-        raise InputError(f"{path}: a spectrum of more than 1 MB; allowed: up to 1 MB")
+    content = read_bytes(path, _LARGEST_MB)
     return _core.spectrum_from_csv(_text(path, content), str(path))
 
 

@@ -93,6 +93,7 @@ def run(args: argparse.Namespace) -> int:
     standard.check_output(output, image.SUFFIXES)
     scene = [] if args.scene is None else [args.scene]
     standard.require_apart([output], [*args.pearl, *scene, *image.files_of(job.made)])
+    _check_options(args, output)
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
@@ -141,9 +142,9 @@ def _again(args: argparse.Namespace) -> _Job:
 
     of_pearl, of_scene = shared_out(args.set)
     scene = None if args.scene is None else Scene.load(args.scene, of_scene)
-    kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else ())
+    kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else (), scene)
     size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)
-    made = recipe(kept.pearls, scene or kept.scene, size, samples)
+    made = recipe(kept.pearls, kept.scene, size, samples)
     bits, space, gamut, alpha = kept.developed
     return _Job(
         made,
@@ -175,6 +176,14 @@ def _output(args: argparse.Namespace) -> str:
         return "pearl.png"
     picture = Path(args.pearl[0])
     return f"{picture.stem}-again{picture.suffix}"
+
+
+def _check_options(args: argparse.Namespace, output: str) -> None:
+    """OpenEXR holds light as it is, which no option of PNG changes."""
+    if Path(output).suffix.lower() == ".exr":
+        for name in ("bits", "space", "gamut"):
+            if getattr(args, name) is not None:
+                raise InputError(f"--{name} is given for {output}; allowed: with a .png alone")
 
 
 def _report(output: str, job: _Job, seconds: float, outside: float) -> str:

@@ -6,15 +6,16 @@ from os import PathLike
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from nacreous.file import named, read_bytes
 from nacreous.medium.dispersion import Dispersion
 from nacreous.medium.record import parts_of_csv, parts_of_yaml
-from nacreous.missing import missing
+from nacreous.number import array_of
 from nacreous.problem import InputError
 from nacreous.value import value_class
 
-_LARGEST_BYTES = 10_000_000
+_LARGEST_MB = 10
 _ENDINGS = (".yml", ".yaml", ".csv", ".txt", ".tsv")
 
 
@@ -40,9 +41,12 @@ class PublishedIndex:
         """Longest known wavelength."""
         return min(part.with_range()[1] for part in (self.n, self.k) if part is not None)
 
-    def __call__(self, wavelength_nm: NDArray[np.float64]) -> NDArray[np.complex128]:
-        """Indices n + ik at these wavelengths, or `InputError` where the medium is not known."""
-        nm = np.asarray(wavelength_nm, dtype=np.float64)
+    def __call__(self, wavelength_nm: ArrayLike) -> NDArray[np.complex128]:
+        """Indices n + ik at these wavelengths, in their shape, a number for a number.
+
+        Raises `InputError` where the medium is not known, and for what is no number.
+        """
+        nm = array_of("wavelength_nm", wavelength_nm)
         # Decimal um and binary nm: the last digit must not shut out a range's own ends.
         ends = self.first_nm * (1 - 1e-12), self.last_nm * (1 + 1e-12)
         beyond = ~((nm >= ends[0]) & (nm <= ends[1]))
@@ -51,7 +55,8 @@ class PublishedIndex:
                 f"wavelength_nm is {nm[beyond].flat[0]:g}; allowed with this medium: "
                 f"{self.first_nm:g} to {self.last_nm:g} nm"
             )
-        n = self.n.at(nm)
+        with np.errstate(all="ignore"):  # at a formula's poles, which are refused just below
+            n = np.asarray(self.n.at(nm))
         if not np.isfinite(n).all():
             raise InputError(
                 f"formula {self.n.formula} has no n at {nm[~np.isfinite(n)].flat[0]:g} nm"
@@ -59,7 +64,7 @@ class PublishedIndex:
         index = n.astype(np.complex128)
         if self.k is not None:
             index.imag = self.k.at(nm)
-        return index
+        return index[()]
 
     def __repr__(self) -> str:
         """How n is given, and the range."""
@@ -90,7 +95,7 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     >>> round(float(glass(np.array([587.6]))[0].real), 4)
     1.5168
     """
-    place = Path(path)
+    place = named(path)
     is_yaml = place.suffix.lower() in _ENDINGS[:2]
     if place.suffix.lower() not in _ENDINGS:
         raise InputError(
@@ -111,15 +116,6 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
 
 def _text(place: Path) -> str:
     try:
-        with place.open("rb") as file:
-            content = file.read(_LARGEST_BYTES + 1)
-    except FileNotFoundError:
-        raise missing(place) from None
-    except OSError as error:
-        raise InputError(f"{place}: cannot be read: {error.strerror}") from None
-    if len(content) > _LARGEST_BYTES:
-        raise InputError(f"{place}: more than 10 MB; allowed: up to 10 MB")
-    try:
-        return content.decode("utf-8-sig")
+        return read_bytes(place, _LARGEST_MB).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{place}: not text; allowed: UTF-8") from None

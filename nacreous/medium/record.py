@@ -47,7 +47,7 @@ def _of_entry(place: str, entry: object) -> Parts:
     if not isinstance(entry, dict) or len(words) != 2:
         raise InputError(f"{place}: type is {said(kind)}; allowed: {_KINDS}")
     if words[0] == "tabulated" and words[1] in ("n", "k", "nk"):
-        lines = str(entry.get("data", "")).split("\n")
+        lines = (line.split("#")[0] for line in str(entry.get("data", "")).split("\n"))
         rows = _numbers(f"{place}: data", (line.split() for line in lines), len(words[1]) + 1)
         return {
             name: dispersion_of_rows(1e3 * rows[:, 0], rows[:, 1 + i])
@@ -73,15 +73,13 @@ def parts_of_csv(text: str) -> Parts:
     """Blocks of rows, each below its header `wl,n`, `wl,k` or `wl,n,k`; wavelengths in um.
 
     Without a header two columns are n, three are n and k. A header that says nm is believed.
+    Columns are parted by tabs, semicolons, commas or blanks; between tabs and semicolons decimals
+    may have commas. `#` begins a comment.
     """
     columns: list[str] | None = None
     blocks: list[tuple[list[str], float, list[list[str]]]] = []
-    separator = "\t" if "\t" in text else ";" if ";" in text else ","
-    for cells in csv.reader(io.StringIO(text), delimiter=separator):
-        row = [cell.strip() for cell in cells]
-        if not any(row):
-            continue
-        if not _is_number(row[0]):
+    for row in _rows(text):
+        if not _is_float(row[0]):
             columns = [cell.lower() for cell in row[1:]]
             blocks.append((columns, 1.0 if "nm" in row[0].lower() else 1e3, []))
         else:
@@ -100,10 +98,38 @@ def parts_of_csv(text: str) -> Parts:
     return parts
 
 
+def _rows(text: str) -> list[list[str]]:
+    """The cells of each line that has any, decimals with points."""
+    lines = [line.split("#")[0].strip() for line in io.StringIO(text, newline=None)]
+    separator = next((sign for sign in "\t;," if any(sign in line for line in lines)), " ")
+    if separator == " ":
+        return [line.split() for line in lines if line]
+    try:
+        rows = [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=separator)]
+    except csv.Error as problem:
+        raise InputError(f"no table ({problem}); allowed: rows of numbers") from None
+    for row in rows:
+        while row and not row[-1]:
+            row.pop()
+    pointed = any("." in cell and _is_float(cell) for row in rows for cell in row)
+    if separator != "," and not pointed:
+        rows = [[_pointed(cell) for cell in row] for row in rows]
+    return [row for row in rows if row]
+
+
+def _pointed(cell: str) -> str:
+    """A number with its decimal comma as a point; any other cell as it is."""
+    number = cell.replace(",", ".")
+    return number if _is_float(number) else cell
+
+
 def _numbers(place: str, lines: Iterable[list[str]], columns: int) -> NDArray[np.float64]:
     rows = [_row(f"{place}, row {i + 1}", cells, columns) for i, cells in enumerate(lines) if cells]
     if not rows:
         raise InputError(f"{place} has no rows; allowed: at least 1")
+    for i, row in enumerate(rows):
+        if row[0] <= 0:
+            raise InputError(f"{place}, row {i + 1} has wavelength {row[0]:g}; allowed: above 0")
     return np.array(rows)
 
 
@@ -117,7 +143,14 @@ def _row(place: str, cells: list[str], columns: int) -> list[float]:
 
 
 def _is_number(cell: str) -> bool:
+    # Python would also take 1_5 for 15.
+    plain = cell.isascii() and "_" not in cell
+    return plain and _is_float(cell) and bool(np.isfinite(float(cell)))
+
+
+def _is_float(cell: str) -> bool:
     try:
-        return bool(np.isfinite(float(cell)))
+        float(cell)
     except ValueError:
         return False
+    return True

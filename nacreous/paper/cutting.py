@@ -12,11 +12,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous import _core, file, folder
+from nacreous import _core, file, folder, named_files
 from nacreous.paper.circle import Circle
 from nacreous.paper.crop import COUNT, Crop, cut, seven
 from nacreous.paper.outline import estimate
 from nacreous.problem import InputError
+from nacreous.recipe import PREFIX
 from nacreous.spec import Pearl, Scene
 
 __all__ = ["Cuts", "cut_file", "given_circle", "outline_of", "save"]
@@ -74,7 +75,7 @@ def cut_file(
         raise InputError(f"{picture}: {problem}") from None
     codes, _ = _core.develop(linear, "srgb", "clip", bits)
     with folder.whole(output, FILES, RECORD, MAKER) as temporary:
-        save(temporary, codes, crops, texts, "crop-")
+        save(temporary, codes, crops, _moved(texts, picture, output), "crop-")
         record = {
             "made_by": MAKER,
             "picture": Path(picture).name,
@@ -108,13 +109,22 @@ def save(
     return paths
 
 
+def _moved(texts: dict[str, str], picture: str | Path, output: str | Path) -> dict[str, str]:
+    """The recipe with the files that it names seen from another folder."""
+    come_from = Path(picture).parent
+    bare = {key.removeprefix(PREFIX): text for key, text in texts.items()}
+    placed = named_files.moved(bare, lambda path: named_files.absolute(str(come_from / path)))
+    seen = named_files.moved(placed, named_files.relative_to(output))
+    return {PREFIX + key: text for key, text in seen.items()}
+
+
 def _texts(picture: str | Path) -> dict[str, str]:
     """The recipe in one of our PNGs; nothing in any other picture."""
     with Path(picture).open("rb") as stream:
         if stream.read(8) != b"\x89PNG\r\n\x1a\n":
             return {}
     texts = file.read_png_text(picture)
-    return {key: text for key, text in texts.items() if key.startswith("nacreous:")}
+    return {key: text for key, text in texts.items() if key.startswith(PREFIX)}
 
 
 def _outline(

@@ -80,7 +80,7 @@ def checked(
     overrides: Iterable[override.Override] = (),
 ) -> Checked:
     """Keys as a section, or an InputError with a line for each problem; `where` names the keys."""
-    _anchor(model, values, folder)
+    move_paths(model, values, lambda path: str(folder / path))
     overridden = override.apply(values, overrides)
     try:
         return model.model_validate(values)
@@ -131,8 +131,15 @@ def _placed(where: str, overridden: set[str]) -> Callable[[str], str]:
     return place
 
 
-def _anchor(model: type[BaseModel], values: Any, folder: Path) -> None:
-    """Make the paths in a file's keys relative to where the program runs."""
+def move_paths(model: type[BaseModel], values: Any, move: Callable[[str], str]) -> None:
+    """Change each path in a file's keys, in place.
+
+    >>> from nacreous.spec import Scene
+    >>> values = {"lamps": [{"spectrum": "lamp.csv"}, {"spectrum": "D65"}]}
+    >>> move_paths(Scene, values, lambda path: f"lights/{path}")
+    >>> [lamp["spectrum"] for lamp in values["lamps"]]
+    ['lights/lamp.csv', 'D65']
+    """
     if not isinstance(values, dict):
         return
     for name, field in model.model_fields.items():
@@ -142,13 +149,13 @@ def _anchor(model: type[BaseModel], values: Any, folder: Path) -> None:
         marks = [mark for mark in field.metadata if isinstance(mark, FilePath)]
         for mark in marks:
             if isinstance(value, list):
-                values[name] = [_anchored(entry, mark, folder) for entry in value]
+                values[name] = [_moved(entry, mark, move) for entry in value]
             else:
-                values[name] = _anchored(value, mark, folder)
+                values[name] = _moved(value, mark, move)
         for inner in sections_in(field.annotation):
             for entry in value if isinstance(value, list) else [value]:
-                _anchor(inner, entry, folder)
+                move_paths(inner, entry, move)
 
 
-def _anchored(value: Any, mark: FilePath, folder: Path) -> Any:
-    return str(folder / value) if isinstance(value, str) and mark.names_file(value) else value
+def _moved(value: Any, mark: FilePath, move: Callable[[str], str]) -> Any:
+    return move(value) if isinstance(value, str) and mark.names_file(value) else value

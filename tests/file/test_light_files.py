@@ -58,6 +58,30 @@ def test_an_exr_of_several_layers_is_refused_by_their_names(tmp_path: Path) -> N
         read_panorama(exr(tmp_path / "two.exr", {"x.": LIGHT[..., :2]}))
 
 
+def parts(path: Path, **lights: np.ndarray) -> Path:
+    """An OpenEXR file of a part for each light."""
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    made = [
+        OpenEXR.Part(
+            {**header, "name": name},
+            {x: np.ascontiguousarray(light[..., i]) for i, x in enumerate("RGB")},
+        )
+        for name, light in lights.items()
+    ]
+    OpenEXR.File(made).write(str(path))
+    return path
+
+
+def test_of_several_parts_the_combined_one_is_taken_or_all_are_refused_by_name(
+    tmp_path: Path,
+) -> None:
+    combined = {"AO": OTHER, "Combined": LIGHT}
+    for order in (combined, dict(reversed(combined.items())), {"sky": LIGHT}):
+        np.testing.assert_array_equal(read_panorama(parts(tmp_path / "a.exr", **order)), LIGHT)
+    with pytest.raises(InputError, match=r'colours in several parts \("one", "two"\); save one'):
+        read_panorama(parts(tmp_path / "b.exr", one=LIGHT, two=OTHER))
+
+
 def test_a_radiance_file_says_what_its_pixels_mean(tmp_path: Path) -> None:
     """Lines end CR LF, the exposure is divided out, rows stand from the lowest up."""
     head = b"#?RGBE\r\nEXPOSURE=4\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n+Y 2 +X 1\r\n"

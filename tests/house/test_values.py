@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pydantic
 import pytest
+from dask.base import tokenize
 
 import nacreous as nc
 from nacreous.value import value_class
@@ -141,3 +142,15 @@ def test_a_medium_of_a_module_pickles_and_a_lambda_says_so() -> None:
     unpickled: Callable[[Any], Any] = lambda nm: 1.5 + 0 * nm  # noqa: E731
     with pytest.raises((pickle.PicklingError, AttributeError)):
         pickle.dumps(nc.LayerStack([400.0], protein=unpickled))
+
+
+@each_result
+def test_dask_knows_equal_results_by_one_token(result: Any) -> None:
+    token = tokenize(result)
+    assert [tokenize(other) for other in copies(result)] == [token] * 4
+
+
+def test_an_array_of_a_stack_cannot_be_unlocked() -> None:
+    stack = nc.LayerStack(np.array([400.0, 500.0]))
+    with pytest.raises(ValueError, match="cannot set WRITEABLE"):
+        stack.thickness_nm.flags.writeable = True

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import elli
@@ -12,6 +13,7 @@ import yaml
 
 import nacreous as nc
 from nacreous import medium
+from nacreous.problem import InputError
 
 DATABASE = Path(elli.__file__).parent / "database" / "refractiveindexinfo-database" / "database"
 
@@ -302,3 +304,61 @@ def test_what_is_no_published_medium_is_refused_in_one_line(
         medium.read(file)
     assert str(caught.value).startswith(f"{file}: {message}")
     assert "\n" not in str(caught.value)
+
+
+def test_a_medium_takes_a_number_as_it_takes_an_array(tmp_path: Path) -> None:
+    found = medium.read(written(tmp_path, "wl,n,k\n0.4,1.5,0.1\n0.6,1.7,0.3\n", "nk.csv"))
+    for nm in (500.0, 500, np.float32(500), np.array(500.0)):
+        assert found(nm) == pytest.approx(1.6 + 0.2j)
+    assert found([[500.0], [600.0]]).shape == (2, 1)
+    with pytest.raises(InputError, match="wavelength_nm is 'a'; allowed: numbers"):
+        found("a")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "wl,n\r0.4,1.5\r0.6,1.6\r",
+        "wl;n\n0,4;1,5\n0,6;1,6\n",
+        "wl n\n0.4 1.5\n0.6  1.6\n",
+        "# from a bench\nwl,n,\n0.4,1.5,\n0.6,1.6, # last\n",
+    ],
+    ids=["CR", "decimal commas", "blanks", "comments"],
+)
+def test_tables_say_the_same_however_they_are_written(tmp_path: Path, text: str) -> None:
+    assert medium.read(written(tmp_path, text, "n.csv"))(500.0) == pytest.approx(1.55)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("a.csv", "wl,n\n0.4,1_5\n", "rows, row 1 has '1_5'; allowed: finite numbers"),
+        ("a.csv", "wl,n\n0.4,1.5\nnan,1.6\n", "rows, row 2 has 'nan'; allowed: finite numbers"),
+        ("a.csv", "wl,n\n0.0,1.5\n", "rows, row 1 has wavelength 0; allowed: above 0"),
+        ("a.csv", 'wl,n\n0.4,"' + "1" * 200_000, "no table (field larger than field limit"),
+        (
+            "a.yml",
+            "DATA:\n  - type: tabulated n\n    data: |\n      # wl n\n      -0.4 1.5\n",
+            "data, row 1 has wavelength -0.4; allowed: above 0",
+        ),
+    ],
+)
+def test_a_row_that_cannot_be_is_named(tmp_path: Path, name: str, text: str, message: str) -> None:
+    with pytest.raises(InputError, match=re.escape(message)):
+        medium.read(written(tmp_path, text, name))
+
+
+def test_a_pole_of_a_formula_is_refused_without_a_warning(
+    tmp_path: Path, recwarn: pytest.WarningsRecorder
+) -> None:
+    text = "DATA:\n  - type: formula 1\n    wavelength_range: 0.3 2\n    coefficients: 0 1 0.5\n"
+    with pytest.raises(InputError, match="formula 1 has no n at 500 nm"):
+        medium.read(written(tmp_path, text, "pole.yml"))(500.0)
+    assert not recwarn.list
+
+
+@pytest.mark.parametrize("path", [None, 5, "a\0.yml"])
+def test_a_path_that_cannot_be_is_refused_in_words(path: object) -> None:
+    for reader in (medium.read, nc.colour.spectrum_from_csv, nc.file.read_panorama):
+        with pytest.raises(InputError, match=r"path is .*; allowed: the path"):
+            reader(path)  # type: ignore[operator]

@@ -100,7 +100,4 @@ def test_an_image_shows_itself_in_a_notebook() -> None:
     image = nc.render("paper", size=24, samples=1)
     with Pillow.open(io.BytesIO(image._repr_png_())) as shown:
         np.testing.assert_array_equal(np.asarray(shown), image.develop()[0])
-    assert repr(image) == (
-        "Image(24 x 24 pixels, layers: interference, diffuse, mirror, surroundings, texture, "
-        "coverage, shadow)"
-    )
+    assert repr(image) == "Image(24 x 24, paper)"

@@ -15,6 +15,7 @@ import pytest
 from PIL import Image as Pillow
 
 import nacreous as nc
+from nacreous import cli
 from nacreous.spec import (
     Growth,
     Lamp,
@@ -134,3 +135,32 @@ def test_save_says_what_is_wrong_and_writes_nothing(
 def test_a_picture_with_a_hole_is_not_developed() -> None:
     hole = np.full((2, 2, 3), np.nan, np.float32)
     assert refusal(nc.Image(hole, {}).develop) == "linear has a value that is not finite"
+
+
+def test_a_picture_made_by_hand_is_converted_or_refused() -> None:
+    made = nc.Image([[[0.5, 0.5, 0.5]]], {"mask": np.ones((1, 1, 1))})
+    assert made.linear.dtype == made.layers["mask"].dtype == np.float32
+    light = np.zeros((2, 2, 3))
+    for given, message in (
+        ((np.zeros((2, 2)), {}), "linear has the shape (2, 2); allowed: [row, column, 3]"),
+        (("pearl", {}), "linear is 'pearl'; allowed: numbers"),
+        ((light, {"mask": np.zeros((3, 2, 1))}), "layer 'mask' has the shape (3, 2, 1)"),
+        ((light, [light]), "layers are "),
+        ((light, {}, {"x": 5}), "recipe has 5 for 'x'; allowed: texts"),
+    ):
+        assert refusal(lambda given=given: nc.Image(*given)).startswith(message)
+    assert refusal(lambda: made.develop(bits=8.0)) == "bits is 8.0; allowed: 8, 16"
+
+
+def test_what_means_nothing_is_refused_and_not_passed_over(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    image = nc.render("paper", size=4, samples=1)
+    message = refusal(lambda: image.save(tmp_path / "k.exr", gamut="x"))
+    assert message == 'gamut is "x"; allowed: clip, soft'
+    assert cli.main(["render", "paper", "-o", str(tmp_path / "p.exr"), "--bits", "16"]) == 2
+    assert "--bits is given for" in capsys.readouterr().err
+    masked = np.ma.masked_array([400.0, 500.0], [True, False])
+    assert "has masked values" in refusal(lambda: nc.LayerStack(masked))
+    message = refusal(lambda: nc.nacre.diary("paper"))  # type: ignore[arg-type]
+    assert message.startswith("growth is 'paper'")

@@ -12,6 +12,7 @@ import pytest
 
 import nacreous as nc
 from nacreous import cli
+from nacreous.problem import InputError
 from nacreous.rows import fill
 from nacreous.spec import Camera, Lamp, Pearl, Row, Scene, Sky, Table, Walls, Window, preset
 from tests.picture.stage import BLACK, LEFT, NO_TABLE, SUM, luminance, pearl, refusal
@@ -412,3 +413,25 @@ def test_masters_lie_above_the_goods_in_the_order_of_their_steps() -> None:
     names = [made.pearls[int(place[1:])].name for place in masters.pearls]
     assert names == [f"akoya-rg-{step}" for step in ("1.0", "0.7", "0.4", "0.0")]
     assert {made.pearls[int(place[1:])].name for place in goods.pearls} == {"small"}
+
+
+# --- lights that give no white ------------------------------------------------------------------
+
+
+def test_a_window_that_faces_away_leaves_the_white_to_the_sky() -> None:
+    away = {"position_mm": (0, 50, 0), "facing": (0, 1, 0)}
+    dark, lit = (nc.render(pearl(), Scene(windows=w), 12, 1).linear for w in ((), (away,)))
+    assert lit.mean() == pytest.approx(dark.mean(), rel=0.2)
+
+
+def test_a_light_that_cannot_be_is_refused_by_its_key(tmp_path: Path) -> None:
+    (tmp_path / "dark.csv").write_text("380,0\n780,0\n")
+    (tmp_path / "line.csv").write_text("380,0\n435,0\n436,1\n437,0\n780,0\n")
+    good = {"azimuth_deg": 0, "elevation_deg": 40}
+    for name, lamps, message in (
+        ("dark", [good], r"lamps\.1\.spectrum is .*dark\.csv, which has luminance 0"),
+        ("line", [], r'camera\.white is "auto", a light of XYZ .* such as "D65"'),
+    ):
+        bad = {**good, "spectrum": str(tmp_path / f"{name}.csv")}
+        with pytest.raises(InputError, match=message):
+            nc.render(pearl(), Scene(lamps=(*lamps, bad)), 8, 1)

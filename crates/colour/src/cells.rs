@@ -37,14 +37,86 @@ fn split(content: &str, separator: char) -> Vec<&str> {
         .collect()
 }
 
-/// A finite number with a decimal point or a decimal comma.
+/// A finite number with a decimal point or a decimal comma, or with commas between thousands before a point.
 pub(crate) fn number(cell: &str) -> Option<f64> {
-    let parsed = match cell.matches(',').count() {
-        0 => cell.parse(),
-        1 if !cell.contains('.') => cell.replace(',', ".").parse(),
-        _ => return None,
-    };
-    parsed.ok().filter(|value: &f64| value.is_finite())
+    match cell.matches(',').count() {
+        1 if !cell.contains('.') => Comma::Decimal.number(cell),
+        0 => Comma::Thousands.number(cell),
+        _ if parts_thousands(cell) && cell.contains('.') => Comma::Thousands.number(cell),
+        _ => None,
+    }
+}
+
+/// What the commas in the numbers of one file are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Comma {
+    /// The decimal sign.
+    Decimal,
+    /// Marks between thousands, beside decimal points.
+    Thousands,
+}
+
+impl Comma {
+    /// Decided over all rows of a file, given with their lines; or the line at fault and why.
+    pub(crate) fn of<'a>(
+        rows: &[(usize, [&'a str; 2])],
+        with_semicolons: bool,
+    ) -> Result<Self, (usize, String)> {
+        let cells = || rows.iter().flat_map(|(line, row)| row.map(|cell| (*line, cell)));
+        let commas = || cells().filter(|(_, cell)| cell.contains(','));
+        let Some((line, comma)) = commas().next() else { return Ok(Self::Thousands) };
+        let odd = commas().find(|(_, cell)| !parts_thousands(cell));
+        let point = cells().find(|(_, cell)| cell.contains('.'));
+        match (odd, point) {
+            (Some((line, comma)), Some((_, point))) => {
+                let given = format!("a cell is {comma:?} and another {point:?}");
+                Err((line, format!("{given}; allowed: one decimal sign")))
+            }
+            (None, Some(_)) => Ok(Self::Thousands),
+            (Some(_), None) => Ok(Self::Decimal),
+            // Who parts columns by semicolons does so because the comma is the decimal sign.
+            (None, None) if with_semicolons && is_in_whole_columns(rows) => Ok(Self::Decimal),
+            (None, None) => {
+                let whole = comma.replace(',', "");
+                let decimal = comma.replace(',', ".");
+                let given =
+                    format!("a cell is {comma:?}, whose comma may part thousands or decimals");
+                Err((line, format!("{given}; allowed: such as {whole} or {decimal}")))
+            }
+        }
+    }
+
+    /// A finite number.
+    pub(crate) fn number(self, cell: &str) -> Option<f64> {
+        let parsed = match self {
+            Self::Decimal => cell.replace(',', ".").parse(),
+            Self::Thousands => cell.replace(',', "").parse(),
+        };
+        parsed.ok().filter(|value: &f64| value.is_finite())
+    }
+}
+
+/// Whether commas stand in all cells of a column or in none.
+fn is_in_whole_columns(rows: &[(usize, [&str; 2])]) -> bool {
+    [0, 1].iter().all(|&column| {
+        let commas = rows.iter().filter(|(_, row)| row[column].contains(',')).count();
+        commas == 0 || commas == rows.len()
+    })
+}
+
+/// Whether commas stand as between thousands: `1,020`, `12,345,678.9`, but not `0,020`.
+fn parts_thousands(cell: &str) -> bool {
+    let digits = cell.trim_start_matches(['+', '-']);
+    let whole = digits.split('.').next().unwrap_or_default();
+    let all_digits = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
+    let mut groups = whole.split(',');
+    let first = groups.next().unwrap_or_default();
+    let mut rest = groups.peekable();
+    (1..=3).contains(&first.len())
+        && all_digits(first)
+        && !first.starts_with('0')
+        && rest.peek().is_some()
+        && rest.all(|group| group.len() == 3 && all_digits(group))
 }
 
 #[cfg(test)]

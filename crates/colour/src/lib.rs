@@ -33,6 +33,7 @@ mod munsell;
 mod observer;
 mod reflectance;
 mod rgb;
+mod rows;
 mod spectrum;
 mod table;
 mod xyz;

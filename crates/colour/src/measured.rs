@@ -3,8 +3,7 @@
 use crate::spectrum::{FIRST_NM, LAST_NM, SAMPLES, WAVELENGTH_NM};
 use crate::{
     ColourError,
-    cells::{cells, number},
-    table::shortened,
+    rows::{Sample, samples},
 };
 
 /// Larger numbers than this are no light, and their powers might leave the range of `f64`.
@@ -14,15 +13,8 @@ const NOISE: f64 = 0.05;
 /// What a measurement must cover. Beyond its ends the nearest value stands, as CIE 015 (7.2.3)
 /// allows; many instruments measure 400 to 700 nm.
 const NEEDED_NM: [f64; 2] = [400.0, 700.0];
-/// Samples closer than this on average are averaged, not picked.
+/// Samples closer than this are averaged, not picked.
 const FINE_NM: f64 = 0.9;
-
-/// A measured value with the line it stands on, counted from 1.
-struct Sample {
-    line: usize,
-    nm: f64,
-    value: f64,
-}
 
 /// The values at 380 to 780 nm by 1 nm; what `Spectrum::from_csv` promises.
 pub(crate) fn values(text: &str, place: &str) -> Result<[f64; SAMPLES], ColourError> {
@@ -38,54 +30,6 @@ pub(crate) fn values(text: &str, place: &str) -> Result<[f64; SAMPLES], ColourEr
     check_range(&samples, place)?;
     quieten(&mut samples, place)?;
     Ok(resampled(&samples))
-}
-
-/// Rows of two numbers. Lines before the first and after the last are the instrument's own words.
-fn samples(text: &str, place: &str) -> Result<Vec<Sample>, ColourError> {
-    let refused = |line, problem| ColourError::Line { place: place.to_owned(), line, problem };
-    let (mut samples, mut words, mut odd) = (Vec::new(), None, None);
-    for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
-        let content = line.split('#').next().unwrap_or_default().trim();
-        if content.is_empty() {
-            continue;
-        }
-        let cells = cells(content);
-        let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number(cell)).collect();
-        match numbers[..] {
-            [Some(nm), Some(value)] => {
-                if let Some(problem) = words.take().filter(|_| !samples.is_empty()) {
-                    return Err(problem);
-                }
-                samples.push(Sample { line: index + 1, nm, value });
-            }
-            [Some(_), None] => return Err(refused(index + 1, not_a_number(cells[1]))),
-            [Some(_), ..] => {
-                let count = cells.len();
-                let problem = format!("{count} columns; allowed: 2, wavelength and value");
-                let problem = refused(index + 1, problem);
-                if !samples.is_empty() {
-                    return Err(problem);
-                }
-                odd.get_or_insert(problem);
-            }
-            _ => words = words.or_else(|| Some(refused(index + 1, not_a_number(cells[0])))),
-        }
-        if samples.is_empty() {
-            words = None;
-        }
-    }
-    match (samples.len(), odd) {
-        (0, Some(problem)) => Err(problem),
-        (rows @ (0 | 1), _) => Err(ColourError::Table {
-            place: place.to_owned(),
-            problem: format!("{rows} rows of numbers; allowed: at least 2"),
-        }),
-        _ => Ok(samples),
-    }
-}
-
-fn not_a_number(cell: &str) -> String {
-    format!("a cell is {:?}; allowed: a finite number", shortened(cell))
 }
 
 fn check_order(
@@ -146,13 +90,8 @@ fn quieten(samples: &mut [Sample], place: &str) -> Result<(), ColourError> {
     Ok(())
 }
 
-/// Straight lines between samples; where those are finer than 1 nm, the mean over the nm around.
+/// Straight lines between samples; where those around are finer than 1 nm, the mean over the nm around.
 fn resampled(samples: &[Sample]) -> [f64; SAMPLES] {
-    let [first, .., last] = samples else { return [0.0; SAMPLES] };
-    let mean_step_nm = (last.nm - first.nm) / (samples.len() - 1) as f64;
-    if mean_step_nm >= FINE_NM {
-        return WAVELENGTH_NM.map(|nm| at(samples, nm));
-    }
     let mut until = vec![0.0];
     for pair in samples.windows(2) {
         let area = 0.5 * (pair[1].nm - pair[0].nm) * (pair[0].value + pair[1].value);
@@ -163,7 +102,21 @@ fn resampled(samples: &[Sample]) -> [f64; SAMPLES] {
         let from = &samples[below];
         until[below] + 0.5 * (nm - from.nm) * (from.value + at(samples, nm))
     };
-    WAVELENGTH_NM.map(|nm| (area_until(nm + 0.5) - area_until(nm - 0.5)).max(0.0))
+    WAVELENGTH_NM.map(|nm| {
+        if is_fine(samples, nm) {
+            (area_until(nm + 0.5) - area_until(nm - 0.5)).max(0.0)
+        } else {
+            at(samples, nm)
+        }
+    })
+}
+
+/// Whether any samples in the nm around lie closer than 1 nm, wherever the file is coarser.
+fn is_fine(samples: &[Sample], nm: f64) -> bool {
+    let from = samples.partition_point(|sample| sample.nm <= nm - 0.5).saturating_sub(1);
+    let to = samples.partition_point(|sample| sample.nm < nm + 0.5);
+    let around = &samples[from..samples.len().min(to + 1)];
+    around.windows(2).any(|pair| pair[1].nm - pair[0].nm < FINE_NM)
 }
 
 /// The value on the straight line between neighbours, beyond the ends the nearest.
@@ -235,6 +188,20 @@ mod tests {
         let constant = (0..=4000).map(|i| format!("{:.1};7\n", 380.0 + 0.1 * f64::from(i)));
         let constant = values(&constant.collect::<String>(), "7.csv").unwrap();
         assert!(constant.iter().all(|value| (value - 7.0).abs() < 1e-9));
+    }
+
+    #[test]
+    fn fineness_counts_where_it_is_and_not_in_the_mean_of_the_file() {
+        // By 0.5 nm, then by 5 far into the infrared, as spectrometers of two detectors write.
+        let fine = (0..=1200).map(|i| 200.0 + 0.5 * f64::from(i));
+        let coarse = (1..=340).map(|i| 800.0 + 5.0 * f64::from(i));
+        let value = |nm: f64| if nm == 546.5 { 5.0 } else { 0.0 };
+        let lines = fine.chain(coarse).map(|nm| format!("{nm:.1};{}\n", value(nm)));
+        let spectrum = values(&lines.collect::<String>(), "wide.csv").unwrap();
+        assert!((spectrum.iter().sum::<f64>() - 2.5).abs() < 1e-9);
+        // A fine part does not blur what is coarse elsewhere.
+        let spectrum = values("380;0\n400;0\n401;8\n402;0\n500;0\n500.5;0\n700;0", "k.csv");
+        assert_eq!(spectrum.unwrap()[21], 8.0);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A panorama, the light from all around, from a user's file.
 //!
-//! Radiance `.hdr` (`radiance.rs`) and EXR `.exr`, both linear. Of an EXR file, the first part with channels R, G
-//! and B; else its one layer of colour, such as `ViewLayer.Combined.R`, or of several the one called Combined.
+//! Radiance `.hdr` (`radiance.rs`) and EXR `.exr`, both linear. Of an EXR file, the channels R, G and B; else its one
+//! layer of colour, such as `ViewLayer.Combined.R`; of several layers, or parts with colours, the one called Combined.
 //! Files that state other primaries are converted, all others are taken as Rec. 709. Values below zero, as
 //! resampling leaves them around lamps, become zero; NaN and infinity are refused. Limits: [`crate::picture`].
 
@@ -53,17 +53,15 @@ fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
     for header in reader.headers() {
         check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
     }
-    let layer = layer_of_colour(reader.headers())?;
+    let (header, layer) = colours_of(reader.headers())?;
+    let header = header.clone();
     let [red, green, blue] = COLOURS.map(|letter| format!("{layer}{letter}"));
-    let Some(header) = reader.headers().iter().find(|header| has_colour(header, &layer)) else {
-        return Err(PictureFileError::Damaged("its channels are gone".to_owned()));
-    };
     if header.data_window() != header.shared_attributes.display_window {
         let problem = "is cropped (its data and display windows differ); a panorama must be whole";
         return Err(PictureFileError::Unsupported(problem.to_owned()));
     }
     let conversion = conversion(header.shared_attributes.chromaticities)?;
-    let image = exr::prelude::read()
+    let channels = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
         .specific_channels()
@@ -80,7 +78,8 @@ fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
                 let first = (y * picture.width + x) * 3;
                 picture.rgb[first..first + 3].copy_from_slice(&[r, g, b]);
             },
-        )
+        );
+    let image = InPart { header, channels }
         .first_valid_layer()
         .all_attributes()
         .non_parallel() // a panic in a worker thread could not be caught
@@ -96,34 +95,72 @@ fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
 /// The last part of a channel's name that holds colour.
 const COLOURS: [&str; 3] = ["R", "G", "B"];
 
-/// What stands before R, G and B in the names of the picture's own channels: nothing, or a layer and a dot.
-fn layer_of_colour(headers: &[Header]) -> Result<String, PictureFileError> {
-    let names = headers.iter().flat_map(|header| &header.channels.list);
-    let names: BTreeSet<String> = names.map(|channel| channel.name.to_string()).collect();
-    let layers = names.iter().filter_map(|name| name.strip_suffix(COLOURS[0]));
-    let whole = |layer: &&str| {
-        (layer.is_empty() || layer.ends_with('.'))
-            && headers.iter().any(|header| has_colour(header, layer))
-    };
-    let layers: Vec<&str> = layers.filter(whole).collect();
-    let combined = |layer: &&&str| layer.to_ascii_lowercase().ends_with("combined.");
-    let combined: Vec<&&str> = layers.iter().filter(combined).collect();
-    match (&layers[..], &combined[..]) {
-        ([], _) => {
-            let found = shown(names.iter().map(String::as_str));
-            let problem =
-                format!("has no channels R, G and B, which a panorama needs, but {found}");
-            Err(PictureFileError::Unsupported(problem))
+/// Channels of one part of a file, and of no other.
+struct InPart<C> {
+    header: Header,
+    channels: C,
+}
+
+impl<'s, C: ReadChannels<'s>> ReadChannels<'s> for InPart<C> {
+    type Reader = C::Reader;
+
+    fn create_channels_reader(&'s self, header: &Header) -> exr::error::Result<Self::Reader> {
+        if *header != self.header {
+            return Err(exr::error::Error::NotSupported("another part".into()));
         }
-        (["", ..] | [_], _) => Ok(layers[0].to_owned()),
-        (_, [layer]) => Ok((**layer).to_owned()),
-        _ => {
-            let layers = shown(layers.iter().map(|layer| layer.trim_end_matches('.')));
-            let problem =
-                format!("has colours in several layers ({layers}); save one as R, G and B");
-            Err(PictureFileError::Unsupported(problem))
-        }
+        self.channels.create_channels_reader(header)
     }
+}
+
+/// The part that holds the picture, and what stands before R, G and B in the names of its channels: nothing, or
+/// a layer and a dot.
+fn colours_of(headers: &[Header]) -> Result<(&Header, String), PictureFileError> {
+    let found: Vec<(&Header, String)> = headers
+        .iter()
+        .flat_map(|header| layers_of_colour(header).into_iter().map(move |layer| (header, layer)))
+        .collect();
+    let parts = headers.iter().filter(|header| !layers_of_colour(header).is_empty()).count();
+    if let [(header, layer), ..] = &found[..]
+        && (found.len() == 1 || (parts == 1 && layer.is_empty()))
+    {
+        return Ok((header, layer.clone()));
+    }
+    let names: Vec<String> = found.iter().map(|(header, layer)| name_of(header, layer)).collect();
+    let is_combined = |name: &String| name.to_ascii_lowercase().ends_with("combined");
+    let combined: Vec<usize> = (0..names.len()).filter(|&i| is_combined(&names[i])).collect();
+    let problem = match combined[..] {
+        [only] => return Ok(found[only].clone()),
+        _ if found.is_empty() => {
+            let channels = headers.iter().flat_map(|header| &header.channels.list);
+            let channels: BTreeSet<String> = channels.map(|one| one.name.to_string()).collect();
+            let channels = shown(channels.iter().map(String::as_str));
+            format!("has no channels R, G and B, which a panorama needs, but {channels}")
+        }
+        _ => {
+            let kind = if parts == 1 { "layers" } else { "parts" };
+            let names = shown(names.iter().map(String::as_str));
+            format!("has colours in several {kind} ({names}); save one as R, G and B")
+        }
+    };
+    Err(PictureFileError::Unsupported(problem))
+}
+
+/// What a layer is called: by its channels, else by its part.
+fn name_of(header: &Header, layer: &str) -> String {
+    let part = || header.own_attributes.layer_name.as_ref().map(ToString::to_string);
+    match layer.trim_end_matches('.') {
+        "" => part().unwrap_or_default(),
+        layer => layer.to_owned(),
+    }
+}
+
+/// What stands before R, G and B in the names of a part's channels, in the order of the names.
+fn layers_of_colour(header: &Header) -> BTreeSet<String> {
+    let names = header.channels.list.iter().map(|channel| channel.name.to_string());
+    let layers = names.filter_map(|name| name.strip_suffix(COLOURS[0]).map(ToOwned::to_owned));
+    let whole =
+        |layer: &String| (layer.is_empty() || layer.ends_with('.')) && has_colour(header, layer);
+    layers.filter(whole).collect()
 }
 
 fn has_colour(header: &Header, layer: &str) -> bool {

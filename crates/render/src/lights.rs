@@ -1,7 +1,7 @@
 //! The light of a scene: what counts for its white, its lamps, its windows and its sky.
 
 use glam::DVec3;
-use nacreous_colour::{Illuminant, Observer, Spectrum};
+use nacreous_colour::{ColourError, Illuminant, Observer, Spectrum};
 use nacreous_image::{
     Bands, Lamp, Light, Microfacets, Palette, Place, Sky, Source, Window, direction,
 };
@@ -68,32 +68,46 @@ impl Lights {
         arrangement: &Arrangement,
         resources: &Resources,
     ) -> Result<Self, RenderError> {
-        let lit: Vec<(&WindowSpec, &Frame)> = scene
+        let source = |key: String, name: &str, intensity| {
+            let spectrum = resources.light(name)?;
+            observer(scene).weights(&spectrum).map_err(|_| {
+                let fault = format!("{key} is {name}, which has luminance 0; allowed: above 0");
+                RenderError::scene(&scene.name, fault)
+            })?;
+            Ok::<_, RenderError>(Source { spectrum, intensity })
+        };
+        let lit: Vec<(usize, (&WindowSpec, &Frame))> = scene
             .windows
             .iter()
             .zip(arrangement.frames())
-            .filter(|(window, _)| is_lit(window))
+            .enumerate()
+            .filter(|(_, (window, _))| is_lit(window))
             .collect();
-        let lamps_on = || scene.lamps.iter().filter(|lamp| is_on(lamp));
+        let lamps_on = || scene.lamps.iter().enumerate().filter(|(_, lamp)| is_on(lamp));
         let lamp_sources = lamps_on()
-            .map(|lamp| source(resources, &lamp.spectrum, lamp.intensity))
+            .map(|(i, lamp)| source(format!("lamps.{i}.spectrum"), &lamp.spectrum, lamp.intensity))
             .collect::<Result<Vec<_>, _>>()?;
         let panes = lit
             .iter()
-            .map(|(window, _)| source(resources, &window.spectrum, window.luminance))
+            .map(|(i, (pane, _))| {
+                source(format!("windows.{i}.spectrum"), &pane.spectrum, pane.luminance)
+            })
             .collect::<Result<Vec<_>, _>>()?;
-        let shining = lit.iter().zip(&panes).map(|((_, frame), pane)| as_lamp(frame, pane));
+        let shining = lit.iter().zip(&panes).map(|((_, (_, frame)), pane)| as_lamp(frame, pane));
+        // A window that faces away lights no pearl, and has no say in what looks white.
+        let shining = shining.filter(|source| source.intensity > 0.0);
         let all: Vec<Source> = lamp_sources.iter().cloned().chain(shining).collect();
         let sky = sky(&scene.sky, resources)?;
-        let light = Light::new(&all, sky.mean_luminance(), white(scene)?, observer(scene))?;
+        let light = Light::new(&all, sky.mean_luminance(), white(scene)?, observer(scene))
+            .map_err(|error| no_white(scene, error))?;
         let lamps = lamps_on()
             .zip(&lamp_sources)
-            .map(|(lamp, source)| Ok(round(lamp, light.brightness(source)?)))
+            .map(|((_, lamp), source)| Ok(round(lamp, light.brightness(source)?)))
             .collect::<Result<_, RenderError>>()?;
         let windows = lit
             .iter()
             .zip(&panes)
-            .map(|((_, frame), pane)| Ok(window(frame, light.brightness(pane)?)))
+            .map(|((_, (_, frame)), pane)| Ok(window(frame, light.brightness(pane)?)))
             .collect::<Result<_, RenderError>>()?;
         let lamp_bands =
             lamp_sources.iter().map(|source| light.bands(source)).collect::<Result<_, _>>()?;
@@ -121,8 +135,13 @@ pub(crate) fn is_lit(window: &WindowSpec) -> bool {
     window.luminance > 0.0
 }
 
-fn source(resources: &Resources, name: &str, intensity: f64) -> Result<Source, RenderError> {
-    Ok(Source { spectrum: resources.light(name)?, intensity })
+/// What is wrong with the white, by the key that sets it.
+fn no_white(scene: &SceneSpec, error: ColourError) -> RenderError {
+    let ColourError::White { white: xyz } = error else { return error.into() };
+    let xyz = xyz.map(|part| format!("{part:.3}")).join(", ");
+    let given = format!("camera.white is {:?}, a light of XYZ {xyz}", scene.camera.white);
+    let fault = format!("{given}; allowed: one that all three cones see, such as \"D65\"");
+    RenderError::scene(&scene.name, fault)
 }
 
 /// A window as a lamp, by its light on a surface in the middle of the scene that faces it; what its own

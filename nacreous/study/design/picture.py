@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous import colour, file, image
+from nacreous.named_files import FILES, moved, relative_to
 from nacreous.paper.circle import Circle
 from nacreous.paper.crop import Crop, cut, seven
 from nacreous.paper.cutting import outline_of
@@ -47,19 +48,20 @@ class Source:
     pearl: Pearl | None
     scene: Scene | None
     photograph: Path | None
+    folder: Path
 
     @classmethod
     def of(cls, stimulus: Stimulus, folder: Path, where: str) -> Source:
         """Read the files; `folder` is what their paths are relative to, `where` is for messages."""
         try:
             if stimulus.picture is not None:
-                return cls(stimulus, None, None, folder / stimulus.picture)
+                return cls(stimulus, None, None, folder / stimulus.picture, folder)
             of_pearl, of_scene = shared_out(stimulus.overrides)
             pearl = Pearl.load(_placed(stimulus.pearl or "paper", folder), of_pearl)
             scene = Scene.load(_placed(stimulus.scene or "paper", folder), of_scene)
             if stimulus.cut == "seven-crops" and scene.rows:
                 raise InputError("scene has rows; allowed with seven crops: a scene of one pearl")
-            return cls(stimulus, pearl, scene, None)
+            return cls(stimulus, pearl, scene, None, folder)
         except InputError as problem:
             lines = str(problem).replace("--set", "overrides").splitlines()
             raise InputError("\n".join(f"{where}: {line}" for line in lines)) from None
@@ -104,8 +106,9 @@ class Source:
         if self.stimulus.cut == "seven-crops":
             circle = Circle.of_view(self.pearl, self.scene, size_px)
             crops = seven(colour.decode(codes / 255.0), circle)
-        recipe: dict[str, Any] = dict(made.recipe)
-        for name in ("settings", "versions"):
+        # As seen from the study's file, wherever the program ran.
+        recipe: dict[str, Any] = moved(made.recipe, relative_to(self.folder))
+        for name in {"settings", "versions", FILES} & recipe.keys():
             recipe[name] = json.loads(recipe[name])
         return codes.astype(np.uint8, copy=False), crops, recipe
 
