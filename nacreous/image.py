@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
 from nacreous.linear_light import layers_of, linear_of, texts_of
-from nacreous.named_files import hold_files, moved, relative_to
+from nacreous.named_files import files_needed, hold_files, moved, relative_to
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, Recipe, recipe
@@ -256,11 +256,7 @@ def files_of(made: Recipe) -> list[str]:
     >>> files_of(recipe("paper", "paper", 8, 4))
     []
     """
-    spectra, panoramas, photographed = _core.files_needed(made.json)
-    if not photographed:
-        return [*spectra, *panoramas]
-    pearls = json.loads(made.json)["pearls"]
-    return [*spectra, *panoramas, *(pearls[at]["texture"]["source"] for at in photographed)]
+    return files_needed(made.json)
 
 
 def recipe_json(

@@ -91,9 +91,9 @@ def run(args: argparse.Namespace) -> int:
     job = _again(args) if _is_picture(args.pearl[0]) else _first(args)
     output = _output(args)
     standard.check_output(output, image.SUFFIXES)
+    _check_options(args, output)
     scene = [] if args.scene is None else [args.scene]
     standard.require_apart([output], [*args.pearl, *scene, *image.files_of(job.made)])
-    _check_options(args, output)
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
