@@ -278,6 +278,17 @@ class PersonalAnswers:
     ) -> PersonalAnswers: ...
 
 def log_normal_cdf(x: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def spread_of_people(
+    people: int,
+    pair: NDArray[np.int64],
+    end: NDArray[np.int64],
+    person: NDArray[np.int64],
+    value: NDArray[np.float64],
+    metric: NDArray[np.float64],
+    deals: int,
+    seed: int,
+    report: Callable[[int], object] | None,
+) -> NDArray[np.float64]: ...
 
 # texture
 @final

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import reprlib
 import stat
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
@@ -31,6 +31,7 @@ __all__ = [
     "read_panorama",
     "read_photograph",
     "read_png_text",
+    "require_apart",
 ]
 
 
@@ -86,6 +87,26 @@ def check_output(path: str | PathLike[str], suffixes: Collection[str]) -> Path:
         raise InputError(f"{output}: the ending is {given}; allowed: {', '.join(suffixes)}")
     _create_beside(path, _target(path)).unlink()
     return output
+
+
+def require_apart(
+    outputs: Sequence[str | PathLike[str]], inputs: Iterable[str | PathLike[str] | int]
+) -> None:
+    """Refuse outputs that are one of the inputs, or each other, by whatever name or link.
+
+    An input may be the number of an open file, such as 0 for standard input; those that are no
+    files here, as a preset's name, count as none. Raises `InputError`.
+
+    >>> require_apart(["a.csv", "a.csv"], [])
+    Traceback (most recent call last):
+    nacreous.problem.InputError: a.csv: is the same file as the output a.csv; allowed: another name
+    """
+    taken = [(f"the output {path}", path) for path in outputs]
+    read = [("standard input" if path == 0 else f"the input {path}", path) for path in inputs]
+    for place, output in enumerate(outputs):
+        for what, other in read + taken[:place]:
+            if _same_file(output, other):
+                raise InputError(f"{output}: is the same file as {what}; allowed: another name")
 
 
 def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]:
@@ -163,6 +184,15 @@ def named(path: object) -> Path:
     if not isinstance(path, str | PathLike) or "\0" in os.fspath(path):
         raise InputError(f"path is {reprlib.repr(path)}; allowed: the path of a file")
     return Path(path)
+
+
+def _same_file(one: str | PathLike[str], other: str | PathLike[str] | int) -> bool:
+    """Whether both names lead to one file, which need not be there yet."""
+    try:
+        known = os.fstat(other) if isinstance(other, int) else Path(other).stat()
+        return os.path.samestat(Path(one).stat(), known)
+    except (OSError, ValueError):
+        return not isinstance(other, int) and os.path.realpath(one) == os.path.realpath(other)
 
 
 def _there(path: str | PathLike[str]) -> str | PathLike[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
 from nacreous.linear_light import layers_of, linear_of, texts_of
-from nacreous.named_files import hold_files, moved, relative_to
+from nacreous.named_files import files_needed, hold_files, moved, relative_to
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, Recipe, recipe
@@ -247,6 +247,16 @@ def render_recipe(made: Recipe, progress: Callable[[float], None] | None = None)
         report,
     )
     return Image._rendered(picture, hold_files(made.texts, made.json))
+
+
+def files_of(made: Recipe) -> list[str]:
+    """The files that a recipe names: measured lights, panoramas, photographs.
+
+    >>> from nacreous.recipe import recipe
+    >>> files_of(recipe("paper", "paper", 8, 4))
+    []
+    """
+    return files_needed(made.json)
 
 
 def recipe_json(

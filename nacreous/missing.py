@@ -6,6 +6,7 @@ import os
 from os import PathLike
 from pathlib import Path
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 #: Names looked at in a folder, so that one of a million files costs no more than a moment.
@@ -20,7 +21,7 @@ def missing(path: str | PathLike[str], wanted: str = "") -> InputError:
     """
     near = beside(path)
     hints = [f"; wanted: {wanted}" if wanted else "", f"; did you mean {near}?" if near else ""]
-    return InputError(f"{os.fspath(path)}: does not exist{''.join(hints)}")
+    return InputError(f"{printable(os.fspath(path))}: does not exist{''.join(hints)}")
 
 
 def beside(path: str | PathLike[str]) -> str | None:

@@ -15,7 +15,16 @@ from pathlib import Path
 from nacreous import _core
 from nacreous.problem import InputError
 
-__all__ = ["FILES", "absolute", "check_unchanged", "hashes", "hold_files", "moved", "relative_to"]
+__all__ = [
+    "FILES",
+    "absolute",
+    "check_unchanged",
+    "files_needed",
+    "hashes",
+    "hold_files",
+    "moved",
+    "relative_to",
+]
 
 #: The recipe's text of all files by path, as JSON with the SHA-256 of each.
 FILES = "files"
@@ -80,7 +89,7 @@ def hashes(recipe_json: str) -> dict[str, str]:
     >>> hashes(nc.image.recipe_json("akoya-rg", "booth"))
     {}
     """
-    return {absolute(path): _sha256(path) for path in _needed(recipe_json)}
+    return {absolute(path): _sha256(path) for path in files_needed(recipe_json)}
 
 
 def hold_files(texts: Mapping[str, str], recipe_json: str) -> dict[str, str]:
@@ -99,7 +108,7 @@ def check_unchanged(
     anything. held: their SHA-256.
     """
     own = set(named)
-    for path in filter(own.__contains__, _needed(recipe_json)):
+    for path in filter(own.__contains__, files_needed(recipe_json)):
         other = "allowed: the same file, or another one that is named anew"
         if not Path(path).exists():
             raise InputError(f"{where}: was made with {path}, which does not exist; {other}")
@@ -113,7 +122,13 @@ def check_unchanged(
             )
 
 
-def _needed(recipe_json: str) -> list[str]:
+def files_needed(recipe_json: str) -> list[str]:
+    """The measured lights, panoramas and photographs whose contents a recipe needs.
+
+    >>> import nacreous as nc
+    >>> files_needed(nc.image.recipe_json("akoya-rg", "booth"))
+    []
+    """
     spectra, panoramas, photographed = _core.files_needed(recipe_json)
     if not photographed:
         return [*spectra, *panoramas]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from nacreous.commands.terminal import say
+
 _EXAMPLES = """\
 examples:
   nacreous completion bash > ~/.local/share/bash-completion/completions/nacreous
@@ -32,7 +34,7 @@ def run(args: argparse.Namespace) -> int:
 
     parser = build_parser(COMMANDS)
     _complete_files(parser)
-    print(shtab.complete(parser, args.shell))
+    say(shtab.complete(parser, args.shell))
     return 0
 
 

@@ -57,6 +57,7 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.spec import Growth
 
     standard.check_output(args.output, _SUFFIXES)
+    standard.require_apart([args.output], [args.nacre])
     pearl = _pearl(args.nacre, args.set)
     growth = pearl.nacre
     if not isinstance(growth, Growth):

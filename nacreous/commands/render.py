@@ -92,6 +92,8 @@ def run(args: argparse.Namespace) -> int:
     output = _output(args)
     standard.check_output(output, image.SUFFIXES)
     _check_options(args, output)
+    scene = [] if args.scene is None else [args.scene]
+    standard.require_apart([output], [*args.pearl, *scene, *image.files_of(job.made)])
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)

@@ -68,7 +68,7 @@ def _add_data(parser: argparse.ArgumentParser) -> None:
         default=[],
         metavar="ROLE=NAME",
         help="left, right, chosen (or winner, loser), person, time, trial, response_s, response_ms "
-        "by another name",
+        "by another name; time= and the like for none",
     )
     data.add_argument("--left", metavar="WORD", help="what chosen holds where the left one was")
     data.add_argument("--right", metavar="WORD", help="what chosen holds where the right one was")
@@ -132,22 +132,44 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
+    from nacreous.commands.scale_people import of_people
+    from nacreous.commands.spoken import spoken
     from nacreous.scaling.report.analysis import SUFFIXES, analyse
 
     outputs = args.output or ["report.html"]
     for output in outputs:
         standard.check_output(output, SUFFIXES)
-    with standard.reading(args.answers, ".csv") as args.answers:
+    standard.require_apart(outputs, [] if args.answers == PAPER else [args.answers])
+    with standard.reading(args.answers, ".csv") as args.answers, spoken(args.answers):
         data = _data(args)
         settings = _settings(args, _of_study(args))
+        _check_group(data, args.group)
     begin = time.monotonic()
-    with bar("resampling") as show:
+    with bar("resampling") as show, spoken(args.answers):
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
     _write(found, outputs, args.language)
     say(told(found, time.monotonic() - begin), outputs)
+    for line in of_people(data):
+        say(line, outputs)
     for output in outputs:
         say(f"{output}: written", outputs)
     return 0
+
+
+def _check_group(data: Any, column: str | None) -> None:
+    """Refuse a column in which all are alike, by its name."""
+    from nacreous.problem import InputError
+    from nacreous.scaling import Answers
+    from nacreous.scaling.data.fault import listed
+
+    if column is None or not isinstance(data, Answers):
+        return
+    groups = data.split(column)
+    if len(groups) < 2:
+        held = listed(groups) or "nothing"
+        raise InputError(
+            f"group is {column!r}, a column that holds {held}; allowed: one with 2 groups or more"
+        )
 
 
 def _prior(text: str) -> float | str:
@@ -242,7 +264,7 @@ def _columns(args: argparse.Namespace) -> dict[str, Any]:
     names: dict[str, Any] = {role: word for role, word in words.items() if word is not None}
     for setting in args.column:
         role, equals, name = setting.partition("=")
-        if not equals or not role or not name or role in words:
+        if not equals or not role or role in words:
             raise InputError(f'--column "{setting}": wanted: role=name, such as left=first')
         if role in names:
             raise InputError(f"--column {role} is given twice; allowed: once")

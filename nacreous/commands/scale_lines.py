@@ -23,8 +23,10 @@ def told(found: Analysis, seconds: float) -> str:
         low, high = doubt.intervals[at]
         lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
     if doubt.samples:
+        many = doubt.by in ("clusters", "information")
         lines.append(
             f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
+            + ("; too many to draw intervals from" if many else "")
         )
     if doubt.too_few:
         lines.append(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import sys
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -22,6 +22,14 @@ def check_output(output: str, endings: Collection[str]) -> None:
         file.check_output(output, endings)
     elif sys.stdout is None or sys.stdout.isatty():
         raise InputError("- is given as the output; allowed: with > file or | program behind")
+
+
+def require_apart(outputs: Sequence[str], inputs: Iterable[str]) -> None:
+    """Refuse to write over what is read, `-` included, and to write two outputs to one place."""
+    if list(outputs).count(STREAM) > 1:
+        raise InputError(f"{STREAM} is given twice as an output; allowed: once")
+    read = [0 if path == STREAM else path for path in inputs]
+    file.require_apart([output for output in outputs if output != STREAM], read)
 
 
 @contextmanager

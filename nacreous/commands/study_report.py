@@ -52,6 +52,7 @@ def run(args: argparse.Namespace) -> int:
     question = args.question or frozen.design.questions[0].id
     place = args.store or os.environ.get("NACREOUS_STORE") or args.study
     with Store.open(place, make=False) as store, bar("resampling") as show:
+        standard.require_apart([args.output], [store.place])
         page = report(
             Running(store, frozen), question, args.language, args.simulated, args.group, show
         )

@@ -65,6 +65,7 @@ def cut_file(
     and has no more than `bits` bits. Raises `InputError` for a picture or a folder that cannot
     be used.
     """
+    file.require_apart([Path(output, name) for name in FILES], [picture])
     linear = file.read_photograph(picture)
     texts = _texts(picture)
     circle, found = _outline(str(picture), linear, texts, given)

@@ -192,6 +192,7 @@ class ScaleTold(BaseModel):
     verdict: Literal["describes", "misfits", "untested"]
     misfit: tuple[str, str] | None
     people_differ: bool
+    people_told: bool
 
 
 class TooFew(BaseModel):

@@ -157,6 +157,7 @@ describe("the chart", () => {
     verdict: "describes" as const,
     misfit: null,
     people_differ: false,
+    people_told: true,
     stimuli: [
       { label: "<b>", picture: "00", value: 0.5, low: 0.5, high: 0.5 },
       { label: "dull", picture: "11", value: -0.5, low: -0.5, high: -0.5 },

@@ -42,6 +42,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         "empty.csv": "",
         "no-chosen.csv": "left,right\n1,2\n",
         "self.csv": "left,right,chosen\n1,1,1\n",
+        "one-place.csv": HEAD + "p,1,2,1,1,N\nq,1,2,2,1,N\n",
         "unanimous.csv": "left,right,chosen\na,b,a\na,b,a\n",
         "ragged.csv": ",a,b\na,0,7\nb,3\n",
         "renamed.csv": answers().replace(HEAD, "who,first,second,better,time,place\n"),
@@ -156,24 +157,49 @@ def test_options_reach_the_fit(desk: Path) -> None:
         (["self.csv"], 'self.csv: row 2: "1" is paired with itself'),
         (["unanimous.csv"], 'no scale holds "b": was never preferred when compared with "a"'),
         (["ragged.csv", "--counts"], "ragged.csv: "),
-        (["counts.csv", "--counts", "--group", "place"], "group is 'place'; allowed: none, for"),
+        (["counts.csv", "--counts", "--group", "place"], "--group is place; allowed: none, for"),
         (["counts.csv", "--counts", "--column", "left=a"], "--column is given with counts"),
         (["paper", "--no-sides"], "--no-sides is given with counts"),
         (["answers.csv", "--group", "plaec"], "plaec is no group of these answers; did you mean p"),
         (["answers.csv", "--column", "left"], '--column "left": wanted: role=name, such as'),
         (["answers.csv", "--column", "lfet=a"], "lfet is no role of a column; did you mean left?"),
-        (["answers.csv", "--level", "95"], "level is 95; allowed: 0.5 to 0.9999"),
-        (["answers.csv", "--level", "nan"], "level is nan; allowed: 0.5 to 0.9999"),
+        (["answers.csv", "--level", "95"], "--level is 95; allowed: 0.5 to 0.9999"),
+        (["answers.csv", "--level", "nan"], "--level is nan; allowed: 0.5 to 0.9999"),
         (["answers.csv", "--prior", "wide"], "argument --prior: 'wide' is none of: none, hier"),
-        (["answers.csv", "--bootstrap", "-5"], "bootstrap is -5; allowed: 0, or 100 to 100000"),
-        (["answers.csv", "--seed", "-1"], "seed is -1; allowed: 0 to "),
-        (["answers.csv", "--prior", "-1"], "prior is -1"),
-        (["answers.csv", "--prior", "nan"], "prior is nan"),
-        (["answers.csv", "--model", "logit", "--method", "least-squares"], "method is 'least-s"),
+        (["answers.csv", "--bootstrap", "-5"], "--bootstrap is -5; allowed: 0, or 100 to 100000"),
+        (["answers.csv", "--seed", "-1"], "--seed is -1; allowed: 0 to "),
+        (["answers.csv", "--prior", "-1"], "--prior is -1"),
+        (["answers.csv", "--prior", "nan"], "--prior is nan"),
+        (
+            ["answers.csv", "--model", "logit", "--method", "least-squares"],
+            "--method is least-squares; allowed: with --model probit, without t",
+        ),
         (["answers.csv", "-o", "a.pdf"], "a.pdf: the ending is .pdf; allowed: .html, .csv, .json"),
         (["answers.csv", "-o", "gone/a.html"], "gone/a.html: the folder "),
         (["answers.csv", "-o", "a.html", "-o", "gone/a.csv"], "gone/a.csv: the folder "),
         (["answers.csv", "--model", "cauchy"], "--model is 'cauchy'; allowed: "),
+        (
+            ["answers.csv", "--prior", "-1"],
+            "--prior is -1.0; allowed: a spread, 0.001 to 1000, hier",
+        ),
+        (["answers.csv", "--order", "--no-sides"], "--order, but left and right are no sides here"),
+        (
+            ["answers.csv", "--group", "person", "--ties", "--method", "least-squares"],
+            "--method is",
+        ),
+        (
+            ["one-place.csv", "--group", "place"],
+            '--group is place, a column that holds "N"; allowed',
+        ),
+        (
+            ["answers.csv", "--left", "f", "--right", "f"],
+            "--left f is given with --right f; allowed",
+        ),
+        (["answers.csv", "--left", ""], "--left is empty; allowed: a word"),
+        (["answers.csv", "--tie", "1"], "answers.csv: --tie 1 is the label of a stimulus; allowed"),
+        (["answers.csv", "--counts"], "answers.csv: row 1 has the names of a table of answers ("),
+        (["answers.csv", "--encoding", "utf-9"], "--encoding is utf-9; did you mean utf-8?"),
+        (["no\nsuch.csv"], "no\\u000asuch.csv: does not exist"),
     ],
     ids=lambda case: " ".join(case)[:40] if isinstance(case, list) else "",
 )
@@ -187,6 +213,36 @@ def test_bad_input_is_refused_in_one_line_and_leaves_no_file(
     (line,) = said.err.splitlines()
     assert line.startswith(f"nacreous: {message}")
     assert sorted(desk.iterdir()) == before
+
+
+@pytest.mark.parametrize(
+    ("content", "pasted"),
+    [
+        (
+            "stim l,stim_r,key_resp.keys\n1,2,left\n2,1,left\n",
+            "--column 'left=stim l' --column right=stim_r --column chosen=key_resp.keys",
+        ),
+        ("left,right,chosen\n1,2,links\n1,2,rechts\n", "--left links --right rechts"),
+        ("left,right,chosen\n1,2,1\n1,2,2\n1,2,=\n", "--tie ="),
+        ("left,right,chosen,time\n1,2,1,1.3.2024\n1,2,2,x\n", "--column time="),
+        ("left,right,chosen\n1,2,1\n1,2,2\n1,2,\n", "--skip-unanswered"),
+        ("a,b,c\nx,y,z\nleft,right,chosen\n1,2,1\n1,2,2\n", "--skip-rows 2"),
+        ("left,right,chosen\na,b,a\n", "--prior 1"),
+        (
+            "participant,PROLIFIC_PID,left,right,chosen\n1,1,a,b,a\n1,2,b,a,a\n2,2,a,b,b\n",
+            "--column person=participant",
+        ),
+    ],
+)
+def test_the_option_that_a_refusal_names_can_be_pasted(
+    desk: Path, capsys: pytest.CaptureFixture[str], content: str, pasted: str
+) -> None:
+    Path("a file.csv").write_text(content)
+    command = ["scale", "a file.csv", "--bootstrap", "0"]
+    assert cli.main(command) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert pasted in line
+    assert cli.main([*command, *shlex.split(pasted)]) == 0
 
 
 def test_an_old_report_survives_a_refusal(desk: Path) -> None:

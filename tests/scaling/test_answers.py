@@ -301,7 +301,7 @@ def without(name: str) -> dict[str, Any]:
         (TABLE | {"response_ms": [1] * 4}, "table: has both response_s and response_ms; allowed: "),
         (
             TABLE | {"time": ["2026-13-45"] * 4},
-            'table: row 0: time is "2026-13-45"; allowed: a num',
+            'table: row 0: time is "2026-13-45"; allowed: a time',
         ),
         (TABLE | {"time": ["noon"] * 4}, 'table: row 0: time is "noon"; allowed: a number'),
         (TABLE | {" left ": ["2"] * 4}, 'table: has more than one column "left"; allowed: one of'),
@@ -351,7 +351,7 @@ def test_faults_are_told_together_and_counted(tmp_path):
     assert refusal(lambda: Answers.read(path)) == [
         f"{path}: row 32: left is empty; allowed: a label"
     ]
-    path = written(tmp_path, "\n".join(["left,right,chosen", *rows[:-1]]))
+    path = written(tmp_path, "\n".join(["left,right,chosen", *rows[:-1], "a,c,a"]))
     lines = refusal(lambda: Answers.read(path))
     assert lines[0] == f'{path}: row 2: chosen is "c"; allowed: "a" or "b", left, right or tie'
     assert lines[5:] == [f"{path}: 30 problems in all"]

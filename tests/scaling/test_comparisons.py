@@ -234,10 +234,10 @@ def test_files_that_are_no_counts_are_refused(tmp_path):
     assert (
         line("0,1,2\n1,0,2\n") == " is 2 x 3; allowed: a square, one row and one column a stimulus"
     )
-    assert line("0,x\n1,0\n") == ': row 1: column 2 is "x"; allowed: a number'
-    assert line("0,1\n1,x\n") == ': row 2: column 2 is "x"; allowed: a number'
-    assert line("a,b\n0,1\nx,0\n") == ': row 3: column 1 is "x"; allowed: a number'
-    assert line("0,1\n,0\n") == ': row 2: column 1 is ""; allowed: a number'
+    assert line("0,x\n1,0\n") == ': row 1: column 2 is "x"; allowed: a whole number, 0 or more'
+    assert line("0,1\n1,x\n") == ': row 2: column 2 is "x"; allowed: a whole number, 0 or more'
+    assert line("a,b\n0,1\nx,0\n") == ': row 3: column 1 is "x"; allowed: a whole number, 0 or more'
+    assert line("0,1\n,0\n") == ': row 2: column 1 is ""; allowed: a whole number, 0 or more'
     assert line("0,1\n-2,0\n") == f"[1, 0] is -2; {WHOLE}"
     assert line("0,1\n2\n") == ": row 2: has 1 cells; allowed: 2"
     assert (

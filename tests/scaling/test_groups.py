@@ -158,7 +158,7 @@ def test_fits_are_those_of_each_group_alone():
 @pytest.mark.parametrize(
     ("groups", "message"),
     [
-        ({"a": BEFORE}, "groups has 1 entries"),
+        ({"a": BEFORE}, "groups holds "),
         ([BEFORE, AFTER], "groups is"),
         ({"a": BEFORE, "b": AFTER[:3, :3]}, 'group "b" has other stimuli than group "a"'),
         ({"a": BEFORE, "b": np.triu(AFTER)}, 'group "b": '),

@@ -145,7 +145,7 @@ def test_how_many_samples_had_no_scale_is_always_said():
     assert f"{drawn.without_maximum} without a maximum" in repr(drawn)
     found = nc.scaling.analyse(fit.answers, bootstrap=100)
     assert found.doubt.without_maximum > 0
-    said = f"Of the 100 samples, {found.doubt.without_maximum} had no scale of their own"
+    said = f"of the 100 samples {found.doubt.without_maximum} had no scale of their own"
     assert said in scale.doubt(found, Words("en"))
     whole = nc.scaling.analyse(nc.scaling.paper(), bootstrap=100)
     assert "Every sample had a scale of its own." in scale.doubt(whole, Words("en"))

@@ -237,7 +237,7 @@ def test_equals_are_too_close_to_call_and_good_answers_fit():
     found = nc.scaling.analyse(counts, bootstrap=200)
     assert not any(pair.apart for pair in found.neighbours)
     said = told(found)
-    assert "All neighbours in this order are too close to call" in said
+    assert "No two items differ by more than chance" in said
     assert "stray from the scale no more than chance would make them" in said
 
 

@@ -160,7 +160,10 @@ def test_what_cannot_be_backed_up_or_restored_is_one_line(tmp_path: Path) -> Non
             restore(tmp_path / source, target)
         assert "\n" not in str(caught.value)
         assert not new.exists()
-    for output, told in ((place, "is the store itself"), (tmp_path / "a.txt", "the ending is")):
+    for output, told in (
+        (place, "is the same file as the input"),
+        (tmp_path / "a.txt", "the ending is"),
+    ):
         with pytest.raises(InputError, match=told):
             backup(place, output)
     with pytest.raises(InputError, match="does not exist; wanted: a store"):

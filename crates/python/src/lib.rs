@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 
 mod body;
 mod colour;
+mod dealing;
 mod file;
 mod film;
 mod image;
@@ -51,6 +52,8 @@ mod _core {
     const MAX_SAMPLES: usize = nacreous_render::MAX_SAMPLES;
     #[pymodule_export]
     const MAX_SIZE_PX: usize = nacreous_image::MAX_SIZE_PX;
+    #[pymodule_export]
+    use super::dealing::spread_of_people;
     #[pymodule_export]
     use super::iridescence::{interference_iridescence, iridescence};
     #[pymodule_export]

@@ -12,6 +12,7 @@ mod bootstrap;
 mod cholesky;
 mod conjugate;
 mod counts;
+mod dealing;
 mod error;
 mod existence;
 mod information;
@@ -27,6 +28,7 @@ mod terms;
 
 pub use bootstrap::{Bootstrap, Resampled, Source};
 pub use counts::Counts;
+pub use dealing::{Dealing, Spread, Stratum};
 pub use error::ScalingError;
 pub use existence::{Existence, components, existence};
 pub use information::{Kind, information};

@@ -22,7 +22,7 @@ class Consistency:
     """What the answers allow to say; None (or () for people) where they do not.
 
     - `triads`, `transitivity`: of the group, from 3 stimuli on
-    - `agreement`: Kendall's u, where a pair was answered twice
+    - `agreement`: Kendall's u, where a pair was answered twice; by two people where they are known
     - `people`: each person's own circular triads
     - `retest`, `side`, `response`: where pairs were repeated, sides known, times taken
     """
@@ -53,7 +53,7 @@ def consistency(data: Any, scale: Any = None) -> Consistency:
     return Consistency(
         triads=circular_triads(comparisons) if three else None,
         transitivity=transitivity(comparisons) if three else None,
-        agreement=_or_none(agreement, comparisons),
+        agreement=_or_none(agreement, comparisons if answers is None else answers),
         people=triads_by_person(answers) if answers and answers.people else (),
         retest=retest(answers) if answers and answers.people else None,
         side=_or_none(side_bias, answers) if answers and answers.sided else None,

@@ -29,13 +29,17 @@ _MODELS = {"probit": "case V", "logit": "the Bradley-Terry model"}
 
 
 class Misfit(NamedTuple):
-    """The pair that fits worst: which share chose the first, and which the fit expects."""
+    """The pair that fits worst: which share chose the first, and which the fit expects.
+
+    In both shares a tie counts half; `ties` is the share of ties.
+    """
 
     first: str
     second: str
     observed: float
     expected: float
     residual: float
+    ties: float
 
 
 @value_class
@@ -110,7 +114,7 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
     describes = None if decisive is None or not enough else decisive >= 1 - level
     residuals = _matrix(cells, cells.residuals)
     free = _free(fit, cells) if plain and cells.floating and _most_likely(fit) else None
-    largest = _largest(cells, cells.residuals)
+    largest = _largest(fit, cells, cells.residuals)
     overdispersion = (x2 if few else g2) / df if df else None
     return Goodness(
         g2=g2,
@@ -191,16 +195,18 @@ def _matrix(cells: Cells, residuals: NDArray[np.float64]) -> NDArray[np.float64]
         return np.where(number > 0, total / np.sqrt(number), np.nan)
 
 
-def _largest(cells: Cells, residuals: NDArray[np.float64]) -> Misfit:
+def _largest(fit: Scale, cells: Cells, residuals: NDArray[np.float64]) -> Misfit:
     row = int(np.argmax(np.abs(residuals)))
     observed, expected = (
         float(counts[row] @ WORTH / cells.total[row]) for counts in (cells.observed, cells.expected)
     )
-    first, second = cells.stimuli[cells.first[row]], cells.stimuli[cells.second[row]]
-    residual = float(residuals[row])
+    i, j = int(cells.first[row]), int(cells.second[row])
+    first, second = cells.stimuli[i], cells.stimuli[j]
+    ties, both = fit.comparisons.tie_matrix[i, j], fit.comparisons.matrix[[i, j], [j, i]].sum()
+    residual, tied = float(residuals[row]), float(ties / (ties + both))
     if residual < 0:
-        return Misfit(second, first, 1 - observed, 1 - expected, -residual)
-    return Misfit(first, second, observed, expected, residual)
+        return Misfit(second, first, 1 - observed, 1 - expected, -residual, tied)
+    return Misfit(first, second, observed, expected, residual, tied)
 
 
 def _verdict(model: str, describes: bool | None, df: int, largest: Misfit) -> str:

@@ -89,7 +89,7 @@ class AttributeTable:
         faults = table.faults()
         if not names:
             faults.say(f"has no column but {stimulus}; allowed: 1 attribute or more")
-        columns = [number_column(table, name, faults, -np.inf) for name in names]
+        columns = [number_column(table, name, None, faults, -np.inf) for name in names]
         faults.stop()
         for row, label in enumerate(labels):
             place = f"{table.place}: row {table.numbers[row]}"

@@ -39,6 +39,7 @@ from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.scaling.data.fault import listed
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model
@@ -179,7 +180,7 @@ def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(groups, Mapping):
         raise InputError(f"groups is {said(groups)}; allowed: a dict of name -> data")
     if len(groups) < 2:
-        raise InputError(f"groups has {len(groups)} entries; allowed: 2 or more")
+        raise InputError(f"groups holds {listed(groups) or 'nothing'}; allowed: 2 groups or more")
     return {
         str(name): data if isinstance(data, Answers) else comparisons_of(data)
         for name, data in groups.items()

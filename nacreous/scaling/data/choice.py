@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
-from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.roles import JSPSYCH, Names, program_of
+from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.program import JSPSYCH, program_of
+from nacreous.scaling.data.roles import WORDS, Names
 from nacreous.scaling.data.table import Table
 
 _LEFT, _RIGHT, _TIE, _UNKNOWN = -2, -3, -4, -5
@@ -20,19 +21,34 @@ SIDES = {
     **dict.fromkeys(("left", "l", "arrowleft", "{leftarrow}", "左"), _LEFT),
     **dict.fromkeys(("right", "r", "arrowright", "{rightarrow}", "右"), _RIGHT),
 }
+#: What words of other languages probably mean; only guessed at, in messages.
+_GUESSES = {
+    "left_word": {"links", "gauche", "izquierda", "sinistra", "esquerda", "first", "erste"},
+    "right_word": {"rechts", "droite", "derecha", "destra", "direita", "second", "zweite"},
+    "tie": {
+        *("equal", "same", "=", "gleich", "égal", "igual", "uguale", "draw", "both", "neither"),
+        *("no difference", "unentschieden", "同じ", "引き分け", "差なし"),
+    },
+}
+_EITHER = (("yes", "no"), ("true", "false"), ("y", "n"), ("f", "j"))
+_TWO_CODES = "left_word='1', right_word='0'"
 _CODE = re.compile(r"([0-2])(\.0)?")
+#: A list of one name several times: one thing was clicked again.
+_SAME = re.compile(r"""\[\s*('[^']*'|"[^"]*")(?:\s*,\s*\1)+\s*\]""")
 #: A list of one, as PsychoPy writes keys and clicked names.
 _LIST = re.compile(r"""\[\s*(?:'([^']*)'|"([^"]*)"|([^\[\],'"]*))\s*\]""")
 
 
 def unlisted(cell: str) -> str:
-    """The one thing in a list of one; any other text as it is.
+    """The one thing in a list of one, or of the same again; any other text as it is.
 
-    >>> unlisted("['left']")
-    'left'
+    >>> unlisted("['left']"), unlisted("['left', 'left']")
+    ('left', 'left')
     """
-    listed = _LIST.fullmatch(cell)
-    return next(part for part in listed.groups() if part is not None) if listed else cell
+    several = _SAME.fullmatch(cell)
+    cell = f"[{several[1]}]" if several else cell
+    one = _LIST.fullmatch(cell)
+    return next(part for part in one.groups() if part is not None) if one else cell
 
 
 def is_unanswered(cell: str | None, labels: frozenset[str], names: Names) -> bool:
@@ -63,6 +79,7 @@ def outcomes_of(
     check_labels(table, name, text, faults)
     faults.stop()
     found, code = codes_of(text)
+    _check_given(name, names, found, labels, faults)
     meanings = _meanings(table, name, names, found, labels, faults)
     faults.stop()
     meaning = np.array(meanings, np.int64)[code]
@@ -72,14 +89,52 @@ def outcomes_of(
         (meaning == right) | (meaning == _RIGHT),
     )
     outcome[is_left], outcome[is_right] = 1, -1
-    tie = names.get("tie", "tie")
+    unknown = [cell for cell, each in zip(found, meanings, strict=True) if each == _UNKNOWN]
 
-    def verdict(row: int) -> str:
+    def allowed(row: int) -> str:
         pair = f"{quoted(labels[left[row]])} or {quoted(labels[right[row]])}"
-        return f"{name} is {quoted(found[code[row]])}; allowed: {pair}, left, right or {tie}"
+        return f"allowed: {pair}, left, right or {names.get('tie', 'tie')}"
 
-    faults.say_of_rows(np.flatnonzero(~(is_left | is_right | (meaning == _TIE))), verdict)
+    faults.say_of_rows(
+        np.flatnonzero(~(is_left | is_right | (meaning == _TIE) | (meaning == _UNKNOWN))),
+        lambda row: f"{name} is {quoted(found[code[row]])}; {allowed(row)}",
+    )
+    holds = "holds" if len(unknown) > 1 else "is"
+    faults.say_of_column(
+        np.flatnonzero(meaning == _UNKNOWN),
+        lambda row: f"{name} {holds} {listed(unknown)}; {allowed(row)}, or {_named(unknown)}",
+    )
     return outcome
+
+
+def _check_given(
+    name: str, names: Names, found: tuple[str, ...], labels: tuple[str, ...], faults: Faults
+) -> None:
+    """Note words for the sides and ties that could have no effect."""
+    sides = {role: word for role, word in names.items() if role in ("left_word", "right_word")}
+    given = sides | ({"tie": names["tie"]} if names.get("tie", "tie") != "tie" else {})
+    for role, word in given.items():
+        if word in labels:
+            faults.say(f"{role}={word!r} is the label of a stimulus; allowed: another word")
+    held = {each for cell in found for each in (cell, unlisted(cell))}
+    if sides and not held & set(sides.values()):
+        said = " and ".join(f"{role}={word!r}" for role, word in sides.items())
+        faults.say(f"{said} is given; allowed: words in {name}, which holds {listed(found)}")
+
+
+def _named(cells: list[str]) -> str:
+    """The arguments that say what words mean, guessed where a word is common, to be filled in."""
+    words = list(dict.fromkeys(map(unlisted, cells)))
+    for pair in _EITHER:
+        here = {word.casefold(): word for word in words}
+        if here.keys() <= {*pair}:
+            one, other = (here.get(word, word) for word in pair)
+            return f"left_word={one!r}, right_word={other!r} or the other way round"
+    guess = {
+        role: word for word in words for role, known in _GUESSES.items() if word.casefold() in known
+    }
+    given = [f"{role}={guess[role]!r}" for role in WORDS if role in guess]
+    return ", ".join(given or ["left_word=WORD, right_word=WORD, tie=WORD"])
 
 
 def _meanings(
@@ -113,10 +168,12 @@ def _meanings(
         return meanings
     sides = _sides_of(table, set(codes.values()))
     if sides is None:
-        both = " and ".join(sorted(set(codes.values())))
+        held = sorted(set(codes.values()))
+        both = " and ".join((", ".join(held[:-1]), held[-1]) if held[1:] else held)
+        such = "left_word='1', right_word='2', tie='0'" if len(held) > 2 else _TWO_CODES
         faults.say(
             f"{name} holds {both}, and either side may be meant; allowed: labels, left and right, "
-            f"or the word for each side, such as {_word_options(table)}"
+            f"or the word for each side, such as {such}"
         )
         return meanings
     return [
@@ -129,12 +186,6 @@ def _sides_of(table: Table, codes: set[str]) -> dict[str, int] | None:
     """The sides that numbers stand for: the first and second, or jsPsych's buttons from 0."""
     if codes == {"1", "2"}:
         return {"1": _LEFT, "2": _RIGHT}
-    if codes <= {"0", "1"} and program_of(table) is JSPSYCH:
+    if codes <= {"0", "1"} and program_of(table.columns) is JSPSYCH:
         return {"0": _LEFT, "1": _RIGHT}
     return None
-
-
-def _word_options(table: Table) -> str:
-    if table.place == "table":
-        return "left_word='1', right_word='0'"
-    return "--left 1 --right 0"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import datetime
 from typing import Any
 
@@ -12,7 +13,8 @@ from nacreous.deprecation import keep_former_names
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.label import LONGEST_LABEL, hidden_in, natural
+from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
+from nacreous.scaling.data.label import LONGEST_LABEL, natural
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
 
@@ -77,7 +79,7 @@ def _maybe_hidden(text: Any) -> list[int]:
     """Rows with a character that cannot be seen."""
     import pyarrow.compute as pc
 
-    found = pc.fill_null(pc.match_substring_regex(text, r"[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]"), False)
+    found = pc.fill_null(pc.match_substring_regex(text, MAYBE_HIDDEN), False)
     return np.flatnonzero(np.asarray(found)).tolist()
 
 
@@ -112,13 +114,15 @@ def group_column(table: Table, name: str) -> Grouping:
     return Grouping(*codes_of(text))
 
 
-def number_column(table: Table, name: str, faults: Faults, least: float) -> NDArray[np.float64]:
+def number_column(
+    table: Table, name: str, role: str | None, faults: Faults, least: float
+) -> NDArray[np.float64]:
     """float64 [row], finite and `least` or more; anything else is noted as a fault.
 
     Empty cells are NaN: that the time of one answer is unknown spoils no other. So are the words
     for nothing (`NOTHING`), and -1 where numbers are at least 0, which says that nobody answered.
     A list of one number, as PsychoPy writes it, is that number. A decimal comma is read where it
-    cannot be one between thousands.
+    cannot be one between thousands. role: of a column that may be left unused, or None.
     """
     import pyarrow as pa
     import pyarrow.compute as pc
@@ -139,9 +143,15 @@ def number_column(table: Table, name: str, faults: Faults, least: float) -> NDAr
     values = np.asarray(pc.fill_null(value, np.nan)).copy()
     bad = ~np.asarray(good) | np.isinf(values) | (values < least)
     allowed = "a number" if least == -np.inf else f"a number of at least {least:g}"
-    faults.say_of_rows(
+    if role in ("time", "trial"):
+        allowed += " or a time in ISO 8601, such as 2026-03-01T09:30"
+    say = faults.say_of_column if role else faults.say_of_rows
+    unused = f", or {_unused(role)}" if role else ""
+    say(
         np.flatnonzero(bad),
-        lambda row: f"{name} is {quoted(text[row])}; allowed: {allowed}{_comma_hint(text[row])}",
+        lambda row: (
+            f"{name} is {quoted(text[row])}; allowed: {allowed}{_comma_hint(text[row])}{unused}"
+        ),
     )
     return values
 
@@ -165,11 +175,16 @@ def _pointed(table: Table, text: Any) -> Any:
     return pc.replace_substring_regex(text, r"^([+-]?[0-9]+),([0-9]+)$", r"\1.\2")
 
 
+def _unused(role: str) -> str:
+    """How a column that may be missing is left unused."""
+    return f"{role}='' to leave the column unused"
+
+
 def _comma_hint(cell: object) -> str:
-    return " with a decimal point" if "," in str(cell) else ""
+    return " with a decimal point" if re.fullmatch(r"[^\[]*,.*", str(cell)) else ""
 
 
-def time_column(table: Table, name: str, faults: Faults) -> NDArray[np.float64]:
+def time_column(table: Table, name: str, role: str, faults: Faults) -> NDArray[np.float64]:
     """float64 [row]: numbers as they are, dates and times as seconds since 1970, empty as NaN.
 
     Text is read as a number or as ISO 8601, such as 2026-03-01T09:30:00+09:00. Times without an
@@ -183,8 +198,8 @@ def time_column(table: Table, name: str, faults: Faults) -> NDArray[np.float64]:
         text = text_column(table, name)
         dated = pc.fill_null(pc.match_substring_regex(text, r"^[0-9]{4}-[0-9]{2}-[0-9]{2}"), False)
         if not pc.any(dated).as_py():
-            return number_column(table, name, faults, -np.inf)
-        return _instants(text, name, faults)
+            return number_column(table, name, role, faults, -np.inf)
+        return _instants(text, name, role, faults)
     try:
         instant = pc.cast(array, pa.timestamp("us"), safe=False)
     except (pa.ArrowInvalid, pa.ArrowNotImplementedError):  # a time of day
@@ -194,7 +209,7 @@ def time_column(table: Table, name: str, faults: Faults) -> NDArray[np.float64]:
     return np.where(np.asarray(array.is_null()), np.nan, seconds)
 
 
-def _instants(text: Any, name: str, faults: Faults) -> NDArray[np.float64]:
+def _instants(text: Any, name: str, role: str, faults: Faults) -> NDArray[np.float64]:
     """Seconds since 1970 of times in ISO 8601."""
     cells = text.dictionary_encode()
     seconds = np.full(len(cells.dictionary) + 1, np.nan)
@@ -213,12 +228,18 @@ def _instants(text: Any, name: str, faults: Faults) -> NDArray[np.float64]:
         seconds[at] = (instant.replace(tzinfo=None) - datetime(1970, 1, 1)).total_seconds()
         seconds[at] -= offset.total_seconds() if offset else 0.0
     code = np.asarray(cells.indices.fill_null(len(seconds) - 1), dtype=np.int64)
-    faults.say_of_rows(
+    faults.say_of_column(
         np.flatnonzero(np.isin(code, bad)),
-        lambda row: f"{name} is {quoted(text[row])}; allowed: a number, or a time in ISO 8601",
+        lambda row: (
+            f"{name} is {quoted(text[row])}; allowed: a time in ISO 8601, such as "
+            f"2026-03-01T09:30, or {_unused(role)}"
+        ),
     )
     if bare and shifted:
-        faults.say(f"column {name} has times with an offset and without; allowed: all or none")
+        faults.say(
+            f"column {name} has times with an offset and without; allowed: all or none, or "
+            f"{_unused(role)}"
+        )
     return seconds[code]
 
 

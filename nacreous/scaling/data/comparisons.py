@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.number import said
+from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.label import labels_of, numbered
 from nacreous.scaling.data.matrix import (
@@ -98,7 +99,7 @@ class Comparisons:
         nacreous.problem.InputError: no such counts.csv: does not exist
         """
         values, labels = read_matrix(Path(path))
-        matrix = check_counts(str(path), values)
+        matrix = check_counts(printable(str(path)), values)
         return cls._of_matrix(matrix, np.zeros_like(matrix), labels)
 
     @classmethod

@@ -66,7 +66,7 @@ def parse_csv(
     kept = [at for at, name in enumerate(header.names) if name]
     for at, column in enumerate(columns):
         if at not in kept:
-            _check_nameless(place, at, column, numbers)
+            _check_nameless(place, at, column, numbers, header.names)
     names = [header.names[at] for at in kept]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
@@ -160,7 +160,7 @@ def _with_misfits(
     if faults and named == 1:
         raise InputError(
             f"{place}: row {header.rows} has a single cell and rows below have more; allowed: the "
-            "names of columns there, or skip rows above the names by --skip-rows N"
+            "names of columns there, or skip rows above the names by skip_rows=N"
         )
     faults.stop()
     total = len(columns[0]) + len(misfits)
@@ -225,7 +225,9 @@ def _check_quotes(place: str, content: bytes, header: Header) -> None:
         ) from problem
 
 
-def _check_nameless(place: str, at: int, column: Any, numbers: NDArray[np.int64]) -> None:
+def _check_nameless(
+    place: str, at: int, column: Any, numbers: NDArray[np.int64], names: list[str]
+) -> None:
     """Refuse a column without a name, unless it is empty or counts the rows as pandas does."""
     import pyarrow.compute as pc
 
@@ -237,6 +239,11 @@ def _check_nameless(place: str, at: int, column: Any, numbers: NDArray[np.int64]
         counted = (np.arange(len(text)) + int(text[0])).astype(str)
         if np.array_equal(text, counted.astype(object)):
             return
+    if at == 0 and text.tolist() == names[1:]:
+        raise InputError(
+            f"{place}: rows and columns have the same names ({listed(names[1:])}), as in a square "
+            "of counts; allowed: answers, or read this by Comparisons.read_counts"
+        )
     row = int(filled[0])
     raise InputError(
         f"{place}: column {at + 1} has no name, and row {numbers[row]} holds {quoted(text[row])} "

@@ -16,6 +16,7 @@ ENCODINGS = {
     "utf-16": "utf-16",
     "shift-jis": "cp932",
     "euc-jp": "euc_jp",
+    "iso-2022-jp": "iso2022_jp",
     "windows-1250": "cp1250",
     "windows-1251": "cp1251",
     "windows-1252": "cp1252",
@@ -33,7 +34,15 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "utf-16", "UTF-16"),
     (codecs.BOM_UTF16_BE, "utf-16", "UTF-16"),
 )
+#: How ISO-2022-JP changes to kanji; its bytes are ASCII with escapes, which no table holds.
+_TO_KANJI = (b"\x1b$B", b"\x1b$@")
 _WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+
+#: Texts that are no tables, by how they begin, in small letters.
+_OTHERS = {
+    "a web page or XML": (b"<!doctype", b"<html", b"<?xml"),
+    "JSON": (b"[{", b'{"', b"[["),
+}
 
 #: What Western European text holds beyond ASCII, as Windows-1252 writes it. Japanese in Shift-JIS,
 #: read so, holds other characters nearly always, such as the U+0192 and U+201A before each kana.
@@ -50,6 +59,8 @@ def utf8_of(place: str, content: bytes, encoding: str | None = None) -> bytes:
     if content.startswith(_WORKBOOKS):
         raise InputError(f"{place}: is a workbook; allowed: a table as text (save it as CSV UTF-8)")
     name, shown = _encoding(place, content, encoding)
+    if name == "utf-16" and b"\0" not in content:  # a line of names has commas in it, or tabs
+        raise InputError(f"{place}: is not UTF-16 text; allowed: UTF-16, as was said or marked")
     if name == "utf-8" and content.isascii():
         text = content
     else:
@@ -57,6 +68,10 @@ def utf8_of(place: str, content: bytes, encoding: str | None = None) -> bytes:
             text = content.decode(name).encode()
         except UnicodeError as problem:
             raise InputError(_undecoded(place, content, problem, shown)) from problem
+    begin = text[:200].lstrip(b"\xef\xbb\xbf \t\r\n").lower()
+    for kind, marks in _OTHERS.items():
+        if begin.startswith(marks):
+            raise InputError(f"{place}: is {kind}; allowed: a table as text (save it as CSV)")
     if b"\0" in text:
         line = _line(text, text.index(b"\0"))
         raise InputError(f"{place}: line {line} holds a NUL character; allowed: text (remove it)")
@@ -78,6 +93,8 @@ def _encoding(place: str, content: bytes, given: str | None) -> tuple[str, str]:
     for mark, name, shown in _MARKS:
         if content.startswith(mark):
             return name, shown
+    if any(mark in content for mark in _TO_KANJI):
+        return "iso2022_jp", "ISO-2022-JP"
     if b"\0" in content[:65536]:
         return _of_zeros(place, content)
     try:
@@ -125,7 +142,7 @@ def _undecoded(place: str, content: bytes, problem: UnicodeError, shown: str) ->
         return f"{place}: line {line} is not {shown} text; allowed: {shown}, as was said or marked"
     return (
         f"{place}: line {line} is not UTF-8 text; allowed: UTF-8 (save it as such), or name its "
-        "encoding, such as --encoding windows-1252 or shift-jis"
+        "encoding, such as encoding='windows-1252' or 'shift-jis'"
     )
 
 

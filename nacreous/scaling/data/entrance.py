@@ -19,7 +19,8 @@ from nacreous.scaling.data.column import (
     time_column,
 )
 from nacreous.scaling.data.fault import Faults, listed, quoted
-from nacreous.scaling.data.label import check_alike, check_number, labels_of
+from nacreous.scaling.data.label import check_number, labels_of
+from nacreous.scaling.data.likeness import check_alike
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
@@ -67,8 +68,8 @@ def fields_of(
     faults.stop()
     labels, left, right = _stimuli(table, column, stimuli, faults)
     people, person = _people(table, column, faults)
-    time = time_column(table, column["time"], faults) if "time" in column else None
-    trial = time_column(table, column["trial"], faults) if "trial" in column else None
+    time = time_column(table, column["time"], "time", faults) if "time" in column else None
+    trial = time_column(table, column["trial"], "trial", faults) if "trial" in column else None
     response_s = _response(table, column, faults)
     if not won:
         refuse_unanswered(table, column, names, faults)
@@ -177,9 +178,9 @@ def _people(
 
 def _response(table: Table, column: dict[str, str], faults: Faults) -> NDArray[np.float64] | None:
     if "response_s" in column:
-        return number_column(table, column["response_s"], faults, 0.0)
+        return number_column(table, column["response_s"], "response_s", faults, 0.0)
     if "response_ms" in column:
-        return number_column(table, column["response_ms"], faults, 0.0) / 1000
+        return number_column(table, column["response_ms"], "response_ms", faults, 0.0) / 1000
     return None
 
 

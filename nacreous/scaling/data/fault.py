@@ -49,6 +49,18 @@ class Faults:
             self._lines.append(f"{self._place}: row {number}: {verdict(row)}")
         self._count += len(rows)
 
+    def say_of_column(self, rows: NDArray[np.int64], verdict: Callable[[int], str]) -> None:
+        """Note a problem of a whole column in one line, with its first row and how many there are.
+
+        What is said of a column helps all its rows at once.
+        """
+        if len(rows) == 0:
+            return
+        number = rows[0] if self._numbers is None else self._numbers[rows[0]]
+        more = f" ({len(rows)} such rows)" if len(rows) > 1 else ""
+        self._lines.append(f"{self._place}: row {number}: {verdict(int(rows[0]))}{more}")
+        self._count += 1
+
     def stop(self) -> None:
         """Raise `InputError` if anything was noted."""
         if not self._lines:

@@ -11,8 +11,9 @@ from unicodedata import normalize
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.pair_name import pair_of_name
 
-SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs"}
+SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", "|": "bars"}
 #: How far down column names are looked for, and how much of a file is looked at for them.
 _MOST_ROWS = 25
 _MOST_BYTES = 2**20
@@ -69,6 +70,7 @@ def find_header(
         mark, at = hits[0]
         _check_titles(place, found[mark], begin, at)
     else:
+        _check_spaces(place, text, begin, wanted)
         mark = said or _likely_separator(place, found, begin)
         at = next((i for i, row in enumerate(found[mark]) if i >= begin and row.filled), -1)
         if at < 0:
@@ -138,11 +140,25 @@ def name_of(cell: object) -> str:
 
 
 def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) -> int | None:
-    for at, row in enumerate(rows):
+    """The first row with such names, or with names of pairs: below these, left is an answer."""
+    pairs: int | None = None
+    for at, row in enumerate(rows[begin:], begin):
         names = {cell.casefold() for cell in row.cells}
-        if at >= begin and any({name.casefold() for name in each} <= names for each in wanted):
-            return at
+        if any({name.casefold() for name in each} <= names for each in wanted):
+            return at if pairs is None else pairs
+        if pairs is None and row.filled > 1 and any(map(pair_of_name, row.cells)):
+            pairs = at
     return None
+
+
+def _check_spaces(place: str, text: str, begin: int, wanted: Sequence[Collection[str]]) -> None:
+    """Refuse names parted by spaces alone, which labels hold too."""
+    for line in text.splitlines()[begin:_MOST_ROWS]:
+        names = set(line.casefold().split(" "))
+        if any({name.casefold() for name in each} <= names for each in wanted):
+            raise InputError(
+                f"{place}: cells are separated by spaces; allowed: commas, semicolons, tabs or bars"
+            )
 
 
 def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:
@@ -150,7 +166,7 @@ def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:
         if rows[row].filled > 1:
             raise InputError(
                 f"{place}: row {at + 1} holds the names of columns, and row {row + 1} above it "
-                f"more than a title; allowed: names first, or --skip-rows {at}"
+                f"more than a title; allowed: names first, or skip_rows={at}"
             )
 
 

@@ -5,22 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from typing import Any
-from unicodedata import category, normalize
+from unicodedata import normalize
 
 import numpy as np
 
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.hidden import hidden_in
+from nacreous.scaling.data.likeness import check_alike
 
 #: The largest design that is taken. A matrix of counts of that size fills 800 MB.
 MOST_STIMULI = 10_000
 LONGEST_LABEL = 200
-
-#: Unicode's categories of control and format characters, and separators of lines and paragraphs.
-_HIDDEN = ("Cc", "Cf", "Zl", "Zp")
-_INVISIBLE = dict.fromkeys(map(ord, "\u200c\u200d"))
-_WHOLE = re.compile(r"([0-9]+)\.0+")
 
 
 def natural(labels: Iterable[str]) -> list[str]:
@@ -74,47 +71,6 @@ def label_of(text: str) -> str:
     True
     """
     return normalize("NFC", text.strip())
-
-
-def hidden_in(label: str) -> str | None:
-    r"""The first character that cannot be seen, as \\u and its number; None where all can.
-
-    Joiners are allowed, for they are part of words in Persian and of emoji.
-
-    >>> print(hidden_in("pearl\u200b"))
-    \u200b
-    """
-    hidden = next((c for c in label if category(c) in _HIDDEN and not _joins(c)), None)
-    return None if hidden is None else f"\\u{ord(hidden):04x}"
-
-
-def check_alike(labels: Iterable[str], place: str) -> None:
-    """Refuse labels that look alike or are one number: in pooled files one thing would be two."""
-    seen: dict[str, str] = {}
-    for label in labels:
-        other = seen.setdefault(shape_of(label), label)
-        if other != label:
-            number = _WHOLE.fullmatch(label) or _WHOLE.fullmatch(other)
-            differ = "are one number" if number else "look alike"
-            raise InputError(
-                f"{place}: {quoted(other)} and {quoted(label)} {differ}; allowed: one way of "
-                "writing it"
-            )
-
-
-def shape_of(label: str) -> str:
-    """What labels that look alike, or are one number, have in common.
-
-    >>> shape_of("crop  2") == shape_of("crop 2"), shape_of("1.0") == shape_of("1")
-    (True, True)
-    """
-    shape = " ".join(label.translate(_INVISIBLE).split())
-    number = _WHOLE.fullmatch(shape)
-    return number[1] if number else shape
-
-
-def _joins(letter: str) -> bool:
-    return letter in "\u200c\u200d" or "\U000e0020" <= letter <= "\U000e007f"
 
 
 def _label(index: int, label: Any) -> str:

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.number import array_of, number_of, said
+from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.csv_table import parse_csv_cells
-from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import MOST_STIMULI
 from nacreous.scaling.data.table import read_bytes
 
@@ -71,7 +72,13 @@ def check_proportions(name: str, matrix: NDArray[np.float64], answers: object) -
 def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
     """A matrix of numbers from a CSV file, and its labels where it has them."""
     content = read_bytes(path)
-    rows = parse_csv_cells(str(path), content)
+    place = printable(str(path))
+    rows = parse_csv_cells(place, content)
+    if {"left", "right"} <= {*map(str.lower, rows[0])} or {"winner", "loser"} <= {*rows[0]}:
+        raise InputError(
+            f"{place}: row 1 has the names of a table of answers ({listed(rows[0])}); allowed with "
+            "Comparisons.read_counts: a square of counts; read this by Answers.read"
+        )
     labels: list[str] | None = None
     first_row = 1
     if len(rows) == len(rows[0]) + 1:
@@ -81,10 +88,10 @@ def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
         labels = rows[0][1:]
         if [row[0] for row in rows[1:]] != labels:
             differ = "rows and columns differ in their labels"
-            raise InputError(f"{path}: {differ}; allowed: the same")
+            raise InputError(f"{place}: {differ}; allowed: the same")
         rows = [row[1:] for row in rows[1:]]
         first_row = 2
-    return _square(str(path), _matrix_of(path, rows, first_row)), labels
+    return _square(place, _matrix_of(place, rows, first_row)), labels
 
 
 def _has_corner(rows: list[list[str]]) -> bool:
@@ -100,15 +107,15 @@ def _has_corner(rows: list[list[str]]) -> bool:
     return bool(corner) or not numbers or rows[-1][-1] != ""
 
 
-def _matrix_of(path: Path, rows: list[list[str]], first_row: int) -> NDArray[np.float64]:
+def _matrix_of(place: str, rows: list[list[str]], first_row: int) -> NDArray[np.float64]:
     """The numbers in cells of text; an empty diagonal is NaN."""
     matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
-    faults = Faults(str(path), np.arange(len(rows)) + first_row)
+    faults = Faults(place, np.arange(len(rows)) + first_row)
     for i, row in enumerate(rows):
         for j, cell in enumerate(row):
             number = np.nan if i == j and not cell else _number(cell)
             if number is None:
-                verdict = f"column {j + 1} is {quoted(cell)}; allowed: a number"
+                verdict = f"column {j + 1} is {quoted(cell)}; allowed: a whole number, 0 or more"
                 faults.say_of_rows(np.array([i]), lambda _, verdict=verdict: verdict)  # type: ignore[misc]
             else:
                 matrix[i, j] = number

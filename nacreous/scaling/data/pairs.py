@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.hidden import hidden_in
 from nacreous.scaling.data.label import (
     LONGEST_LABEL,
-    check_alike,
     check_number,
-    hidden_in,
     label_of,
     labels_of,
     natural,
 )
+from nacreous.scaling.data.likeness import check_alike
 
 _ALLOWED = "allowed: (winner, loser), each text or a whole number"
 

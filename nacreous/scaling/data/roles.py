@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable
+from itertools import combinations
 from typing import Any, TypedDict
 
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import number_column, text_column
+from nacreous.scaling.data.column import codes_of, number_column, text_column
 from nacreous.scaling.data.fault import Faults, listed, nearest
 from nacreous.scaling.data.header import name_of
+from nacreous.scaling.data.program import names_people, program_of
 from nacreous.scaling.data.table import Table
 
 
@@ -33,45 +34,10 @@ class Names(TypedDict, total=False):
     right_word: str
 
 
-@dataclass(frozen=True)
-class Program:
-    """A program of experiments: by which columns its files are known, and what its own ones are."""
-
-    name: str
-    marks: frozenset[str]
-    columns: Mapping[str, str]
-
-
-JSPSYCH = Program(
-    "jsPsych",
-    frozenset({"trial_type", "trial_index", "time_elapsed"}),
-    {"chosen": "response", "response_ms": "rt", "trial": "trial_index"},
-)
-LABJS = Program(
-    "lab.js",
-    frozenset({"sender", "sender_type", "sender_id"}),
-    {"chosen": "response", "response_ms": "duration"},
-)
-PROGRAMS = (JSPSYCH, LABJS)
-
 LONG = ("left", "right", "chosen")
 WINNERS = ("winner", "loser")
 OPTIONAL = ("person", "time", "trial", "response_s", "response_ms")
-WORDS = ("tie", "left_word", "right_word")
-
-#: Names under which other programs write who answered.
-PEOPLE = (
-    "participant",
-    "participant_id",
-    "participantid",
-    "subject",
-    "subject_id",
-    "subjectid",
-    "subject_nr",
-    "responseid",
-    "prolific_pid",
-    "observer",
-)
+WORDS = ("left_word", "right_word", "tie")
 
 
 def check_names(names: Names) -> Names:
@@ -85,8 +51,23 @@ def check_names(names: Names) -> Names:
     given: Any = {role: name_of(name) for role, name in names.items() if name is not None}
     if set(given) & set(WINNERS) and set(given) & {*LONG, *WORDS}:
         raise InputError("winner and loser are given with left, right or chosen; allowed: either")
+    _check_words(given)
     found: Names = given
     return found
+
+
+def _check_words(given: dict[str, str]) -> None:
+    """Refuse an empty word or name, except of a column that may be missing, and a word twice."""
+    for role, name in given.items():
+        if not name and role not in OPTIONAL:
+            raise InputError(f"{role} is empty; allowed: {'a word' if role in WORDS else 'a name'}")
+    words = {role: word for role, word in ({"tie": "tie"} | given).items() if role in WORDS}
+    for role, other in combinations(sorted(words, key=WORDS.index), 2):
+        if words[role] == words[other]:
+            raise InputError(
+                f"{role}={words[role]!r} is given with {other}={words[other]!r}; allowed: "
+                "different words"
+            )
 
 
 def wanted_of(names: Names) -> list[set[str]]:
@@ -96,13 +77,11 @@ def wanted_of(names: Names) -> list[set[str]]:
     return [{str(given.get(role) or role) for role in pair} for pair in pairs]
 
 
-def program_of(table: Table) -> Program | None:
-    """The program whose columns these are."""
-    return next((each for each in PROGRAMS if each.marks <= set(table.columns)), None)
-
-
 def column_of(table: Table, role: str, names: Names) -> str | None:
-    """The column that has a role, or None: as given, as usual, or as the program calls it."""
+    """The column that has a role, or None: as given, as usual, or as the program calls it.
+
+    An empty name is given for none.
+    """
     given: Any = names.get(role)
     if given is not None:
         return given if given in table.columns else None
@@ -113,7 +92,7 @@ def column_of(table: Table, role: str, names: Names) -> str | None:
         return alike[0]
     if role == "trial" and _holds_numbers(table, "order"):
         return "order"
-    program = program_of(table)
+    program = program_of(table.columns)
     own = program.columns.get(role) if program else None
     return own if own in table.columns else None
 
@@ -134,6 +113,7 @@ def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
     """For each role the name of the column that has it; optional ones only where they are."""
     needed = WINNERS if has_winners(table, names) else LONG
     found: dict[str, str] = {}
+    lacking: dict[str, str] = {}
     for role in (*needed, *OPTIONAL):
         column = column_of(table, role, names)
         if role == "person" and column is None and "person" not in names:
@@ -141,8 +121,10 @@ def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
         name = str(names.get(role) or role)
         if column is not None:
             found[role] = column
-        elif role in needed or role in names:
-            faults.say(f"has no column {name}; {_hint(table, role, name)}")
+        elif role in needed or names.get(role):
+            lacking[role] = name
+    if lacking:
+        faults.say(_lacking(table, lacking, set(found.values())))
     if "response_s" in found and "response_ms" in found:
         faults.say("has both response_s and response_ms; allowed: one of them")
     for name in dict.fromkeys(found.values()):
@@ -154,34 +136,90 @@ def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
 
 def _people(table: Table, taken: Iterable[str]) -> str | None:
     """The column of people by another program's name for it, where one is not empty."""
-    likely = [name for name in table.columns if name.casefold() in PEOPLE and name not in taken]
+    likely = [name for name in table.columns if names_people(name) and name not in taken]
     likely = [name for name in likely if text_column(table, name).null_count < table.rows]
-    if len(likely) > 1:
+    if len(likely) > 1 and not _tell_the_same(table, likely):
         raise InputError(
             f"{table.place}: people may be in the columns {listed(likely)}; allowed: one, named by "
-            f"{option(table, 'person', likely[0])}"
+            f"person={likely[0]!r}"
         )
     return likely[0] if likely else None
+
+
+def _tell_the_same(table: Table, names: list[str]) -> bool:
+    """Whether columns sort the rows into the same people, under whatever labels."""
+    codes = np.column_stack([codes_of(text_column(table, name))[1] for name in names])
+    together = len(np.unique(codes, axis=0))
+    return all(len(np.unique(column)) == together for column in codes.T)
 
 
 def _holds_numbers(table: Table, name: str) -> bool:
     """Whether a column is there and numbers the trials; AB and BA in it would be a group."""
     scratch = Faults(table.place)
     if name in table.columns:
-        number_column(table, name, scratch, -np.inf)
+        number_column(table, name, "trial", scratch, -np.inf)
     return name in table.columns and not scratch
 
 
-def _hint(table: Table, role: str, name: str) -> str:
-    near = nearest(name, table.columns)
-    if near:
-        return f"did you mean {near}? ({option(table, role, near)})"
-    hint = f"columns here: {listed(table.columns)}; name it by {option(table, role, 'NAME')}"
+def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> str:
+    """In one line the columns that are not there, and the arguments that name them."""
+    free = [name for name in table.columns if name not in taken]
+    near = {
+        role: _likely(role, free) if name == role else nearest(name, table.columns)
+        for role, name in lacking.items()
+    }
+    options = ", ".join(f"{role}={near[role]!r}" if near[role] else f"{role}=NAME" for role in near)
+    names = list(lacking.values())
+    meant = next(iter(near.values()))
+    if len(names) == 1 and meant:
+        return f"has no column {names[0]}; did you mean {meant}? ({options})"
+    several = f"s {', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else f" {names[0]}"
+    them = "them" if len(names) > 1 else "it"
+    hint = f"columns here: {listed(table.columns)}; name {them} by {options}"
     if table.place != "table" and len(table.columns) < 3:
-        hint += ", or skip rows above the names by --skip-rows N"
-    return hint
+        hint += ", or skip rows above the names by skip_rows=N"
+    return f"has no column{several}; {hint}"
 
 
-def option(table: Table, role: str, name: str) -> str:
-    """How a column is named: on the command line, or in Python for a table that is no file."""
-    return f"{role}={name!r}" if table.place == "table" else f"--column {role}={name}"
+#: Parts of names that columns of a role have in other programs and languages.
+_PARTS = {
+    "left": (
+        "left",
+        "links",
+        "gauche",
+        "stim_l",
+        "stim l",
+        "stiml",
+        "first",
+        "imagel",
+        "option1",
+        "左",
+    ),
+    "right": (
+        "right",
+        "rechts",
+        "droite",
+        "stim_r",
+        "stim r",
+        "stimr",
+        "second",
+        "imager",
+        "option2",
+        "右",
+    ),
+    "chosen": (
+        *("chosen", "choice", "chose", "keys", "clicked_name", "response", "answer", "select"),
+        *("picked", "better", "gewählt", "wahl", "choix", "回答", "選択"),
+    ),
+}
+
+
+def _likely(role: str, columns: Collection[str]) -> str | None:
+    """The column that was probably meant: by its spelling, or by what other programs call it."""
+    near = nearest(role, columns)
+    for part in () if near else _PARTS.get(role, ()):
+        hits = [column for column in columns if part in column.casefold()]
+        hits = [column for column in hits if not column.casefold().endswith(("rt", "time"))]
+        if len(hits) == 1:
+            return hits[0]
+    return near

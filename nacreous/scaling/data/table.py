@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from nacreous.missing import missing
 from nacreous.number import said
+from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.csv_table import parse_csv
 from nacreous.scaling.data.encoding import utf8_of
@@ -79,11 +80,11 @@ def read_table(
     wanted, skip_rows, encoding: of a text file, as `parse_csv` takes them.
     """
     file = Path(path)
+    place = printable(str(file))
     if file.suffix.lower() not in ENDINGS:
-        given = file.suffix or "missing"
-        raise InputError(f"{file}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
+        given = printable(file.suffix) or "missing"
+        raise InputError(f"{place}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
     content = read_bytes(file)
-    place = str(file)
     if file.suffix.lower() == ".parquet":
         if skip_rows or encoding is not None:
             option = "skip_rows" if skip_rows else "encoding"
@@ -115,15 +116,16 @@ def column_names(
 
 def read_bytes(file: Path) -> bytes:
     """The bytes of an ordinary file of at most `MOST_BYTES`."""
+    place = printable(str(file))
     try:
         status = file.stat()
         if stat.S_ISDIR(status.st_mode):
-            raise InputError(f"{file}: is a folder; a file is needed")
+            raise InputError(f"{place}: is a folder; a file is needed")
         if not stat.S_ISREG(status.st_mode):
-            raise InputError(f"{file}: is no ordinary file")
+            raise InputError(f"{place}: is no ordinary file")
         if status.st_size > MOST_BYTES:
             size = f"{status.st_size / 2**20:.0f} MiB"
-            raise InputError(f"{file}: is {size} large; allowed: up to {MOST_BYTES >> 20} MiB")
+            raise InputError(f"{place}: is {size} large; allowed: up to {MOST_BYTES >> 20} MiB")
         return file.read_bytes()
     except FileNotFoundError:
         raise missing(file) from None
@@ -131,7 +133,7 @@ def read_bytes(file: Path) -> bytes:
         if isinstance(problem, InputError):
             raise
         reason = problem.strerror if isinstance(problem, OSError) else problem
-        raise InputError(f"{file}: cannot be read ({reason})") from problem
+        raise InputError(f"{place}: cannot be read ({reason})") from problem
 
 
 def is_table(data: object) -> bool:

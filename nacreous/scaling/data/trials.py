@@ -50,10 +50,12 @@ def unanswered(table: Table, column: dict[str, str], names: Names) -> NDArray[np
 
 def refuse_unanswered(table: Table, column: dict[str, str], names: Names, faults: Faults) -> None:
     """Note rows without an answer, and how they are left out."""
-    hint = "skip_unanswered=True" if table.place == "table" else "--skip-unanswered"
     faults.say_of_rows(
         unanswered(table, column, names),
-        lambda _: f"{column['chosen']} is empty; allowed: a label, or {hint} leaves such rows out",
+        lambda _: (
+            f"{column['chosen']} is empty; allowed: a label, or skip_unanswered=True leaves such "
+            "rows out"
+        ),
     )
 
 

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from nacreous.scaling.data.column import NOTHING, text_column
-from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.label import label_of
-from nacreous.scaling.data.roles import PEOPLE, Names, column_of
+from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.pair_name import pair_of_name, pair_of_question
+from nacreous.scaling.data.program import is_response_id, names_people
+from nacreous.scaling.data.roles import Names, column_of
 from nacreous.scaling.data.table import Table
-
-_VERSUS = re.compile(r"(.*?\S)[\s_.\-]+(?:vs|versus)\.?[\s_.\-]+(\S.*)", re.IGNORECASE)
-#: What parts a question from the pair below or behind it.
-_PARTS = re.compile(r"[?:\n\r]|？|：|<[^>]*>")
 
 
 def is_wide(table: Table) -> bool:
@@ -34,6 +30,7 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
     import pyarrow as pa
 
     pairs = _pairs(table)
+    _refuse_questions(table, pairs, names, faults)
     lefts: list[str] = []
     rights: list[str] = []
     chosen: list[str] = []
@@ -71,17 +68,35 @@ def _person(table: Table, names: Names) -> str | None:
     given = column_of(table, "person", names)
     if given is not None or "person" in names:
         return given
-    known = {name.casefold(): name for name in table.columns if name.casefold() in PEOPLE}
-    return known.get("responseid") or next(iter(known.values()), None)
+    known = [name for name in table.columns if names_people(name)]
+    return next(iter(sorted(known, key=lambda name: not is_response_id(name))), None)
 
 
 def _pairs(table: Table) -> dict[str, tuple[str, str, bool]]:
     """For each column of a pair both labels, and whether its name alone gives them."""
     found: dict[str, tuple[str, str, bool]] = {}
     for name in table.columns:
-        parts = [name] if name not in table.texts else _PARTS.split(table.texts[name])
-        hits = [hit for part in parts if (hit := _VERSUS.fullmatch(part.strip()))]
-        if len(hits) == 1:
-            left, right = label_of(hits[0][1]), label_of(hits[0][2])
-            found[name] = (left, right, name not in table.texts)
+        text = table.texts.get(name)
+        pair = pair_of_name(name) if text is None else pair_of_question(text)
+        if pair:
+            found[name] = (*pair, text is None)
     return found
+
+
+def _refuse_questions(
+    table: Table, pairs: dict[str, tuple[str, str, bool]], names: Names, faults: Faults
+) -> None:
+    """Note columns that hold a stimulus and name no pair, or half of the answers would be lost."""
+    known = {label for left, right, _ in pairs.values() for label in (left, right)}
+    known = {label for label in known if not label.isdecimal()}  # as in a column of progress
+    people = {_person(table, names)}
+    for name in table.columns:
+        if name in pairs or name in people:
+            continue
+        held = known.intersection(text_column(table, name).unique().to_pylist())
+        if held:
+            asked = f" ({quoted(table.texts[name])})" if table.texts.get(name) else ""
+            faults.say(
+                f"column {name}{asked} holds {listed(sorted(held))} and names no pair; allowed: "
+                'a name or question such as "A vs B", or no such column (remove it)'
+            )

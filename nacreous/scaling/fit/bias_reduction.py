@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
-from nacreous.scaling.fit.existence import islands
+from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.uncertainty import inverse
 from nacreous.scaling.fit.unit import Model
 
@@ -34,11 +34,7 @@ def bias_reduced(room: PairModel, comparisons: Comparisons, model: Model, order:
     room: the model without a prior and without ties of their own, which count half each. Raises
     `InputError` where answers do not join all stimuli, and where no parameters are found.
     """
-    if islands(comparisons).max() > 0:
-        raise InputError(
-            "no scale joins all stimuli: some were never compared with the others; allowed: "
-            "answers that join them"
-        )
+    require_joined(comparisons)
     count = len(comparisons.stimuli)
     parameters = np.zeros(count + order)
     for _ in range(_MOST_STEPS):

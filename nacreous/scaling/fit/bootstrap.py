@@ -22,6 +22,7 @@ from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit.clustering import personal, require_people
 from nacreous.scaling.fit.errors import errors_of, kind_of
+from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.uncertainty import control_of, level_of, root_of_diagonal
 from nacreous.scaling.fit.unit import factor
 from nacreous.value import value_class
@@ -165,6 +166,8 @@ def resampled(
             "prior is 'hierarchical', whose intervals need no samples; allowed here: a spread, or "
             "None"
         )
+    if fit.design is None:
+        require_joined(fit.comparisons)
     chosen = by if by is not None else ("people" if kind_of(fit, None) == "people" else "answers")
     if chosen not in ("people", "answers"):
         raise InputError(f"by is {said(by)}; allowed: people, answers")

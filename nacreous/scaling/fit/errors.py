@@ -12,6 +12,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit import clustering, row_means, uncertainty
 from nacreous.scaling.fit.clustering import Clusters
+from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.unit import factor
 from nacreous.value import value_class
 
@@ -67,9 +68,13 @@ def errors_of(fit: Scale, kind: str | None) -> Errors:
     values = _values(fit)
     if chosen != "people":
         return Errors(_brought(fit, parameter_covariance(fit, chosen), values), None, values)
+    if fit.design is None:
+        require_joined(fit.comparisons)
     found = clusters_of(fit)
     covariance = _brought(fit, found.covariance + _beside_people(fit), values)
-    _require_difference(fit, covariance, _brought(fit, _inverse(fit, expected=True), values))
+    # What a prior adds beside people would hide that they tell nothing.
+    among = _brought(fit, found.covariance, values)
+    _require_difference(fit, among, _brought(fit, _inverse(fit, expected=True), values))
     return Errors(covariance, found, values)
 
 

@@ -66,6 +66,7 @@ def require_maximum(comparisons: Comparisons, model: PairModel) -> None:
         )
     verdict = model.existence()
     if verdict == "apart":
+        require_joined(comparisons)
         raise InputError(_why_apart(comparisons, model.components().astype(np.int64)))
     if verdict == "order":
         raise InputError(
@@ -79,16 +80,29 @@ def require_maximum(comparisons: Comparisons, model: PairModel) -> None:
         )
 
 
+def require_joined(comparisons: Comparisons) -> None:
+    """Raise `InputError` naming stimuli that no chain of answers joins to the others.
+
+    How far apart such sets are, and which is ahead, only a prior would say.
+
+    >>> require_joined(comparisons_of([("a", "b"), ("c", "d"), ("d", "e")]))
+    Traceback (most recent call last):
+    nacreous.problem.InputError: no scale joins all stimuli: "a", "b" were never compared with \
+"c", "d", "e"; allowed: answers that join them
+    """
+    met = islands(comparisons)
+    if met.max() == 0:
+        return
+    apart = _smallest([met == index for index in range(int(met.max()) + 1)])
+    one, other = _named(comparisons, apart), _named(comparisons, ~apart)
+    raise InputError(
+        f"no scale joins all stimuli: {listed(one)} {_were(one)} never compared with "
+        f"{listed(other)}; allowed: answers that join them"
+    )
+
+
 def _why_apart(comparisons: Comparisons, part: NDArray[np.int64]) -> str:
     """In one line which stimuli cannot be placed, why, and what would help."""
-    met = islands(comparisons)
-    if met.max() > 0:
-        apart = _smallest([met == index for index in range(int(met.max()) + 1)])
-        one, other = _named(comparisons, apart), _named(comparisons, ~apart)
-        return (
-            f"no scale joins all stimuli: {listed(one)} {_were(one)} never compared with "
-            f"{listed(other)}; allowed: answers that join them, {REMEDY}"
-        )
     lowest, highest = part == 0, part == part.max()
     if lowest.sum() <= highest.sum():
         one, other, did = _named(comparisons, lowest), _named(comparisons, ~lowest), "never"

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import pairwise
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nacreous._core import spread_of_people
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
@@ -19,10 +19,22 @@ __all__ = ["MOST_STIMULI", "SharedScale", "shared_scale"]
 
 #: Beyond, matrices of stimuli by stimuli take longer than anyone waits.
 MOST_STIMULI = 500
-#: Numbers dealt at a time: 32 MB of them.
-_AT_ONCE = 1 << 22
+#: A difference below this share of the whole is rounding.
+_NOTHING = 1e-9
+#: Beyond this spread of own values, in z, people have hardly anything in common **(ours)**:
+#: of two stimuli that stand alike for all, each tells them apart like 84 of 100 answers.
+_GROSS = 1.0
+#: Such a share of studies finds what is called detectable.
+_MOSTLY = 0.8
+#: Spreads of own values that are looked at, in z, and how often the range is halved: to 2 in 100.
+_OWN_VALUES, _HALVINGS = (0.05, 5.0), 8
+#: So many people with values of their own are drawn.
+_DRAWN = 1000
 #: Standard deviations below 0 beyond which 1 of 100 tossing coins would be called reversed.
 _REVERSED = -2.326
+
+
+Progress = Callable[[float], None]
 
 
 @value_class
@@ -36,6 +48,8 @@ class SharedScale:
       some people tell the stimuli apart more sharply than others, or **the other way round**
     - `order_p_value`: the same for the part across it: people have other orders or distances
     - `reversed`: people who chose against the scale of all more than 99 of 100 coin-tossers would
+    - `detectable`: the standard deviation, in z, of values of people's own that about 80 of 100
+      such studies would find at p < .05; the fewer answers a person, the larger
     """
 
     people: int
@@ -45,6 +59,12 @@ class SharedScale:
     sharper_p_value: float
     order_p_value: float
     reversed: tuple[str, ...]
+    detectable: float
+
+    @property
+    def tells(self) -> bool:
+        """Whether people with hardly anything in common would mostly be found: 1 z or less."""
+        return self.detectable <= _GROSS
 
     def differ(self, level: float = 0.95) -> bool:
         """Whether people differ by more than chance, at a level."""
@@ -56,8 +76,13 @@ class SharedScale:
         >>> import nacreous as nc
         >>> own = nc.scaling.simulate([0.8, 0.0, -0.8], people=60, person_spread=1.0, seed=1)
         >>> nc.scaling.shared_scale(own).verdict()
-        'people do not share one scale, p 0.001 (other orders)'
+        'people do not share one scale, p 0.003 (other orders)'
         """
+        if not self.differ(level) and not self.tells:
+            return (
+                "these answers cannot tell whether people share one scale: even own values with a "
+                "standard deviation of 1 z would often go unnoticed"
+            )
         if not self.differ(level):
             return f"nothing says that people do not share one scale, p {self.p_value:.2g}"
         ways = ["other orders"] if self.order_p_value < 1 - level else []
@@ -66,7 +91,9 @@ class SharedScale:
         return f"people do not share one scale, p {self.p_value:.3g}{way}"
 
 
-def shared_scale(answers: Answers, permutations: int = 999, seed: int = 1) -> SharedScale:
+def shared_scale(
+    answers: Answers, permutations: int = 999, seed: int = 1, progress: Progress | None = None
+) -> SharedScale:
     """Test whether all people judge by one scale, by dealing answers anew within each pair.
 
     The statistic is the sum over people of g' V^-1 g, with g the slopes of a person's answers
@@ -77,8 +104,10 @@ def shared_scale(answers: Answers, permutations: int = 999, seed: int = 1) -> Sh
     of choice; only where it is split does a scale of all people tell along from across. An
     effect of the side that differs between people is found too.
 
-    permutations: 99 to 1 000 000. Raises `InputError` where people are unknown, where no two
-    answered the same pair, where all agree on every pair, and beyond 500 stimuli.
+    permutations: 99 to 1 000 000; seed: 0 to 2^63 - 1, the same seed deals alike. progress: called
+    with the finished share, 0 to 1, now and then. Raises `InputError` where people are unknown,
+    where no two answered the same pair, where all agree on every pair, where nobody answered two
+    pairs that can be dealt, and beyond 500 stimuli.
 
     >>> import nacreous as nc
     >>> alike = nc.scaling.simulate([1.0, 0.0, -1.0], people=40, seed=3)
@@ -89,66 +118,124 @@ def shared_scale(answers: Answers, permutations: int = 999, seed: int = 1) -> Sh
     blocks = blocks_of(answers)
     if len(blocks.stimuli) > MOST_STIMULI:
         raise InputError(f"{len(blocks.stimuli)} stimuli; allowed: at most {MOST_STIMULI}")
-    strata = _strata(blocks)
-    if not strata:
-        raise InputError(
-            "no two people answered the same pair in different ways; "
-            "allowed: pairs that two or more people answered, and not all alike"
-        )
     leads = blocks.leads(thurstone(answers, prior=1.0).scale)
     metric = _along_first(blocks, leads)
-    true = _statistics(blocks, metric, blocks.residual[None])[0]
-    dealt = np.concatenate(
-        [
-            _statistics(blocks, metric, values)
-            for values in _deals(blocks.residual, strata, permutations, seed_of(seed))
-        ]
-    )
-    # Whole, along, across; a deal that repeats the true one must count, whatever rounding says.
-    margin = 1e-9 * np.abs(true).max()
-    p_values = (1 + (dealt >= true - margin).sum(axis=0)) / (1 + permutations)
+    true, dealt, size = _dealt(blocks, metric, permutations, seed_of(seed), progress)
     spread = float(dealt[:, 0].std())
+    if spread <= _NOTHING * size:
+        raise InputError(
+            "nobody answered two pairs that others answered in other ways, so that no one's own "
+            "answers can be held together; allowed: people who answered several pairs, some of "
+            "them the same"
+        )
+    # Whole, along, across; a deal that repeats the true one must count, whatever rounding says.
+    p_values = (1 + (dealt >= true - _NOTHING * size).sum(axis=0)) / (1 + permutations)
     return SharedScale(
         people=len(blocks.people),
         permutations=permutations,
         p_value=float(p_values[0]),
-        z=float((true[0] - dealt[:, 0].mean()) / spread) if spread > 0 else 0.0,
+        z=float((true[0] - dealt[:, 0].mean()) / spread),
         sharper_p_value=float(p_values[1]),
         order_p_value=float(p_values[2]),
         reversed=_reversed(blocks, leads),
+        detectable=_detectable(blocks, metric, leads, float(np.quantile(dealt[:, 0], 0.95))),
     )
 
 
-def _strata(blocks: Blocks) -> list[NDArray[np.int64]]:
-    """Blocks that may be exchanged, int64 [stratum, size]: of one pair, answered as often.
+def _dealt(
+    blocks: Blocks, metric: Array, permutations: int, seed: int, progress: Progress | None
+) -> tuple[Array, Array, float]:
+    """The statistic as people are, [3], and of each deal, [deal, 3]: whole, along and across.
 
-    Strata of a size stand together; those in which nothing can change are left out.
+    The third is how much there is to deal. Squares of single residuals, which are no product of
+    two answers, are taken off at once: dealing within a pair does not change their sum.
     """
-    _, code = np.unique(
-        np.stack([blocks.pair, blocks.answers.astype(np.int64)]), axis=1, return_inverse=True
+    order = np.lexsort((blocks.person, blocks.answers, blocks.pair))
+    pair, count = blocks.pair[order], blocks.answers[order]
+    value = blocks.residual[order]
+    ends = np.append(np.flatnonzero((np.diff(pair) != 0) | (np.diff(count) != 0)) + 1, len(order))
+    starts = np.append(0, ends[:-1])
+    apart = np.maximum.reduceat(value, starts) - np.minimum.reduceat(value, starts)
+    if (apart <= _NOTHING).all():
+        raise InputError(
+            "no two people answered the same pair in different ways; "
+            "allowed: pairs that two or more people answered, and not all alike"
+        )
+    stimuli = np.column_stack((blocks.first, blocks.second))[pair[starts]]
+    show = None if progress is None else lambda done: progress(done / permutations)
+    sums = spread_of_people(
+        len(blocks.people),
+        stimuli,
+        ends,
+        blocks.person[order],
+        value,
+        np.ascontiguousarray(metric),
+        permutations,
+        seed,
+        show,
     )
-    order = np.argsort(code.ravel(), kind="stable")
-    starts = np.flatnonzero(np.diff(code.ravel()[order], prepend=-1))
-    by_size: dict[int, list[NDArray[np.int64]]] = {}
-    for rows in np.split(order, starts[1:]):
-        if np.ptp(blocks.residual[rows]) > 1e-9:
-            by_size.setdefault(len(rows), []).append(rows)
-    return [np.stack(by_size[size]) for size in sorted(by_size)]
+    squares = (
+        np.bincount(blocks.pair, blocks.residual**2, len(blocks.first))
+        @ (metric[blocks.first] - metric[blocks.second]) ** 2
+    )
+    found = sums - (squares.sum(), squares[0])
+    found = np.column_stack((found, found[:, 0] - found[:, 1]))
+    return found[0], found[1:], float(squares.sum())
 
 
-def _deals(
-    values: Array, strata: list[NDArray[np.int64]], permutations: int, seed: int
-) -> Iterator[Array]:
-    """Values dealt anew within strata, float64 [deal, block], as many as memory bears."""
-    random = np.random.default_rng(seed)
-    at_once = max(1, _AT_ONCE // len(values))
-    for start in range(0, permutations, at_once):
-        count = min(at_once, permutations - start)
-        dealt = np.tile(values, (count, 1))
-        for rows in strata:
-            lots = np.broadcast_to(values[rows], (count, *rows.shape))
-            dealt[:, rows] = random.permuted(lots, axis=2)
-        yield dealt
+def _detectable(blocks: Blocks, metric: Array, leads: Array, critical: float) -> float:
+    """The spread of people's own values, in z, from which 80 of 100 studies exceed critical.
+
+    People with values of their own are drawn and answer; what they add to the statistic, each
+    alike, makes its mean and spread in a study, and so the share of studies beyond (ours).
+    """
+    people = len(blocks.people)
+    drawn = np.linspace(0, people - 1, min(people, _DRAWN)).astype(np.int64)
+    rows = np.flatnonzero(np.isin(blocks.person, drawn))
+    times = max(1, _DRAWN // people)
+    person = np.searchsorted(drawn, np.tile(blocks.person[rows], times))
+    person += len(drawn) * np.repeat(np.arange(times), len(rows))
+    each = replace(
+        blocks,
+        people=("",) * (times * len(drawn)),
+        person=person,
+        pair=np.tile(blocks.pair[rows], times),
+        answers=np.tile(blocks.answers[rows], times),
+    )
+    low, high = _OWN_VALUES
+    if _found(each, metric, leads, high, people, critical) < _MOSTLY:
+        return np.inf
+    for _ in range(_HALVINGS):
+        middle = float(np.sqrt(low * high))
+        if _found(each, metric, leads, middle, people, critical) < _MOSTLY:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+def _found(
+    blocks: Blocks, metric: Array, leads: Array, spread: float, people: int, critical: float
+) -> float:
+    """The share of studies of so many people, whose own values spread so, beyond critical."""
+    from scipy.special import ndtr
+
+    random = np.random.default_rng(1)
+    count, stimuli = len(blocks.people), len(blocks.stimuli)
+    first, second = blocks.first[blocks.pair], blocks.second[blocks.pair]
+    own = random.standard_normal((count, stimuli)) * spread
+    # Wider by as much as own values blur it, so that people together choose as these do.
+    lead = leads[blocks.pair] * np.sqrt(1 + 2 * spread**2)
+    share = ndtr(lead + own[blocks.person, first] - own[blocks.person, second])
+    chosen = random.binomial(blocks.answers.astype(np.int64), share)
+    moved = replace(blocks, chosen=chosen.astype(np.float64)).residual
+    slopes = np.bincount(blocks.person * stimuli + first, moved, own.size)
+    slopes -= np.bincount(blocks.person * stimuli + second, moved, own.size)
+    lengths = ((metric[blocks.first] - metric[blocks.second]) ** 2).sum(axis=1)
+    added = ((slopes.reshape(own.shape) @ metric) ** 2).sum(axis=1)
+    added -= np.bincount(blocks.person, moved**2 * lengths[blocks.pair], count)
+    error = float(added.std()) * np.sqrt(people)
+    return float(ndtr((added.mean() * people - critical) / max(error, 1e-300)))
 
 
 def _along_first(blocks: Blocks, leads: Array) -> Array:
@@ -169,20 +256,6 @@ def _along_first(blocks: Blocks, leads: Array) -> Array:
         return metric
     turn, _ = np.linalg.qr(np.column_stack([along / size, np.eye(len(along))]))
     return np.asarray(metric @ turn)
-
-
-def _statistics(blocks: Blocks, metric: Array, dealt: Array) -> Array:
-    """The statistic of each deal: whole, along and across the scale of all, [deal, 3]."""
-    found = np.zeros((len(dealt), 3))
-    ends = np.searchsorted(blocks.person, np.arange(len(blocks.people) + 1))
-    rows = metric[blocks.first[blocks.pair]] - metric[blocks.second[blocks.pair]]
-    for begin, end in pairwise(ends.tolist()):
-        own, asked = dealt[:, begin:end], rows[begin:end]
-        squares = (own @ asked) ** 2 - own**2 @ asked**2
-        found[:, 0] += squares.sum(axis=1)
-        found[:, 1] += squares[:, 0]
-    found[:, 2] = found[:, 0] - found[:, 1]
-    return found
 
 
 def _reversed(blocks: Blocks, leads: Array) -> tuple[str, ...]:

@@ -6,14 +6,15 @@ from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
 from nacreous.scaling.fit.errors import kind_of
+from nacreous.scaling.fit.existence import require_joined
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
 
 __all__ = ["summary"]
 
-#: Answers x stimuli x permutations that are dealt before anybody waits, a tenth of a second.
-_MOST_DEALT = 100_000_000
+#: Answers x permutations that are dealt before anybody waits, some tenths of a second.
+_MOST_DEALT = 20_000_000
 
 
 def summary(fit: Scale) -> str:
@@ -30,7 +31,17 @@ def summary(fit: Scale) -> str:
         note = f"no errors over people: {problem}"
     if kind_of(fit, None) == "people":
         lines.append(note)
-    return "\n".join((*_people(fit), head, *lines))
+    return "\n".join((*_apart(fit), *_people(fit), head, *lines))
+
+
+def _apart(fit: Scale) -> list[str]:
+    """Which stimuli a prior alone places against the others; with a design its columns do."""
+    try:
+        if fit.design is None:
+            require_joined(fit.comparisons)
+    except InputError as problem:
+        return [f"{problem}; where these stand to each other is the prior's guess"]
+    return []
 
 
 def _people(fit: Scale) -> list[str]:
@@ -45,7 +56,7 @@ def _people(fit: Scale) -> list[str]:
     answers = fit.answers
     if answers is None or answers.person is None or len(fit.stimuli) > MOST_STIMULI:
         return []
-    permutations = min(999, _MOST_DEALT // (len(answers) * len(fit.stimuli)))
+    permutations = min(999, _MOST_DEALT // len(answers))
     if permutations < 99:
         return ["whether people share one scale was not tested here; shared_scale(answers) does"]
     try:

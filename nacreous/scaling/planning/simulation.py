@@ -16,7 +16,8 @@ from nacreous.number import number_of, row_of, said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.data.label import check_alike, check_number, label_of, natural, numbered
+from nacreous.scaling.data.label import check_number, label_of, natural, numbered
+from nacreous.scaling.data.likeness import check_alike
 from nacreous.scaling.fit.unit import check_model
 from nacreous.scaling.planning.design import PairDesign
 

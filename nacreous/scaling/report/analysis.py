@@ -20,8 +20,9 @@ from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
+from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.scale import Scale
-from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, neighbours_of, pairs_of
+from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, ends_apart, neighbours_of, pairs_of
 from nacreous.scaling.report.people import People, people_of
 from nacreous.scaling.report.settings import MODELS, Settings
 from nacreous.value import value_class
@@ -32,7 +33,11 @@ SUFFIXES = (".html", ".csv", ".json")
 #: Beyond, there are more pairs than anybody reads, and each is tested against thousands.
 MOST_PAIRED = 60
 #: The share of the time that resampling takes.
-_RESAMPLING = 0.8
+_RESAMPLING = 0.6
+#: And that of dealing answers anew to people.
+_DEALING = 0.3
+#: A scale narrower than this is printed as one value.
+_LEVEL = 0.0005
 
 
 @value_class
@@ -60,6 +65,25 @@ class Analysis:
     def people_differ(self) -> bool:
         """Whether people were found not to share one scale."""
         return self.people is not None and self.people.differ
+
+    @property
+    def people_told(self) -> bool:
+        """Whether these answers could tell that people do not share one scale."""
+        return self.people is not None and self.people.shared.tells
+
+    @property
+    def is_level(self) -> bool:
+        """Whether all things stand at one place, as far as three decimals show."""
+        return bool(np.ptp(self.fit.scale) < _LEVEL)
+
+    @property
+    def anything_apart(self) -> bool:
+        """Whether any two things are told apart; of more than 60 neighbours, or first and last."""
+        if any(pair.apart for pair in self.neighbours):
+            return True
+        if len(self.fit.stimuli) > MOST_PAIRED:
+            return ends_apart(self.fit, self.doubt, self.settings.level)
+        return any(pair.apart for pair in self.differences)
 
     @property
     def order(self) -> list[int]:
@@ -126,6 +150,7 @@ def analyse(
     show = progress or (lambda _: None)
     answers = data if isinstance(data, Answers) else None
     comparisons = comparisons_of(data)
+    require_joined(comparisons)  # with a prior too, whose guess would pass for a finding
     if wanted.group is not None and answers is None:
         raise InputError(f"group is {wanted.group!r}; allowed: none, for the data are counts")
     if wanted.group is not None and answers is not None:
@@ -135,7 +160,8 @@ def analyse(
     # Without anyone to show to, resampling need not stop to say how far it is.
     watch = None if progress is None else lambda share: show(_RESAMPLING * share)
     doubt = doubt_of(fit, wanted, watch)
-    people = people_of(answers, wanted)
+    rest = None if progress is None else lambda share: show(_RESAMPLING + share * _DEALING)
+    people = people_of(answers, wanted, rest)
     groups = _groups(answers, wanted, fit.tie_threshold is not None)
     show(1.0)
     return Analysis(

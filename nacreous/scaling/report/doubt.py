@@ -15,10 +15,20 @@ from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_
 from nacreous.scaling.report.settings import Settings
 from nacreous.value import value_class
 
-__all__ = ["FEW_PEOPLE", "Doubt", "Pair", "doubt_of", "neighbours_of", "pairs_of"]
+__all__ = [
+    "FEW_PEOPLE",
+    "Doubt",
+    "Pair",
+    "doubt_of",
+    "ends_apart",
+    "neighbours_of",
+    "pairs_of",
+]
 
 #: From fewer people a bootstrap is too narrow (B. Efron and R. Tibshirani, 1993, chapter 19).
 FEW_PEOPLE = 20
+#: A larger share of samples without a scale of their own reaches into the ends of 95 % intervals.
+MOST_UNPLACED = 0.02
 #: A spread below this share of the expected one is none at all.
 _NOTHING = 1e-6
 
@@ -30,8 +40,9 @@ class Doubt:
     """Margins of a scale, in its unit.
 
     `by`: what was resampled, "people" or "answers"; where nothing was, "clusters" (people by their
-    scores) or "information". `samples`: how often; `without_maximum`: how many samples had no scale
-    of their own. `intervals` [n, 2] of the places. `errors`: what differences are tested by.
+    scores) or "information". `samples`: how often something was drawn; `without_maximum`: how many
+    samples had no scale of their own, with more than 2 of 100 the reason why none is used.
+    `intervals` [n, 2] of the places. `errors`: what differences are tested by.
     `too_few`: people are known, but they tell nothing of how people differ.
     """
 
@@ -74,8 +85,8 @@ class Pair:
 def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -> Doubt:
     """Over people wherever three or more are known, else over answers.
 
-    Without resamplings, and over fewer than 20 people, margins follow from each one's scores; so
-    they do with bias reduction or a prior over the spread.
+    Where many samples of a bootstrap have no scale of their own, their spread is that of the prior
+    that holds them, and no interval: the model's errors stand in, people as clusters where known.
     """
     known = kind_of(fit, None) == "people"
     over_people = _over_people(fit) if known else None
@@ -83,23 +94,36 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
     counts = np.stack([fit.comparisons.left_wins, fit.comparisons.right_wins, fit.comparisons.ties])
     drawable = fit.method == "maximum-likelihood" and fit.posterior is None
     fixed = settings.bootstrap == 0 or not drawable or bool(np.any(counts % 1))
-    if over_people is not None:
-        people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
-        if fixed or people < FEW_PEOPLE:
-            bounds = intervals(fit.scale, over_people, settings.level)
-            return Doubt("clusters", 0, 0, bounds, over_people, too_few=False)
+    if over_people is None:
+        return _over_answers(fit, settings, fixed, known, progress)
+    people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
+    samples = missing = 0
+    if not fixed and people >= FEW_PEOPLE:
         drawn = fit.bootstrap(settings.bootstrap, "people", settings.seed, progress)
-        bounds = drawn.intervals(settings.level)
-        missing = drawn.without_maximum
-        return Doubt("people", settings.bootstrap, missing, bounds, over_people, too_few=False)
+        samples, missing = settings.bootstrap, drawn.without_maximum
+        if missing <= MOST_UNPLACED * samples:
+            bounds = drawn.intervals(settings.level)
+            return Doubt("people", samples, missing, bounds, over_people, too_few=False)
+    bounds = intervals(fit.scale, over_people, settings.level)
+    return Doubt("clusters", samples, missing, bounds, over_people, too_few=False)
+
+
+def _over_answers(
+    fit: Scale, settings: Settings, fixed: bool, known: bool, progress: Progress | None
+) -> Doubt:
+    """As if each answer stood alone."""
     alone = errors_of(fit, "expected")
+    samples = missing = 0
     if not fixed:
         drawn = fit.bootstrap(settings.bootstrap, "answers", settings.seed, progress)
+        samples, missing = settings.bootstrap, drawn.without_maximum
         found = Errors(drawn.covariance, None, alone.values)
-        if _spreads(found.covariance, alone.covariance):
-            bounds, missing = drawn.intervals(settings.level), drawn.without_maximum
-            return Doubt("answers", settings.bootstrap, missing, bounds, found, known)
-    return Doubt("information", 0, 0, intervals(fit.scale, alone, settings.level), alone, known)
+        if missing <= MOST_UNPLACED * samples and _spreads(found.covariance, alone.covariance):
+            return Doubt("answers", samples, missing, drawn.intervals(settings.level), found, known)
+        # Samples that do not differ tell nothing either, and need no word.
+        samples = samples if missing > MOST_UNPLACED * samples else 0
+    bounds = intervals(fit.scale, alone, settings.level)
+    return Doubt("information", samples, missing if samples else 0, bounds, alone, known)
 
 
 def _over_people(fit: Scale) -> Errors | None:
@@ -126,6 +150,14 @@ def pairs_of(fit: Scale, doubt: Doubt, level: float) -> tuple[Pair, ...]:
     order = _order(fit)
     below = [(one, other) for at, one in enumerate(order) for other in order[at + 1 :]]
     return _compared(fit, doubt, level, below)
+
+
+def ends_apart(fit: Scale, doubt: Doubt, level: float) -> bool:
+    """Whether the first and the last are told apart, had all pairs been looked at (Bonferroni)."""
+    order, count = _order(fit), len(fit.stimuli)
+    ends = [(order[0], order[-1])]
+    found = differences(fit.stimuli, fit.scale, doubt.errors, fit.unit, level, "none", ends)[0]
+    return bool(found.p_value * count * (count - 1) / 2 < 1 - level)
 
 
 def _order(fit: Scale) -> list[int]:

@@ -8,14 +8,14 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.covariate import Covariate, person_covariates
 from nacreous.scaling.check.population import Population, population
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.fit.shared import SharedScale, shared_scale
+from nacreous.scaling.fit.shared import Progress, SharedScale, shared_scale
 from nacreous.scaling.report.settings import Settings
 from nacreous.value import value_class
 
 __all__ = ["People", "people_of"]
 
 #: Answers x permutations that nobody minds to wait for, some seconds.
-_MOST_DEALT = 50_000_000
+_MOST_DEALT = 200_000_000
 
 
 @value_class
@@ -33,14 +33,16 @@ class People:
     covariates: tuple[Covariate, ...]
 
 
-def people_of(answers: Answers | None, settings: Settings) -> People | None:
+def people_of(
+    answers: Answers | None, settings: Settings, progress: Progress | None = None
+) -> People | None:
     """None where people are unknown, or answered nothing in which they could differ."""
     if answers is None or answers.person is None:
         return None
     permutations = _permutations(len(answers), settings.level)
     try:
-        shared = shared_scale(answers, permutations, settings.seed)
-    except InputError:  # no pair was answered by two, or all agree
+        shared = shared_scale(answers, permutations, settings.seed, progress)
+    except InputError:  # no pair was answered by two, all agree, or nobody answered two pairs
         return None
     differ = shared.differ(settings.level)
     described = _population(answers, settings) if differ else None

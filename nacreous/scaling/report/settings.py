@@ -52,7 +52,9 @@ class Settings:
             if value not in allowed:
                 raise InputError(f"{name} is {said(value)}; allowed: {', '.join(allowed)}")
         if self.method == "least-squares" and (self.model != "probit" or self.ties or self.order):
-            raise InputError("method is 'least-squares'; allowed: with model probit alone")
+            raise InputError(
+                "method is 'least-squares'; allowed: with model='probit', without ties or order"
+            )
         level = number_of("level", self.level)
         if not LEVELS[0] <= level <= LEVELS[1]:
             raise InputError(f"level is {level:g}; allowed: {LEVELS[0]:g} to {LEVELS[1]:g}")

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from nacreous.scaling.data.label import shape_of
+from nacreous.scaling.data.likeness import shape_of
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile

@@ -37,6 +37,7 @@ class ScaleSoFar:
     verdict: whether one scale holds the answers: "describes", "misfits" or "untested". misfit: the
     two stimuli that it holds worst, the one chosen too often first; None unless "misfits".
     people_differ: people were found not to share the scale, which holds their sums at best.
+    people_told: the answers could have told it of people with hardly anything in common.
     """
 
     question: str
@@ -50,6 +51,7 @@ class ScaleSoFar:
     verdict: str
     misfit: tuple[str, str] | None
     people_differ: bool
+    people_told: bool
 
 
 def scale_so_far(running: Running, question: str, simulated: bool = False) -> ScaleSoFar:
@@ -90,6 +92,7 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
         verdict=verdict,
         misfit=(worst.first, worst.second) if verdict == "misfits" else None,
         people_differ=found.people_differ,
+        people_told=found.people_told,
     )
 
 

@@ -47,8 +47,7 @@ def backup(place: str | PathLike[str] | None, output: str | PathLike[str]) -> Co
     """
     file.check_output(output, [".sqlite"])
     with _opened(place) as engine:
-        if Path(output).exists() and Path(output).samefile(place_of(engine)):
-            raise InputError(f"{output}: is the store itself; wanted: another file")
+        file.require_apart([output], [place_of(engine)])
         with _refused(str(output)), file.atomic(output) as temporary:
             if engine.dialect.name == "sqlite":
                 _copy_file(Path(place_of(engine)), temporary)

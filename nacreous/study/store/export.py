@@ -40,6 +40,7 @@ def export(store: Store, study: str, output: str | PathLike[str]) -> int:
     suffix = Path(output).suffix.lower()
     if suffix:
         file.check_output(output, [".csv", ".parquet"])
+        file.require_apart([output], [store.place])
     columns, table = _table(store, study)
     if suffix:
         with file.atomic(output) as temporary:

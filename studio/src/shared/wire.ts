@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 24835d5b8b377c43c0744f530cb46145a605122d2e833ec1ac52a52f3ca04b71
+ * e10323bb2815c04dcc30775e937fa8ba639790a7865cdfe3058778be445cf870
  */
 
 export type JsonValue = unknown;
@@ -351,6 +351,7 @@ export interface ScaleTold {
   verdict: "describes" | "misfits" | "untested";
   misfit: [string, string] | null;
   people_differ: boolean;
+  people_told: boolean;
 }
 /**
  * A stimulus on the scale, with its interval.

@@ -60,7 +60,10 @@ def _agreement(analysis: Analysis, words: Words) -> list[Html]:
     agreed = analysis.consistency.agreement
     if agreed is None:
         return []
-    return [words("consistency.agreement", u=number(agreed.u), same=percent((1 + agreed.u) / 2))]
+    said = [words("consistency.agreement", u=number(agreed.u), same=percent((1 + agreed.u) / 2))]
+    if agreed.ties:
+        said.append(words("consistency.agreement_ties", ties=percent(agreed.ties)))
+    return [words.sentences(*said)]
 
 
 def _people(analysis: Analysis, words: Words) -> list[Html]:

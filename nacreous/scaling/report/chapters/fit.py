@@ -34,6 +34,8 @@ def chapter(analysis: Analysis, words: Words) -> Html:
         parts.append(_maps(analysis, words))
     else:
         parts.append(words.paragraph("fit.too_many"))
+    if analysis.comparisons.ties.any():
+        parts.append(Html(f'<p class="quiet">{words("fit.ties_half")}</p>\n'))
     if analysis.goodness.describes is not None:
         parts.append(_tests(analysis, words))
     return Html("".join(parts))

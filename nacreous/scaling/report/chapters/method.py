@@ -21,6 +21,7 @@ __all__ = ["MOST_BYTES", "chapter"]
 _REFERENCES = Path(__file__).parent.parent / "references.toml"
 #: Data larger than this are not put into the page, which phones should still open.
 MOST_BYTES = 2_000_000
+_LEAST_ROW_BYTES = 6
 
 
 def chapter(analysis: Analysis, words: Words) -> Html:
@@ -71,8 +72,10 @@ def again(analysis: Analysis, words: Words) -> Html:
         command = f"nacreous scale paper -o report.html {options}"
     else:
         name = "counts.csv" if analysis.answers is None else "answers.csv"
-        text = record.data_csv(analysis)
-        small = len(text.encode()) <= MOST_BYTES
+        # Millions of rows, "a,b,a" at the least, need not be written to be found too long.
+        rows = 0 if analysis.answers is None else len(analysis.answers)
+        text = record.data_csv(analysis) if rows * _LEAST_ROW_BYTES <= MOST_BYTES else ""
+        small = 0 < len(text.encode()) <= MOST_BYTES
         link = _link(name, "text/csv", text) if small else Html("")
         kind = "counts" if analysis.answers is None else "answers"
         key = f"method.data_{kind}" if small else "method.data_large"

@@ -19,7 +19,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     """Each thing against the next one down, then all pairs."""
     lead = words.paragraph("neighbours.lead", risk=words.risk(analysis.settings.level))
     level = f"{100 * analysis.settings.level:g}"
-    note = f'<p class="quiet">{words("neighbours.note", level=level)}</p>\n'
+    said = [words("neighbours.note", level=level)]
+    said += [words("fit.ties_half")] if analysis.comparisons.ties.any() else []
+    note = f'<p class="quiet">{words.sentences(*said)}</p>\n'
     neighbours = _table(analysis.neighbours, "pair", words)
     return Html(lead + neighbours + note + _all(analysis, words))
 

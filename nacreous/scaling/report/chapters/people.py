@@ -25,7 +25,7 @@ def chapter(analysis: Analysis, words: Words) -> Html:
         return words.paragraph("people.untested")
     p = words.equals(chance(people.shared.p_value))
     if not people.differ:
-        parts = [words.paragraph("people.alike", p=p)]
+        parts = [_alike(analysis, people, p, words)]
     else:
         parts = [words.paragraph("people.differ", p=p), _ways(analysis, people, words)]
         if people.population is not None:
@@ -35,6 +35,15 @@ def chapter(analysis: Analysis, words: Words) -> Html:
             parts.append(_candidates(people.population, words))
     parts.append(_covariates(analysis, people, words))
     return Html("".join(parts))
+
+
+def _alike(analysis: Analysis, people: People, p: Html, words: Words) -> Html:
+    """That people may share one scale, and what would have been found if they did not."""
+    if not people.shared.tells:
+        return words.paragraph("people.blind", p=p)
+    own = people.shared.detectable * factor("z", analysis.fit.unit)
+    found = words("people.detectable", spread=number(own, 1))
+    return Html(f"<p>{words.sentences(words('people.alike', p=p), found)}</p>\n")
 
 
 def described(analysis: Analysis, found: Population, words: Words) -> Html:

@@ -18,8 +18,6 @@ __all__ = ["chapter", "doubt"]
 
 #: Beyond, rows of dots are a wall; the table has them all.
 MOST_ROWS = 60
-#: A larger share of samples without a scale of their own reaches into the ends of intervals.
-_FEW_UNPLACED = 0.02
 
 
 def chapter(analysis: Analysis, words: Words) -> Html:
@@ -53,12 +51,14 @@ def chapter(analysis: Analysis, words: Words) -> Html:
 
 
 def _example(analysis: Analysis, words: Words) -> Html:
-    """A distance in words: from the first to the one in the middle."""
+    """A distance in words: from the first to the one in the middle; none where there is none."""
+    if analysis.is_level:
+        return Html("")
     order = analysis.order
     first, second = order[0], order[(len(order) + 1) // 2 if len(order) > 2 else 1]
     fit = analysis.fit
     return words.paragraph(
-        "scale.example",
+        "scale.example_ties" if analysis.comparisons.ties.any() else "scale.example",
         first=words.name(fit.stimuli[first]),
         second=words.name(fit.stimuli[second]),
         distance=number(fit.scale[first] - fit.scale[second]),
@@ -109,10 +109,10 @@ def doubt(analysis: Analysis, words: Words) -> Html:
 
 
 def _unplaced(analysis: Analysis, words: Words) -> Html:
-    """How many samples had no scale of their own; with more than a few, margins have no end."""
+    """How many samples had no scale of their own; with more than a few, none is used."""
     found = analysis.doubt
-    share = found.without_maximum / found.samples
-    key = "none" if not share else "few" if share <= _FEW_UNPLACED else "many"
+    many = found.by in ("clusters", "information")
+    key = "many" if many else "few" if found.without_maximum else "none"
     return words(
         f"scale.unplaced.{key}",
         count=thousands(found.without_maximum),
@@ -122,16 +122,17 @@ def _unplaced(analysis: Analysis, words: Words) -> Html:
 
 def _table(analysis: Analysis, words: Words) -> Html:
     fit, bounds = analysis.fit, analysis.doubt.intervals
-    half = analysis.comparisons.tie_matrix / 2
-    wins = (analysis.comparisons.matrix + half).sum(axis=1)
-    total = wins + (analysis.comparisons.matrix + half).sum(axis=0)
+    wins = analysis.comparisons.matrix.sum(axis=1)
+    ties = analysis.comparisons.tie_matrix.sum(axis=1)
+    total = wins + ties + analysis.comparisons.matrix.sum(axis=0)
+    of = "scale.of_ties" if ties.any() else "scale.of"
     rows = [
         (
             str(rank + 1),
             words.name(fit.stimuli[at]),
             number(fit.scale[at]),
             words.span(bounds[at, 0], bounds[at, 1]),
-            words("scale.of", wins=_count(wins[at]), total=_count(total[at])),
+            words(of, wins=_count(wins[at]), ties=_count(ties[at]), total=_count(total[at])),
         )
         for rank, at in enumerate(analysis.order)
     ]

@@ -12,7 +12,9 @@ __all__ = ["chapter"]
 def chapter(analysis: Analysis, words: Words) -> Html:
     """The findings, as a list."""
     found = [_people(analysis, words)] if analysis.people_differ else []
-    found += [_places(analysis, words), _apart(analysis, words), _fit(analysis, words)]
+    found.append(_places(analysis, words))
+    found += [_apart(analysis, words)] if analysis.anything_apart else []
+    found.append(_fit(analysis, words))
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
     if analysis.groups is not None:
@@ -33,6 +35,8 @@ def _people(analysis: Analysis, words: Words) -> Html:
 
 def _places(analysis: Analysis, words: Words) -> Html:
     ranking, asked = analysis.ranking, words.question(analysis.settings.question, analysis.example)
+    if not analysis.anything_apart:
+        return words("short.level" if analysis.is_level else "short.open")
     sure = analysis.neighbours[0].apart
     key = ("first" if asked else "unasked") + ("" if sure else "_open")
     ends = words(
@@ -52,8 +56,7 @@ def _apart(analysis: Analysis, words: Words) -> Html:
     if not runs:
         return words("short.all_apart")
     if len(runs) == 1 and len(runs[0]) == len(analysis.ranking):
-        far = any(pair.apart for pair in analysis.differences)
-        return words("short.none_apart_far" if far else "short.none_apart")
+        return words("short.none_apart_far")
     return words("short.some_apart", runs=words.listed([words.chain(run) for run in runs], 12))
 
 
@@ -71,11 +74,13 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes is None:
         return words("short.unfit_few" if analysis.goodness.df else "short.unfit")
     if analysis.goodness.describes:
-        key = "fits_sums" if analysis.people_differ else "fits"
-        return words(f"short.{key}" if analysis.people is not None else "short.fits_counts")
+        if analysis.people_differ:
+            return words("short.fits_sums")
+        return words("short.fits" if analysis.people_told else "short.fits_counts")
     worst = analysis.goodness.largest
     return words(
-        "short.misfits",
+        "short.misfits_ties" if worst.ties else "short.misfits",
+        ties=percent(worst.ties),
         first=words.name(worst.first),
         second=words.name(worst.second),
         observed=percent(worst.observed),
@@ -87,6 +92,11 @@ def _agreement(analysis: Analysis, words: Words) -> Html | None:
     agreed = analysis.consistency.agreement
     if agreed is None:
         return None
-    sure = agreed.p_value < 1 - analysis.settings.level and agreed.u > 0
-    key = "short.agree" if sure else "short.disagree"
-    return words(key, same=percent((1 + agreed.u) / 2))
+    level = analysis.settings.level
+    sure = agreed.p_value < 1 - level and agreed.u > 0
+    few = agreed.least_p_value >= 1 - level
+    key = "short.agree" if sure else "short.agree_few" if few else "short.disagree"
+    said = [words(key, same=percent((1 + agreed.u) / 2))]
+    if agreed.ties:
+        said.append(words("consistency.agreement_ties", ties=percent(agreed.ties)))
+    return words.sentences(*said)

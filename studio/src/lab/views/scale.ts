@@ -162,7 +162,8 @@ function verdict(found: Scale, words: ScaleWords): string {
   }
   if (found.verdict === "misfits") return words.misfits;
   if (found.verdict === "untested") return words.untested;
-  return found.people_differ ? words.describes_sums : words.describes;
+  if (found.people_differ) return words.describes_sums;
+  return found.people_told ? words.describes : words.describes_untold;
 }
 
 function table(found: Scale, words: ScaleWords): HTMLElement {

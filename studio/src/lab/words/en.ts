@@ -200,6 +200,8 @@ export const en = {
     describes: "One scale describes these answers.",
     describes_sums:
       "The scale describes the answers of all together, but not those of each person.",
+    describes_untold:
+      "One scale describes the answers of all together; whether each person judges by it, they cannot tell yet.",
     misfits: "The scale is a summary: some answers stray from it by more than chance.",
     misfits_pair:
       "The scale is a summary: some answers stray from it by more than chance, most of all those on {first} and {second}.",
