@@ -58,8 +58,8 @@ pub(crate) enum Comma {
 
 impl Comma {
     /// Decided over all rows of a file, given with their lines; or the line at fault and why.
-    pub(crate) fn of<'a>(
-        rows: &[(usize, [&'a str; 2])],
+    pub(crate) fn of(
+        rows: &[(usize, [&str; 2])],
         with_semicolons: bool,
     ) -> Result<Self, (usize, String)> {
         let cells = || rows.iter().flat_map(|(line, row)| row.map(|cell| (*line, cell)));

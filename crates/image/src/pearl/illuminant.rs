@@ -62,7 +62,7 @@ impl IlluminantPearl {
     }
 
     /// Whether what a line of sight stands for may show the edge of a mirrored window.
-    pub(crate) fn has_window_edges(&self, surroundings: &Lit, sight: &Sight) -> bool {
+    pub(crate) fn has_window_edges(surroundings: &Lit, sight: &Sight) -> bool {
         let along = 2.0 * sight.hit.cos_view * sight.hit.normal - sight.view;
         let panes = surroundings.windows.iter().filter_map(|w| w.before(sight.hit.point));
         panes.into_iter().any(|pane| pane.has_edge_within(along, sight.spread.outward_rad))

@@ -76,7 +76,7 @@ impl Model {
     /// Whether a pixel, for which `sight` stands as a whole, shows the edge of a mirrored window that no facets blur.
     pub(crate) fn has_sharp_edges(&self, surroundings: &Lit, sight: &Sight) -> bool {
         match self {
-            Self::Illuminant(model) => model.has_window_edges(surroundings, sight),
+            Self::Illuminant(_) => IlluminantPearl::has_window_edges(surroundings, sight),
             Self::Transport(_) => false,
         }
     }
