@@ -64,11 +64,11 @@ class Image(Unchanging):
 
     def __repr__(self) -> str:
         """Its size and whose picture it is, on one line."""
-        import tomllib
+        from nacreous import toml_text
 
         height, width = self.linear.shape[:2]
         texts = [text for key, text in self.recipe.items() if key.split(".")[0] == "pearl"]
-        of = tomllib.loads(texts[0]).get("name") if len(texts) == 1 else f"{len(texts)} pearls"
+        of = toml_text.loads(texts[0]).get("name") if len(texts) == 1 else f"{len(texts)} pearls"
         return f"Image({width} x {height}{f', {of}' if texts else ''})"
 
     def __array__(
