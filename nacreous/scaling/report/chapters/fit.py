@@ -112,9 +112,10 @@ def _tests(analysis: Analysis, words: Words) -> Html:
     items = [
         (
             words(f"fit.{name}"),
-            words(f"fit.{form}", value=number(value), df=good.df, p=words.equals(chance(p or 0.0))),
+            words(f"fit.{form}", value=number(value), df=good.df, p=words.equals(chance(p))),
         )
         for name, form, value, p in rows
+        if p is not None
     ]
     said = f'<p class="quiet">{words("fit.tests")}</p>\n' + facts(items)
     if good.sparse > _MOST_SPARSE:
