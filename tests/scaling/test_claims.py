@@ -214,3 +214,41 @@ def test_people_who_all_answered_alike_tell_nothing_of_others_under_any_prior():
         assert analysis.doubt.too_few
         assert analysis.doubt.by == "information"
         assert "these answers cannot tell how people differ" in analysis.text("report.html")
+
+
+# --- sides
+
+
+def sided(pull: float, exchanged: bool) -> Answers:
+    """Simulated: 15 people, all pairs; the better one always left, or sides by coin."""
+    random = np.random.default_rng(5)
+    found = []
+    for person in range(15):
+        for i, j in PAIRS:
+            left, right = (j, i) if exchanged and random.random() < 0.5 else (i, j)
+            lead = 0.3 * (right - left) + pull
+            found.append((person, left, right, 1 if lead > random.normal() else -1))
+    return rows(found)
+
+
+def test_a_side_that_decides_most_answers_is_said_before_the_scale_and_no_scale_is_praised():
+    analysis = analyse(sided(1.9, exchanged=True), bootstrap=0)
+    page, japanese = analysis.text("report.html"), analysis.text("report.html", "ja")
+    assert analysis.goodness.describes
+    assert '<ul class="short">\n<li>The side decided most of the answers' in page
+    assert "One scale describes the answers" not in page
+    assert "Yes, as far as these answers can tell. The scale" not in page
+    assert "回答の大半は、対象ではなく左右の位置で決まっています" in japanese
+    assert "回答は一つの尺度でよく表せます" not in japanese
+    lines = told(analysis, 0).splitlines()
+    assert lines[0].startswith("the side decided most answers")
+    assert lines[-1].startswith("whether one scale describes these data cannot be told")
+
+
+def test_stimuli_that_never_change_sides_are_no_finding_on_sides():
+    analysis = analyse(sided(0.0, exchanged=False), bootstrap=0)
+    page, japanese = analysis.text("report.html"), analysis.text("report.html", "ja")
+    assert "the side itself drew choices" not in page
+    assert "whether the side drew choices cannot be told" in page
+    assert "位置そのものの影響かどうかはわかりません" in japanese
+    assert "side" not in told(analysis, 0)

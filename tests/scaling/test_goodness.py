@@ -120,9 +120,7 @@ def test_pairs_that_are_near_certain_condemn_no_model(ends, drawn_together):
     """Simulated: 3 to 8 in 100 of many such studies are refused (docs/scaling.md)."""
     random = np.random.default_rng(3)
     values = np.array([ends, 0.5, 0.0, -0.5, -ends])
-    found = [
-        goodness(thurstone(near_certain(random, values), **drawn_together)) for _ in range(60)
-    ]
+    found = [goodness(thurstone(near_certain(random, values), **drawn_together)) for _ in range(60)]
     assert all(each.describes is not None for each in found)
     assert np.mean([not each.describes for each in found]) < 0.12
 

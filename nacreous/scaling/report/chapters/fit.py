@@ -25,7 +25,8 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     untold = "few" if analysis.goodness.df else "none"
     good = "good_sums" if analysis.people_differ else "good"
     verdict = {None: untold, True: good, False: "bad"}[analysis.goodness.describes]
-    parts = [words.paragraph(f"fit.{verdict}")]
+    hidden = analysis.goodness.describes and analysis.side_hides_fit
+    parts = [words.paragraph("short.fits_side" if hidden else f"fit.{verdict}")]
     if analysis.people_differ and verdict != good:
         parts.append(words.paragraph("fit.people_differ"))
     if analysis.goodness.describes is False:
