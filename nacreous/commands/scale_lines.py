@@ -28,6 +28,9 @@ def told(found: Analysis, seconds: float) -> str:
             f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
             + ("; too many to draw intervals from" if many else "")
         )
+    if doubt.endless:
+        sets = " | ".join(", ".join(each) for each in doubt.endless)
+        lines.append(f"all answers between {sets} agree: how much farther apart cannot be told")
     if doubt.too_few:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"

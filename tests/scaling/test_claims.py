@@ -252,3 +252,33 @@ def test_stimuli_that_never_change_sides_are_no_finding_on_sides():
     assert "whether the side drew choices cannot be told" in page
     assert "位置そのものの影響かどうかはわかりません" in japanese
     assert "side" not in told(analysis, 0)
+
+
+# --- people who agree
+
+
+@pytest.mark.parametrize(
+    "drawn_together", [{"method": "bias-reduced"}, {"prior": 1.0}, {"prior": "hierarchical"}]
+)
+def test_where_all_agree_no_margin_over_people_is_given_and_no_end_is_claimed(drawn_together):
+    """Simulated: in 4.7 z, 30 people choose the first in 120 of 120 answers."""
+    answers = simulate([5.0, 1.0, 0.5, 0.0, -5.0], people=30, seed=2)
+    fit = thurstone(answers, **drawn_together)
+    for refused in (fit.intervals, fit.covariance, lambda: fit.parameter_covariance("people")):
+        with pytest.raises(InputError, match="how much farther apart these are cannot be told"):
+            refused()
+    assert "how much farther apart these are cannot be told" in str(fit)
+    analysis = analyse(answers, bootstrap=0, **drawn_together)
+    first = analysis.doubt.endless[0]
+    assert (len(first), analysis.doubt.by) == (1, "information")
+    assert analysis.doubt.intervals[analysis.order[0]].tolist() == pytest.approx(
+        fit.intervals(kind="expected")[analysis.order[0]].tolist()
+    )
+    assert "cannot be told" in told(analysis, 0).splitlines()[-2]
+    assert "there is no upper end" in analysis.text("report.html")
+    assert "離れ方に上限はありません" in analysis.text("report.html", "ja")
+
+
+def test_where_people_differ_a_prior_leaves_errors_over_people():
+    fit = thurstone(simulate([0.5, 0.0, -0.5], people=30, seed=2), prior=1.0)
+    assert fit.covariance() == pytest.approx(fit.covariance("people"))

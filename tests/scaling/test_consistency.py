@@ -346,7 +346,7 @@ def test_side_bias_is_the_exact_test_and_finds_who_has_it():
 
 
 def one_way(random: np.random.Generator, other_way: float, pull: float = 0.0) -> Answers:
-    """Simulated: 20 people, five stimuli 0.6 z apart, the better one on the left but for a share."""
+    """Simulated: 20 people, five stimuli 0.6 z apart; the better one left but for a share."""
     rows = []
     for person in range(20):
         for first, second in itertools.combinations(range(5), 2):
