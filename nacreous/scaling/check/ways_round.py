@@ -72,6 +72,6 @@ def ways_round(answers: Answers) -> WaysRound:
     return WaysRound(
         shown=shown,
         chosen=chosen,
-        both=(shown > 0).all(axis=1)[pair],
+        both=np.all(shown > 0, axis=1)[pair],
         expected=np.where(way == 0, share[pair], 1 - share[pair]),
     )
