@@ -13,7 +13,7 @@ def told(found: Analysis, seconds: float) -> str:
     """In a few lines what was found."""
     fit, doubt = found.fit, found.doubt
     width = max(len(label) for label in fit.stimuli)
-    lines = _people_told(found)
+    lines = _side_told(found) + _people_told(found)
     lines += [
         f"{found.comparisons.total:g} answers on {len(fit.stimuli)} stimuli, {fit.model}, "
         f"{_fit_told(fit)}, in {fit.unit}; {100 * found.settings.level:g} % intervals by "
@@ -28,14 +28,33 @@ def told(found: Analysis, seconds: float) -> str:
             f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
             + ("; too many to draw intervals from" if many else "")
         )
+    if doubt.endless:
+        sets = " | ".join(", ".join(each) for each in doubt.endless)
+        lines.append(f"all answers between {sets} agree: how much farther apart cannot be told")
     if doubt.too_few:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
     lines += _left_out_told(found)
-    together = "all people together: " if found.people_differ else ""
-    lines.append(together + found.goodness.verdict)
-    return "\n".join(lines)
+    return "\n".join([*lines, _fit_verdict(found)])
+
+
+def _side_told(found: Analysis) -> list[str]:
+    """Before the scale, that a side drew choices; nothing where it did not."""
+    side = found.consistency.side
+    if side is None or not found.side_draws:
+        return []
+    what = "decided most answers" if side.decides else "drew choices"
+    return [f"the side {what}, whatever stood there: left chosen {side.left}"]
+
+
+def _fit_verdict(found: Analysis) -> str:
+    """What the test of fit says, where the sums can say anything."""
+    if found.goodness.describes and found.side_hides_fit:
+        return (
+            "whether one scale describes these data cannot be told: the side decided most answers"
+        )
+    return ("all people together: " if found.people_differ else "") + found.goodness.verdict
 
 
 def _fit_told(fit: Scale) -> str:

@@ -214,3 +214,71 @@ def test_people_who_all_answered_alike_tell_nothing_of_others_under_any_prior():
         assert analysis.doubt.too_few
         assert analysis.doubt.by == "information"
         assert "these answers cannot tell how people differ" in analysis.text("report.html")
+
+
+# --- sides
+
+
+def sided(pull: float, exchanged: bool) -> Answers:
+    """Simulated: 15 people, all pairs; the better one always left, or sides by coin."""
+    random = np.random.default_rng(5)
+    found = []
+    for person in range(15):
+        for i, j in PAIRS:
+            left, right = (j, i) if exchanged and random.random() < 0.5 else (i, j)
+            lead = 0.3 * (right - left) + pull
+            found.append((person, left, right, 1 if lead > random.normal() else -1))
+    return rows(found)
+
+
+def test_a_side_that_decides_most_answers_is_said_before_the_scale_and_no_scale_is_praised():
+    analysis = analyse(sided(1.9, exchanged=True), bootstrap=0)
+    page, japanese = analysis.text("report.html"), analysis.text("report.html", "ja")
+    assert analysis.goodness.describes
+    assert '<ul class="short">\n<li>The side decided most of the answers' in page
+    assert "One scale describes the answers" not in page
+    assert "Yes, as far as these answers can tell. The scale" not in page
+    assert "回答の大半は、対象ではなく左右の位置で決まっています" in japanese
+    assert "回答は一つの尺度でよく表せます" not in japanese
+    lines = told(analysis, 0).splitlines()
+    assert lines[0].startswith("the side decided most answers")
+    assert lines[-1].startswith("whether one scale describes these data cannot be told")
+
+
+def test_stimuli_that_never_change_sides_are_no_finding_on_sides():
+    analysis = analyse(sided(0.0, exchanged=False), bootstrap=0)
+    page, japanese = analysis.text("report.html"), analysis.text("report.html", "ja")
+    assert "the side itself drew choices" not in page
+    assert "whether the side drew choices cannot be told" in page
+    assert "位置そのものの影響かどうかはわかりません" in japanese
+    assert "side" not in told(analysis, 0)
+
+
+# --- people who agree
+
+
+@pytest.mark.parametrize(
+    "drawn_together", [{"method": "bias-reduced"}, {"prior": 1.0}, {"prior": "hierarchical"}]
+)
+def test_where_all_agree_no_margin_over_people_is_given_and_no_end_is_claimed(drawn_together):
+    """Simulated: in 4.7 z, 30 people choose the first in 120 of 120 answers."""
+    answers = simulate([5.0, 1.0, 0.5, 0.0, -5.0], people=30, seed=2)
+    fit = thurstone(answers, **drawn_together)
+    for refused in (fit.intervals, fit.covariance, lambda: fit.parameter_covariance("people")):
+        with pytest.raises(InputError, match="how much farther apart these are cannot be told"):
+            refused()
+    assert "how much farther apart these are cannot be told" in str(fit)
+    analysis = analyse(answers, bootstrap=0, **drawn_together)
+    first = analysis.doubt.endless[0]
+    assert (len(first), analysis.doubt.by) == (1, "information")
+    assert analysis.doubt.intervals[analysis.order[0]].tolist() == pytest.approx(
+        fit.intervals(kind="expected")[analysis.order[0]].tolist()
+    )
+    assert "cannot be told" in told(analysis, 0).splitlines()[-2]
+    assert "there is no upper end" in analysis.text("report.html")
+    assert "離れ方に上限はありません" in analysis.text("report.html", "ja")
+
+
+def test_where_people_differ_a_prior_leaves_errors_over_people():
+    fit = thurstone(simulate([0.5, 0.0, -0.5], people=30, seed=2), prior=1.0)
+    assert fit.covariance() == pytest.approx(fit.covariance("people"))

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from scipy.stats import binomtest
+from scipy.stats import binomtest, chi2
 
 import nacreous as nc
 from nacreous.scaling import (
@@ -343,6 +343,53 @@ def test_side_bias_is_the_exact_test_and_finds_who_has_it():
     assert found.p_value == pytest.approx(binomtest(lefts, 600).pvalue)
     assert found.biased == ("p3",)
     assert found.balanced == 1
+
+
+def one_way(random: np.random.Generator, other_way: float, pull: float = 0.0) -> Answers:
+    """Simulated: 20 people, five stimuli 0.6 z apart; the better one left but for a share."""
+    rows = []
+    for person in range(20):
+        for first, second in itertools.combinations(range(5), 2):
+            turned = random.random() < other_way
+            left, right = (second, first) if turned else (first, second)
+            lead = 0.6 * (right - left) + pull
+            rows.append((f"p{person}", left, right, left if lead > random.normal() else right))
+    person, left, right, chosen = zip(*rows, strict=True)
+    return Answers.of_table({"person": person, "left": left, "right": right, "chosen": chosen})
+
+
+def test_stimuli_that_never_change_sides_tell_nothing_of_the_side():
+    found = side_bias(one_way(np.random.default_rng(1), 0))
+    assert found.left.low > 0.7
+    assert (found.p_value, found.exchanged, found.decides, found.biased) == (None, False, False, ())
+
+
+def test_sides_that_are_seldom_exchanged_are_tested_within_pairs():
+    def refused(pull: float) -> float:
+        random = np.random.default_rng(2)
+        found = [side_bias(one_way(random, 0.2, pull)) for _ in range(60)]
+        assert not any(each.exchanged for each in found)
+        return float(np.mean([each.p_value < 0.05 for each in found]))
+
+    assert refused(0.0) < 0.12
+    assert refused(1.0) > 0.8
+
+
+def test_within_pairs_it_is_mantel_and_haenszels_test():
+    """One pair: a two by two table, by hand."""
+    shown = [("a", "b", "a")] * 30 + [("a", "b", "b")] * 10
+    shown += [("b", "a", "b")] * 6 + [("b", "a", "a")] * 4
+    left, right, chosen = zip(*shown, strict=True)
+    found = side_bias(Answers.of_table({"left": left, "right": right, "chosen": chosen}))
+    spread = 40 * 10 * 34 * 16 / (50**2 * 49)
+    by_hand = chi2.sf((30 - 40 * 34 / 50 - 0.5) ** 2 / spread, 1)
+    assert found.p_value == pytest.approx(by_hand)
+
+
+def test_coins_tossed_for_sides_exchange_them():
+    found = [side_bias(one_way(np.random.default_rng(seed), 0.5)) for seed in range(30)]
+    assert np.mean([each.exchanged for each in found]) > 0.9
+    assert not any(each.decides or each.biased for each in found)
 
 
 def test_answers_without_sides_have_no_side_bias():

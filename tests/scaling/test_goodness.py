@@ -105,6 +105,44 @@ def test_few_answers_a_pair_condemn_no_model(answers):
     assert answers > 5 or np.mean(by_g2) > 0.2
 
 
+def near_certain(random: np.random.Generator, values: np.ndarray) -> np.ndarray:
+    """Counts of simulated answers of case V, 30 a pair."""
+    left, right = np.triu_indices(len(values), 1)
+    wins = random.binomial(30, norm.cdf(values[left] - values[right]))
+    counts = np.zeros((len(values),) * 2, int)
+    counts[left, right], counts[right, left] = wins, 30 - wins
+    return counts
+
+
+@pytest.mark.parametrize("ends", [5.0, 2.5])
+@pytest.mark.parametrize("drawn_together", [{"method": "bias-reduced"}, {"prior": 1.0}])
+def test_pairs_that_are_near_certain_condemn_no_model(ends, drawn_together):
+    """Simulated: 3 to 8 in 100 of many such studies are refused (docs/scaling.md)."""
+    random = np.random.default_rng(3)
+    values = np.array([ends, 0.5, 0.0, -0.5, -ends])
+    found = [goodness(thurstone(near_certain(random, values), **drawn_together)) for _ in range(60)]
+    assert all(each.describes is not None for each in found)
+    assert np.mean([not each.describes for each in found]) < 0.12
+
+
+def test_beside_near_certain_pairs_a_circle_and_a_reversed_pair_are_still_found():
+    counts = near_certain(np.random.default_rng(1), np.array([4.0, 0.3, 0.0, -0.3, -4.0]))
+    circle = counts.copy()
+    for first, second in ((1, 2), (2, 3), (3, 1)):
+        circle[first, second], circle[second, first] = 22, 8
+    assert goodness(thurstone(circle, method="bias-reduced")).describes is False
+    reversed_pair = counts.copy()
+    reversed_pair[0, 4], reversed_pair[4, 0] = 15, 15
+    assert goodness(thurstone(reversed_pair, method="bias-reduced")).describes is False
+
+
+def test_where_all_other_pairs_are_near_certain_one_pair_tells_nothing():
+    counts = [[0, 30, 30], [0, 0, 17], [0, 13, 0]]
+    found = goodness(thurstone(counts, method="bias-reduced"))
+    assert (found.df, found.x2_p_value, found.describes) == (1, None, None)
+    assert found.verdict.startswith("too few answers a pair to tell")
+
+
 def test_one_answer_a_pair_tells_nothing_of_the_fit():
     random = np.random.default_rng(9)
     counts = np.triu(random.integers(0, 2, (30, 30)), 1)

@@ -86,6 +86,24 @@ class Cells:
         return mean, float(np.sum(variance)) * self.degrees / free
 
     @property
+    def unlikely(self) -> NDArray[np.float64]:
+        """float64 [row], expected answers other than the likeliest outcome."""
+        return np.asarray(self.total - self.expected.max(axis=1))
+
+    def part(self, rows: NDArray[np.bool_]) -> Cells:
+        """Some of the rows; stimuli that are in none of them are sets of their own."""
+        return Cells(
+            stimuli=self.stimuli,
+            first=self.first[rows],
+            second=self.second[rows],
+            observed=self.observed[rows],
+            expected=self.expected[rows],
+            outcomes=self.outcomes,
+            parameters=self.parameters,
+            floating=self.floating,
+        )
+
+    @property
     def residuals(self) -> NDArray[np.float64]:
         """float64 [row], standard deviations by which the first was chosen too often."""
         mean = self.expected @ WORTH / self.total

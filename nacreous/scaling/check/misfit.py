@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.check.cells import WORTH, Cells, cells_of
+from nacreous.scaling.check.pearson import x2_p_value
 from nacreous.scaling.fit.uncertainty import level_of
 from nacreous.value import value_class
 
@@ -48,7 +49,8 @@ class Goodness:
 
     - `g2`, `g2_p_value`: the likelihood-ratio statistic against one free share a pair (deviance)
     - `x2`, `x2_p_value`: Pearson's chi-squared; its p-value is from a chi-squared scaled to the
-      mean and variance that it has with so few answers, and holds down to 3 answers a pair
+      mean and variance that it has with so few answers, and holds down to 3 answers a pair; pairs
+      that are near certain are then tested apart. None where they leave nothing else to test
     - `mosteller`, `mosteller_p_value`: F. Mosteller's test (Psychometrika 16, 1951), which compares
       shares as angles, the arcsines of their roots; None for fits with ties or an order effect
     - `df`: degrees of freedom of all three: free shares less fitted values. 0: nothing to test, and
@@ -64,7 +66,8 @@ class Goodness:
     - `sparse`: the share of pairs with an expected count below 5, for which the p-values of g2 and
       of Mosteller's test are too small
     - `describes`: whether g2, or x2 where more than a fifth of pairs are sparse, leaves the model
-      standing at `level`; None without df, or with fewer than 2 answers a pair
+      standing at `level`; None without df, with fewer than 2 answers a pair, or where that
+      p-value is None
     - `verdict`: the same in words; `advice`: what follows for the errors of the scale, or ""
     """
 
@@ -106,10 +109,10 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
     g2, x2 = cells.g2, cells.x2
     mosteller = _mosteller(cells) if plain else None
     g2_p_value, mosteller_p_value = _p_value(g2, df), _p_value(mosteller, df)
-    x2_p_value = _p_value(x2, df, *cells.x2_moments)
+    pearson = x2_p_value(cells)
     sparse = float(np.mean((cells.expected[:, : cells.outcomes] < LEAST_EXPECTED).any(axis=1)))
     few = sparse > MOST_SPARSE
-    decisive = x2_p_value if few else g2_p_value
+    decisive = pearson if few else g2_p_value
     enough = float(np.mean(cells.total)) >= LEAST_ANSWERS
     describes = None if decisive is None or not enough else decisive >= 1 - level
     residuals = _matrix(cells, cells.residuals)
@@ -120,7 +123,7 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
         g2=g2,
         g2_p_value=g2_p_value,
         x2=x2,
-        x2_p_value=x2_p_value,
+        x2_p_value=pearson,
         mosteller=mosteller,
         mosteller_p_value=mosteller_p_value,
         df=df,
@@ -140,18 +143,10 @@ def _most_likely(fit: Scale) -> bool:
     return fit.method == "maximum-likelihood" and fit.prior is None
 
 
-def _p_value(
-    statistic: float | None, df: int, mean: float | None = None, variance: float = 0.0
-) -> float | None:
-    """From chi-squared with df, or from one scaled to a mean and a variance."""
+def _p_value(statistic: float | None, df: int) -> float | None:
     from scipy.stats import chi2
 
-    if statistic is None or df == 0:
-        return None
-    if mean is None:
-        return float(chi2.sf(statistic, df))
-    scale = max(variance, 1e-9) / (2 * mean)
-    return float(chi2.sf(statistic / scale, mean / scale))
+    return None if statistic is None or df == 0 else float(chi2.sf(statistic, df))
 
 
 def _mosteller(cells: Cells) -> float:

@@ -9,26 +9,38 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.check.share import Share
+from nacreous.scaling.check.ways_round import WaysRound, ways_round
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.uncertainty import holm, level_of
 from nacreous.value import value_class
+
+#: Standard deviations by which pairs may stand one way round more often than tossed coins do.
+_BY_CHANCE = 2.0
+#: A side that gets more than this share of the choices decides most of them.
+_MOST = 0.75
 
 
 @value_class
 class SideBias:
     """How often the left one was chosen.
 
-    - `left`: its share of all answers without ties; `p_value`: the exact binomial test against 1/2
-    - `balanced`: share of pairs shown as often either way round; where it is far from 1, a share
-      other than 1/2 may be the stimuli's doing, and a fit with `order=True` tells them apart
+    - `left`: its share of all answers without ties
+    - `p_value`: where sides were `exchanged` the exact binomial test against 1/2; elsewhere a share
+      other than 1/2 may be the stimuli's doing, and each pair is held against itself the other way
+      round (N. Mantel and W. Haenszel, 1959); None where no pair tells
+    - `exchanged`: whether pairs stood either way round as often as tossed coins would have it
+    - `balanced`: share of answers that have a partner with the sides exchanged
+    - `decides`: whether the side made most choices: by `p_value`, and `left` surely beyond 3/4
     - `by_person`: the left share of each person; {} where people are unknown
     - `biased`: the people whose own exact test, corrected for the number of people (Holm 1979), is
-      below 1 - level
+      below 1 - level, against 1/2 and against what all choose in the pairs that they saw
     """
 
     left: Share
-    p_value: float
+    p_value: float | None
+    exchanged: bool
     balanced: float
+    decides: bool
     by_person: Mapping[str, Share]
     biased: tuple[str, ...]
 
@@ -47,16 +59,25 @@ def side_bias(answers: Answers, level: float = 0.95) -> SideBias:
     level = level_of(level)
     if not answers.sided:
         raise InputError("the answers have no sides: the first of a pair was not the left one")
-    decided = answers.outcome != 0
-    if not decided.any():
+    kept = np.flatnonzero(answers.outcome)
+    if not len(kept):
         raise InputError("all answers are ties; allowed: one or more with a choice")
-    chose_left = answers.outcome[decided] == 1
+    decided = answers.take(kept)
+    chose_left = decided.outcome == 1
     total, lefts = len(chose_left), int(chose_left.sum())
-    by_person, biased = _people(answers, decided, chose_left, level)
+    ways = ways_round(decided)
+    by_person, biased = _people(decided, ways, level)
+    exchanged = ways.exchanged(_BY_CHANCE)
+    p_value = float(_exact(np.array([lefts]), np.array([total]))[0])
+    left, found = Share.of(lefts, total, level), p_value if exchanged else ways.p_value
     return SideBias(
-        left=Share.of(lefts, total, level),
-        p_value=float(_exact(np.array([lefts]), np.array([total]))[0]),
+        left=left,
+        p_value=found,
+        exchanged=exchanged,
         balanced=_balanced(answers),
+        decides=bool(
+            found is not None and found < 1 - level and (left.low > _MOST or left.high < 1 - _MOST)
+        ),
         by_person=by_person,
         biased=biased,
     )
@@ -71,20 +92,38 @@ def _exact(lefts: NDArray[np.int64], totals: NDArray[np.int64]) -> NDArray[np.fl
 
 
 def _people(
-    answers: Answers, decided: NDArray[np.bool_], chose_left: NDArray[np.bool_], level: float
+    decided: Answers, ways: WaysRound, level: float
 ) -> tuple[dict[str, Share], tuple[str, ...]]:
-    if answers.person is None:
+    """decided: answers with a choice."""
+    if decided.person is None:
         return {}, ()
-    person = answers.person[decided]
-    total = np.bincount(person, minlength=len(answers.people))
-    lefts = np.bincount(person[chose_left], minlength=len(answers.people))
+    person, chose_left = decided.person, decided.outcome == 1
+    total = np.bincount(person, minlength=len(decided.people))
+    lefts = np.bincount(person[chose_left], minlength=len(decided.people))
     known = np.flatnonzero(total)
-    corrected = holm(_exact(lefts[known], total[known]))
+    alone = _exact(lefts[known], total[known])
+    beside = np.ones(len(known))
+    for at in np.flatnonzero(alone < 1 - level):
+        rows = np.flatnonzero((person == known[at]) & ways.both)
+        beside[at] = _unequal(int(chose_left[rows].sum()), ways.expected[rows])
+    corrected = holm(np.maximum(alone, beside))
     shares = {
-        answers.people[index]: Share.of(int(lefts[index]), int(total[index]), level)
+        decided.people[index]: Share.of(int(lefts[index]), int(total[index]), level)
         for index in known.tolist()
     }
-    return shares, tuple(answers.people[index] for index in known[corrected < 1 - level].tolist())
+    return shares, tuple(decided.people[index] for index in known[corrected < 1 - level].tolist())
+
+
+def _unequal(lefts: int, chances: NDArray[np.float64]) -> float:
+    """Two-sided exact test of a sum of choices with chances of their own, twice the smaller tail.
+
+    >>> round(_unequal(0, np.array([0.5, 0.5])), 3)
+    0.5
+    """
+    sums = np.ones(1)
+    for chance in chances:
+        sums = np.convolve(sums, (1 - chance, chance))
+    return float(min(1.0, 2 * min(sums[: lefts + 1].sum(), sums[lefts:].sum())))
 
 
 def _balanced(answers: Answers) -> float:

@@ -21,7 +21,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit.clustering import personal, require_people
-from nacreous.scaling.fit.errors import errors_of, kind_of
+from nacreous.scaling.fit.errors import errors_of, kind_of, require_ends
 from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.uncertainty import control_of, level_of, root_of_diagonal
 from nacreous.scaling.fit.unit import factor
@@ -172,6 +172,8 @@ def resampled(
     if chosen not in ("people", "answers"):
         raise InputError(f"by is {said(by)}; allowed: people, answers")
     over_people = chosen == "people"
+    if over_people:
+        require_ends(fit)
     people = personal(require_people(fit.answers, _INSTEAD)) if over_people else None
     values, se, effects, unplaced = drawn(fit.room, people, fit.parameters, samples, seed, progress)
     times = factor(fit.own_unit, fit.unit)

@@ -9,17 +9,26 @@ from numpy.typing import NDArray
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.fit import clustering, row_means, uncertainty
 from nacreous.scaling.fit.clustering import Clusters
-from nacreous.scaling.fit.existence import require_joined
+from nacreous.scaling.fit.existence import parts, require_joined
 from nacreous.scaling.fit.unit import factor
 from nacreous.value import value_class
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
 
-__all__ = ["KINDS", "Errors", "clusters_of", "errors_of", "kind_of", "parameter_covariance"]
+__all__ = [
+    "KINDS",
+    "Errors",
+    "clusters_of",
+    "endless",
+    "errors_of",
+    "kind_of",
+    "parameter_covariance",
+    "require_ends",
+]
 
 Array = NDArray[np.float64]
 
@@ -75,6 +84,7 @@ def errors_of(fit: Scale, kind: str | None) -> Errors:
     # What a prior adds beside people would hide that they tell nothing.
     among = _brought(fit, found.covariance, values)
     _require_difference(fit, among, _brought(fit, _inverse(fit, expected=True), values))
+    require_ends(fit)
     return Errors(covariance, found, values)
 
 
@@ -85,9 +95,37 @@ def parameter_covariance(fit: Scale, kind: str | None) -> Array:
         own = fit.scale * factor(fit.unit, "z")
         return row_means.covariance(fit.comparisons, own, chosen)
     if chosen == "people":
+        require_ends(fit)
         return np.asarray(clusters_of(fit).covariance + _beside_people(fit))
     within = _inverse(fit, chosen == "expected")
     return within if fit.posterior is None else within + fit.posterior.between
+
+
+def endless(fit: Scale) -> tuple[tuple[str, ...], ...]:
+    """Sets of stimuli between which the answers put no end to the distance, the highest first.
+
+    () where they put one to all, and for fits that nothing draws together, which then do not exist.
+    """
+    drawn_together = fit.prior is not None or fit.method == "bias-reduced"
+    if fit.design is not None or not drawn_together:
+        return ()
+    sets = parts(fit.comparisons)
+    return tuple(reversed(sets)) if len(sets) > 1 else ()
+
+
+def require_ends(fit: Scale) -> None:
+    """Refuse errors over people where all of them place a stimulus beyond others.
+
+    That they agree says that it is far away; people who agree hardly move a scale that a prior or
+    reduced bias holds, and errors from how they move it would make its guess a finding.
+    """
+    sets = endless(fit)
+    if sets:
+        named = " | ".join(listed(one) for one in sets[:4])
+        raise InputError(
+            f"all answers between {named} agree, so that how much farther apart these are cannot "
+            f"be told; allowed: people who differ there, or {clustering.INSTEAD}"
+        )
 
 
 def clusters_of(fit: Scale) -> Clusters:

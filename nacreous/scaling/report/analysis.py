@@ -72,6 +72,28 @@ class Analysis:
         return self.people is not None and self.people.shared.tells
 
     @property
+    def side_draws(self) -> bool:
+        """Whether a side drew choices, whatever stood there."""
+        side = self.consistency.side
+        risk = 1 - self.settings.level
+        return side is not None and side.p_value is not None and side.p_value < risk
+
+    @property
+    def side_decides(self) -> bool:
+        """Whether a side made most of the choices."""
+        return (
+            self.side_draws and self.consistency.side is not None and self.consistency.side.decides
+        )
+
+    @property
+    def side_hides_fit(self) -> bool:
+        """Whether the side made most choices and the fit knows nothing of it.
+
+        Sums over both ways round then fit any scale.
+        """
+        return self.side_decides and self.fit.order_effect is None
+
+    @property
     def is_level(self) -> bool:
         """Whether all things stand at one place, as far as three decimals show."""
         return bool(np.ptp(self.fit.scale) < _LEVEL)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.fit.errors import Errors, errors_of, kind_of
+from nacreous.scaling.fit.errors import Errors, endless, errors_of, kind_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_of_diagonal
 from nacreous.scaling.report.settings import Settings
@@ -43,7 +44,9 @@ class Doubt:
     scores) or "information". `samples`: how often something was drawn; `without_maximum`: how many
     samples had no scale of their own, with more than 2 of 100 the reason why none is used.
     `intervals` [n, 2] of the places. `errors`: what differences are tested by.
-    `too_few`: people are known, but they tell nothing of how people differ.
+    `too_few`: people are known, but they tell nothing of how people differ. `endless`: sets, the
+    highest first, between which the answers put no end to the distance: there the intervals are
+    those of the prior or of reduced bias.
     """
 
     by: str
@@ -52,6 +55,7 @@ class Doubt:
     intervals: NDArray[np.float64]
     errors: Errors
     too_few: bool
+    endless: tuple[tuple[str, ...], ...] = ()
 
     @property
     def covariance(self) -> NDArray[np.float64]:
@@ -93,6 +97,9 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
     # The row means of 1996 and the fractions of printed tables give nothing to draw from.
     counts = np.stack([fit.comparisons.left_wins, fit.comparisons.right_wins, fit.comparisons.ties])
     drawable = fit.method == "maximum-likelihood" and fit.posterior is None
+    sets = endless(fit)
+    if sets:  # samples stay as near as what draws the scale together
+        return replace(_over_answers(fit, settings, True, False, progress), endless=sets)
     fixed = settings.bootstrap == 0 or not drawable or bool(np.any(counts % 1))
     if over_people is None:
         return _over_answers(fit, settings, fixed, known, progress)

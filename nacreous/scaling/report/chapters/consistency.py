@@ -102,7 +102,11 @@ def _side(analysis: Analysis, words: Words) -> list[Html]:
     side = analysis.consistency.side
     if side is None:
         return []
-    verdict = "some" if side.p_value < 1 - analysis.settings.level else "none"
+    if side.p_value is None:
+        verdict = "untold"
+    else:
+        verdict = "some" if side.p_value < 1 - analysis.settings.level else "none"
+        verdict = verdict if side.exchanged else f"within_{verdict}"
     said = [
         words("consistency.side", **_share(side.left), verdict=words(f"consistency.side_{verdict}"))
     ]

@@ -25,7 +25,8 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     untold = "few" if analysis.goodness.df else "none"
     good = "good_sums" if analysis.people_differ else "good"
     verdict = {None: untold, True: good, False: "bad"}[analysis.goodness.describes]
-    parts = [words.paragraph(f"fit.{verdict}")]
+    hidden = analysis.goodness.describes and analysis.side_hides_fit
+    parts = [words.paragraph("short.fits_side" if hidden else f"fit.{verdict}")]
     if analysis.people_differ and verdict != good:
         parts.append(words.paragraph("fit.people_differ"))
     if analysis.goodness.describes is False:
@@ -112,9 +113,10 @@ def _tests(analysis: Analysis, words: Words) -> Html:
     items = [
         (
             words(f"fit.{name}"),
-            words(f"fit.{form}", value=number(value), df=good.df, p=words.equals(chance(p or 0.0))),
+            words(f"fit.{form}", value=number(value), df=good.df, p=words.equals(chance(p))),
         )
         for name, form, value, p in rows
+        if p is not None
     ]
     said = f'<p class="quiet">{words("fit.tests")}</p>\n' + facts(items)
     if good.sparse > _MOST_SPARSE:

@@ -99,6 +99,9 @@ def doubt(analysis: Analysis, words: Words) -> Html:
         sentences.append(words("scale.reduced"))
     if found.samples:
         sentences.append(_unplaced(analysis, words))
+    if found.endless:
+        sets = Html(" | ").join(words.names(each, 12) for each in found.endless)
+        sentences.append(words("scale.doubt.endless", sets=Html(sets)))
     if found.too_few:
         sentences.append(words("scale.doubt.too_few"))
     if found.by in ("people", "clusters") and len(people) < FEW_PEOPLE:

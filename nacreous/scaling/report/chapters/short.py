@@ -11,10 +11,12 @@ __all__ = ["chapter"]
 
 def chapter(analysis: Analysis, words: Words) -> Html:
     """The findings, as a list."""
-    found = [_people(analysis, words)] if analysis.people_differ else []
+    found = [_side(analysis, words)] if analysis.side_decides else []
+    found += [_people(analysis, words)] if analysis.people_differ else []
     found.append(_places(analysis, words))
     found += [_apart(analysis, words)] if analysis.anything_apart else []
     found.append(_fit(analysis, words))
+    found += [_side(analysis, words)] if analysis.side_draws and not analysis.side_decides else []
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
     if analysis.groups is not None:
@@ -23,6 +25,12 @@ def chapter(analysis: Analysis, words: Words) -> Html:
         found.append(words(key, column=words.name(analysis.settings.group)))
     items = "".join(f"<li>{sentence}</li>\n" for sentence in found)
     return Html(f'<ul class="short">\n{items}</ul>\n')
+
+
+def _side(analysis: Analysis, words: Words) -> Html:
+    side = analysis.consistency.side
+    share = percent(0.0 if side is None else side.left.share)
+    return words("short.side_decides" if analysis.side_decides else "short.side", share=share)
 
 
 def _people(analysis: Analysis, words: Words) -> Html:
@@ -74,6 +82,8 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes is None:
         return words("short.unfit_few" if analysis.goodness.df else "short.unfit")
     if analysis.goodness.describes:
+        if analysis.side_hides_fit:
+            return words("short.fits_side")
         if analysis.people_differ:
             return words("short.fits_sums")
         return words("short.fits" if analysis.people_told else "short.fits_counts")
