@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from nacreous.printable import printable
 from nacreous.problem import InputError
 
-_COLUMNS = ("left", "right", "chosen", "winner", "loser", "person", "time", "trial")
+_COLUMNS = ("left", "right", "chosen", "winner", "loser", "person", "time", "trial", "count")
 _TIMES = ("response_s", "response_ms")
 #: Arguments whose option has the same name, but for dashes.
 _SAME = (

@@ -18,6 +18,7 @@ from nacreous.scaling.data.column import (
     text_column,
     time_column,
 )
+from nacreous.scaling.data.count import counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
@@ -55,6 +56,8 @@ def fields_of(
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
     table, column, unpaired = _trials(table, names)
+    if "count" in column:
+        table = table.take(counts_of(table, column["count"], table.faults()) > 0)
     won = "winner" in column
     paired = table.rows
     if skip_unanswered and not won:
@@ -82,7 +85,8 @@ def fields_of(
         _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in column.values()]
-    return Fields(
+    counts = counts_of(table, column["count"], faults) if "count" in column else None
+    fields = Fields(
         stimuli=labels,
         left=left,
         right=right,
@@ -96,6 +100,23 @@ def fields_of(
         left_out=unpaired + skipped,
         unanswered=skipped,
     )
+    return fields if counts is None else _counted(fields, counts)
+
+
+def _counted(fields: Fields, counts: NDArray[np.int64]) -> Fields:
+    """Each answer as often as its row says."""
+    row = np.repeat(np.arange(len(counts)), counts)
+    counted = fields.copy()
+    counted["left"], counted["right"] = fields["left"][row], fields["right"][row]
+    counted["outcome"] = fields["outcome"][row]
+    person, response_s, time = fields["person"], fields["response_s"], fields["time"]
+    counted["person"] = None if person is None else person[row]
+    counted["response_s"] = None if response_s is None else response_s[row]
+    counted["time"] = None if time is None else time[row]
+    counted["groups"] = {
+        name: Grouping(group.levels, group.code[row]) for name, group in fields["groups"].items()
+    }
+    return counted
 
 
 def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
