@@ -15,6 +15,7 @@ from nacreous.scaling.data.column import (
     codes_of,
     group_column,
     number_column,
+    refuse_nothing,
     text_column,
     time_column,
 )
@@ -156,8 +157,10 @@ def _stimuli(
     sides = ("winner", "loser") if "winner" in column else ("left", "right")
     shown = [column[side] for side in sides]
     texts = [text_column(table, name) for name in shown]
+    labels = None if given is None else labels_of(given)
     for name, text in zip(shown, texts, strict=True):
         check_labels(table, name, text, faults)
+        refuse_nothing(name, text, faults, {"none", *(labels or ())})  # a dish without a sauce
     found, both = codes_of(pa.concat_arrays(texts))
     left, right = both[: table.rows], both[table.rows :]
     itself = np.flatnonzero((left == right) & (left >= 0))
@@ -167,10 +170,9 @@ def _stimuli(
     )
     faults.stop()
     check_alike(found, table.place)
-    if given is None:
+    if labels is None:
         check_number(found, table.place)
         return found, left, right
-    labels = labels_of(given)
     place = {label: index for index, label in enumerate(labels)}
     order = np.array([place.get(label, -1) for label in found], np.int64)
     for name, code in zip(shown, (left, right), strict=True):
@@ -191,6 +193,7 @@ def _people(
         return (), None
     text = text_column(table, column["person"])
     check_labels(table, column["person"], text, faults)
+    refuse_nothing(column["person"], text, faults)
     people, person = codes_of(text)
     faults.stop()
     check_alike(people, table.place)
