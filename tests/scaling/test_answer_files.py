@@ -78,6 +78,11 @@ UNKNOWN = ["A>B", "C>B", "A>C"]
         "no end of the last line": PLAIN[:-1],
         "an index of pandas": ",person,left,right,chosen\n0,p1,A,B,A\n1,p1,B,C,C\n2,p2,C,A,A\n",
         "an index of R": '"",person,left,right,chosen\n1,p1,A,B,A\n2,p1,B,C,C\n3,p2,C,A,A\n',
+        "names of rows of R, in tabs": (HEAD + "".join(
+            f"{at},{line}" for at, line in zip((1, 3, 2), ROWS.splitlines(True), strict=True)
+        )).replace(",", "\t"),
+        "names of rows of R, in blanks": '"person" "left" "right" "chosen"\n'
+        '"1" "p1" "A" "B" "A"\n"2" "p1" "B" "C" "C"\n"7" "p2" "C" "A" "A"\n',
         "UTF-16": PLAIN.encode("utf-16"),
         "UTF-16, big end first": b"\xfe\xff" + PLAIN.encode("utf-16-be"),
         "UTF-16 of E-Prime": PLAIN.replace(",", "\t").encode("utf-16"),
@@ -397,6 +402,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
         ("left,right;chosen\nA,B;A\n", "separated by commas or semicolons in .*line sep=,"),
         (HEAD + "p1,A,B\n", "row 2: has 3 cells; allowed: 4"),
         (HEAD + "p1,A,B,A,note\n", "row 2: has 5 cells; allowed: 4"),
+        (HEAD + "1,p1,A,B,A\n1,p1,B,C,C\n", "row 2: has 5 cells; allowed: 4"),
         (HEAD + "\n\np1,A,B\n", "row 4: has 3 cells; allowed: 4"),
         (HEAD + 'p1,A,B,A\np1,"A,B,A\np2,B,C,C\n', "row 3: a quotation mark is not closed"),
         (HEAD + 'p1,A,B,"A\np2,B,C,C\n', "row 2: a quotation mark is not closed"),
@@ -419,7 +425,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
         (PLAIN.replace("chosen", "winner"), "has no column chosen; .*name it by chosen=NAME"),
         (f"{HEAD}p1,A,B,{'x' * 300}\n", "chosen is 300 characters long"),
     ],
-    ids=range(24),
+    ids=range(25),
 )
 def test_what_cannot_be_read_is_refused_in_one_line(tmp_path, content, message):
     with pytest.raises(nc.InputError, match=message) as told:

@@ -65,7 +65,7 @@ def parse_csv(
     columns, numbers = _body(place, content[header.begin :], header)
     kept = [at for at, name in enumerate(header.names) if name]
     for at, column in enumerate(columns):
-        if at not in kept:
+        if at not in kept and not (header.row_names and at == 0 and _are_row_names(column)):
             _check_nameless(place, at, column, numbers, header.names)
     names = [header.names[at] for at in kept]
     twice = sorted({name for name in names if names.count(name) > 1})
@@ -249,6 +249,14 @@ def _check_nameless(
         f"{place}: column {at + 1} has no name, and row {numbers[row]} holds {quoted(text[row])} "
         "there; allowed: a name each"
     )
+
+
+def _are_row_names(column: Any) -> bool:
+    """Whether a first column numbers the rows, each its own, in any order."""
+    import pyarrow.compute as pc
+
+    numbers = pc.all(pc.match_substring_regex(column, "^[0-9]+$")).as_py()
+    return bool(numbers) and column.null_count == 0 and len(column.unique()) == len(column)
 
 
 def _check_repeated_header(
