@@ -78,9 +78,12 @@ UNKNOWN = ["A>B", "C>B", "A>C"]
         "no end of the last line": PLAIN[:-1],
         "an index of pandas": ",person,left,right,chosen\n0,p1,A,B,A\n1,p1,B,C,C\n2,p2,C,A,A\n",
         "an index of R": '"",person,left,right,chosen\n1,p1,A,B,A\n2,p1,B,C,C\n3,p2,C,A,A\n',
-        "names of rows of R, in tabs": (HEAD + "".join(
-            f"{at},{line}" for at, line in zip((1, 3, 2), ROWS.splitlines(True), strict=True)
-        )).replace(",", "\t"),
+        "names of rows of R, in tabs": (
+            HEAD
+            + "".join(
+                f"{at},{line}" for at, line in zip((1, 3, 2), ROWS.splitlines(True), strict=True)
+            )
+        ).replace(",", "\t"),
         "names of rows of R, in blanks": '"person" "left" "right" "chosen"\n'
         '"1" "p1" "A" "B" "A"\n"2" "p1" "B" "C" "C"\n"7" "p2" "C" "A" "A"\n',
         "UTF-16": PLAIN.encode("utf-16"),

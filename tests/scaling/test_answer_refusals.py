@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import nacreous as nc
+from nacreous.commands.spoken import spoken
 from nacreous.scaling import Answers, Comparisons
 
 HEAD = "person,left,right,chosen\n"
@@ -166,6 +167,35 @@ def test_a_table_of_answers_is_no_square_of_counts_and_the_other_way_round(tmp_p
     path.write_text(square.replace(",", ";").replace("3", "3,5"))
     with pytest.raises(nc.InputError, match=r'column 2 is "3,5"; allowed: a whole number, 0 or'):
         Comparisons.read_counts(path)
+
+
+@pytest.mark.parametrize(
+    ("python", "command"),
+    [
+        (
+            "ties is True; allowed with method 'bias-reduced': False, each counts half",
+            "--ties is given; allowed with --method bias-reduced: --no-ties, each counts half",
+        ),
+        (
+            'group "g": few; allowed: 3 or more people, or kind="expected" or counts, which take '
+            "answers as independent",
+            'group "g": few; allowed: 3 or more people, or --column person= to take answers as '
+            "independent",
+        ),
+        (
+            """has no columns left and right; name them by left="it's", right='b'""",
+            """has no columns left and right; name them by --column 'left=it'"'"'s' --column right=b""",
+        ),
+        (
+            'label "x" is odd; name it by left="a\'b"',
+            """label "x" is odd; name it by --column 'left=a'"'"'b'""",
+        ),
+    ],
+)
+def test_the_command_speaks_of_its_own_options(python, command):
+    with pytest.raises(nc.InputError) as told, spoken("a.csv"):
+        raise nc.InputError(python)
+    assert str(told.value) == command
 
 
 def test_a_line_break_in_a_path_breaks_no_message(tmp_path):

@@ -87,8 +87,9 @@ def refuse_nothing(
     word = pc.and_not(word, pc.is_in(text, pa.array(sorted(labels), text.type)))
     faults.say_of_rows(
         np.flatnonzero(np.asarray(pc.fill_null(word, False))),
-        lambda row: f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a "
-        "label",
+        lambda row: (
+            f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a label"
+        ),
     )
 
 
