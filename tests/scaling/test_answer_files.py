@@ -102,6 +102,8 @@ UNKNOWN = ["A>B", "C>B", "A>C"]
         "a note over lines": PLAIN.replace("chosen", "chosen,note", 1)
         .replace("A\n", 'A,"one, two\nthree"\n')
         .replace("C\n", "C,\n"),
+        "Ctrl-Z at the end": PLAIN + "\x1a",
+        "a new page at the end": PLAIN + "\x0c\r\n",
         "long cells": PLAIN.replace("chosen", "chosen,note", 1)
         .replace("A\n", f"A,{'x' * 2_000_000}\n")
         .replace("C\n", "C,\n"),

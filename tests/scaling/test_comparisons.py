@@ -267,7 +267,7 @@ def test_files_that_are_no_counts_are_refused(tmp_path):
     assert line("a,b\n0,1\nx,0\n") == ': row 3: column 1 is "x"; allowed: a whole number, 0 or more'
     assert line("0,1\n,0\n") == ': row 2: column 1 is ""; allowed: a whole number, 0 or more'
     assert line("0,1\n-2,0\n") == f': row "2", column "1" is -2; {WHOLE}'
-    assert line("0,1\n2\n") == ": row 2: has 1 cells; allowed: 2"
+    assert line("0,1\n2\n") == ': row 2: has 1 cell, "2"; allowed: 2 (remove what is no answer)'
     assert (
         line("x,a,b\nb,0,1\na,1,0\n")
         == ": rows and columns differ in their labels; allowed: the same"

@@ -221,8 +221,10 @@ def _refuse_repeats(
         return
     first = _earlier_twin([np.nan_to_num(column, nan=np.inf) for column in columns])
     who = "the same person on the same pair" if person is not None else "the same in every column"
+    again = np.flatnonzero(first >= 0)
+    _, at = np.unique(table.numbers[again], return_index=True)  # a row of a wide table is several
     faults.say_of_rows(
-        np.flatnonzero(first >= 0),
+        again[at],
         lambda row: (
             f"repeats row {table.numbers[first[row]]}: {who}, and no time or trial tells "
             "them apart; remove one, or pass repeats=True"

@@ -81,6 +81,12 @@ def find_header(
             allowed = "allowed: a line of column names, then answers"
             raise InputError(f"{place}: is empty{below}; {allowed}")
     header = _header(found[mark], mark, at)
+    named = [name for name in header.names if name]
+    if named and all(re.fullmatch("'[^']*'", name) for name in named):
+        raise InputError(
+            f"{place}: row {at + 1} has its names in single quotation marks; allowed: double ones, "
+            "or none"
+        )
     if any(re.search(r"[\n\r]", name) for name in header.names):
         line = content[header.top : found[mark][at].end].decode("utf-8")
         try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 from itertools import combinations
 from typing import Any, TypedDict
@@ -11,7 +12,7 @@ import numpy as np
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import codes_of, number_column, text_column
 from nacreous.scaling.data.count import count_column, counts_of_sides
-from nacreous.scaling.data.fault import Faults, listed, nearest
+from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.program import names_people, program_of
 from nacreous.scaling.data.table import Table
@@ -180,6 +181,12 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
         for role, name in lacking.items()
     }
     options = ", ".join(f"{role}={near[role]!r}" if near[role] else f"{role}=NAME" for role in near)
+    pairs = [name for name in free if _OR.fullmatch(name)]
+    if len(lacking) > 1 and len(pairs) == len(free) - 1:
+        return (
+            f"has columns such as {quoted(pairs[0])}; allowed with a column a pair: names such as "
+            f"{quoted(_OR.sub(r'\1 vs \2', pairs[0]))}, or the columns left, right and chosen"
+        )
     names = list(lacking.values())
     meant = next(iter(near.values()))
     if len(names) == 1 and meant:
@@ -191,6 +198,9 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
         hint += ", or skip rows above the names by skip_rows=N"
     return f"has no column{several}; {hint}"
 
+
+#: A pair in other words than `vs`, which a label may hold.
+_OR = re.compile(r"(\S.*?)(?:[ _]+(?:or|and|oder|ou)[ _]+|\s*[/|–—:]\s*|\s+-\s+|\s*か\s*)(\S.*)")
 
 #: Parts of names that columns of a role have in other programs and languages.
 _PARTS = {
