@@ -67,6 +67,6 @@ def test_a_count_is_a_whole_number(cell):
     [("n_left", "n_right"), ("win1", "win2"), ("winsA", "winsB"), ("left votes", "right votes")],
 )
 def test_counts_for_either_side_are_refused_by_form(names):
-    table = {"left": ["A", "B"], "right": ["B", "C"]} | dict.fromkeys(names, [5, 3])
+    table = {"left": ["A", "B"], "right": ["B", "C"]} | {name: [5, 3] for name in names}
     with pytest.raises(nc.InputError, match=f"columns {names[0]} and {names[1]} may count"):
         Answers.of_table(table)

@@ -83,7 +83,7 @@ def test_what_is_no_table_is_called_by_its_name(tmp_path, content, options, mess
     [
         (PLAIN + "# exported 2024\n", 'row 4: has 1 cell, "# exported 2024"; allowed: 4 (remove'),
         ("p,A,B,A\np,B,C,C\nq,C,A,A\np,A,B,A\n", 'row 1 seems to be an answer, for "p", "A", "B"'),
-        ("p,A,B,C\np,A,C,B\nq,C,B,A\n", 'row 1 seems to be an answer, for "p", "A" stand in'),
+        ("p,A,B,C\np,A,C,B\nq,C,B,A\n", 'row 1 seems to be an answer, for "p", "A", "B" stand in'),
         ("who,A or B,B or C\np,A,B\n", 'has columns such as "A or B"; allowed with a column a p'),
         ("who,A/B,B/C\np,A,B\n", 'has columns such as "A/B"; allowed with a column a pair: names'),
         ("'left','right','chosen'\n'A','B','A'\n", "row 1 has its names in single quotation mark"),
@@ -204,8 +204,8 @@ def test_a_table_of_answers_is_no_square_of_counts_and_the_other_way_round(tmp_p
             "independent",
         ),
         (
-            """has no columns left and right; name them by left="it's", right='b'""",
-            """has no columns left and right; name them by --column 'left=it'"'"'s' --column right=b""",
+            """has no columns left; name them by left="it's", right='b'""",
+            """has no columns left; name them by --column 'left=it'"'"'s' --column right=b""",
         ),
         (
             'label "x" is odd; name it by left="a\'b"',

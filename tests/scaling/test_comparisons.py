@@ -269,7 +269,7 @@ def test_files_that_are_no_counts_are_refused(tmp_path):
     assert line("0,1\n-2,0\n") == f': row "2", column "1" is -2; {WHOLE}'
     assert line("0,1\n2\n") == ': row 2: has 1 cell, "2"; allowed: 2 (remove what is no answer)'
     assert (
-        line("x,a,b\nb,0,1\na,1,0\n")
+        line("x,a,b\nb,0,1\nc,1,0\n")
         == ": rows and columns differ in their labels; allowed: the same"
     )
     assert line("").startswith(": is empty")

@@ -1,7 +1,4 @@
-"""CSV files as columns of text, as spreadsheets and programs of experiments write them.
-
-All cells stay text, so that the label "01" is not the label "1".
-"""
+"""CSV files as columns of text: all cells stay text, for the label "01" is not the label "1"."""
 
 from __future__ import annotations
 
@@ -70,10 +67,11 @@ def parse_csv(
         if at not in kept and not (header.row_names and at == 0 and _are_row_names(column)):
             _check_nameless(place, at, column, numbers, header.names)
     names = [header.names[at] for at in kept]
-    _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if not twice:
+        _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
     if wanted and not any({*map(str.casefold, names)} >= {*map(str.casefold, w)} for w in wanted):
         _check_headless(place, header.rows, names, [columns[at] for at in kept])
-    twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
     texts = dict(zip(header.names, header.texts, strict=False))

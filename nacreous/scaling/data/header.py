@@ -25,8 +25,8 @@ class Header:
 
     separator: of cells. names: of columns, "" where a column has none. rows: how many rows of the
     file stand above the first row of data. top, begin: the bytes at which the line of names and the
-    first row of data begin. texts: what Qualtrics says of each column below its name. row_names: R's
-    names of rows stand in front of each, and have no name of their own.
+    first row of data begin. texts: what Qualtrics says of each column below its name. row_names:
+    R's names of rows stand in front of each, and have no name of their own.
     """
 
     separator: str

@@ -21,7 +21,7 @@ from nacreous.scaling.data.table import read_bytes
 ROUNDING = 0.011
 MOST_COUNT = 2.0**53
 #: What stands where a stimulus meets itself.
-_DIAGONAL = frozenset({"", "-", "\u2013", "\u2014", "x", "X", "/", "*", "."})
+_DIAGONAL = frozenset({"", "-", "\u2013", "\u2014", "/", "*", "."})
 _TOTALS = frozenset({"total", "totals", "sum", "all", "gesamt", "summe", "合計", "計"})
 
 
@@ -41,15 +41,15 @@ def labelled_matrix(name: str, values: Any) -> tuple[NDArray[np.float64], list[o
 def check_counts(
     name: str, matrix: NDArray[np.float64], labels: Sequence[object] | None = None
 ) -> NDArray[np.float64]:
-    """Whole counts of 0 or more with nothing on the diagonal. labels: by which messages say where."""
+    """Whole counts of 0 or more with nothing on the diagonal. labels: messages say where by them."""
     diagonal = np.eye(len(matrix), dtype=bool)
     counts = np.where(diagonal & np.isnan(matrix), 0.0, matrix)
     with np.errstate(invalid="ignore"):
         shares = (counts >= 0) & (counts <= 1)
         if shares[~diagonal].all() and (counts[~diagonal] % 1).any():
             raise InputError(
-                f"{name}: holds numbers between 0 and 1, as shares are; allowed: counts of answers, "
-                "or in Python Comparisons.of_proportions"
+                f"{name}: holds numbers between 0 and 1, as shares are; allowed: counts of "
+                "answers, or in Python Comparisons.of_proportions"
             )
         whole = (counts >= 0) & (counts <= MOST_COUNT) & (counts == np.floor(counts))
     _stop_at(name, counts, ~whole, "a whole number, 0 or more", labels)
