@@ -41,7 +41,7 @@ def labelled_matrix(name: str, values: Any) -> tuple[NDArray[np.float64], list[o
 def check_counts(
     name: str, matrix: NDArray[np.float64], labels: Sequence[object] | None = None
 ) -> NDArray[np.float64]:
-    """Whole counts of 0 or more with nothing on the diagonal. labels: messages say where by them."""
+    """Whole counts of 0 or more with nothing on the diagonal. labels: for messages."""
     diagonal = np.eye(len(matrix), dtype=bool)
     counts = np.where(diagonal & np.isnan(matrix), 0.0, matrix)
     with np.errstate(invalid="ignore"):
