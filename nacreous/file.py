@@ -36,13 +36,14 @@ __all__ = [
 
 
 @contextmanager
-def atomic(path: str | PathLike[str]) -> Iterator[Path]:
+def atomic(path: str | PathLike[str], *, private: bool = False) -> Iterator[Path]:
     """Write a file so that, whatever happens, `path` is the old file or the whole new one.
 
     Yields the path of a temporary file in the same folder, with the same ending, to be written by
     whatever means. At the end it is flushed to the disk and takes the place of `path`; after any
     exception, Ctrl-C included, it is removed. A new file has the permissions that the umask
-    leaves, a replaced one keeps its own, and a symbolic link keeps pointing where it did.
+    leaves, a replaced one keeps its own, and a symbolic link keeps pointing where it did. A
+    `private` file is for its owner alone (0600), even while it is written, whatever it replaces.
 
     Raises `InputError` if `path` cannot be written: the folder is missing or closed, `path` is a
     directory or a device, or the disk is full.
@@ -55,12 +56,12 @@ def atomic(path: str | PathLike[str]) -> Iterator[Path]:
     'lustre'
     """
     target = _target(path)
-    temporary = _create_beside(path, target)
+    temporary = _create_beside(path, target, 0o600 if private else 0o666)
     try:
         yield temporary
         with temporary.open("rb+") as stream:
             os.fsync(stream.fileno())
-        if target.exists():
+        if target.exists() and not private:
             temporary.chmod(stat.S_IMODE(target.stat().st_mode))
         temporary.replace(target)
     except BaseException as problem:
@@ -217,15 +218,15 @@ def _target(path: str | PathLike[str]) -> Path:
     return target
 
 
-def _create_beside(path: str | PathLike[str], target: Path) -> Path:
+def _create_beside(path: str | PathLike[str], target: Path, mode: int = 0o666) -> Path:
     """Create an empty file of an unused name, hidden, in the folder of `target`."""
     # The name is short, for the target's own may be as long as names can be.
     temporary = target.with_name(f".nacreous-{os.urandom(4).hex()}{target.suffix[:16]}")
     if not target.parent.is_dir():
         raise InputError(f"{path}: the folder {target.parent} does not exist")
     try:
-        # 0o666 less the umask, as every program creates its files; never over an existing one.
-        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+        # Less the umask, as every program creates its files; never over an existing one.
+        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, mode))
     except OSError as problem:
         raise _unwritable(path, problem) from problem
     return temporary

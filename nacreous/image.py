@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from nacreous import _core, file
+from nacreous.development import check_bits, check_unchanged, check_words
 from nacreous.linear_light import layers_of, linear_of, texts_of
 from nacreous.named_files import files_needed, hold_files, moved, relative_to
-from nacreous.number import said
-from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, Recipe, recipe
 from nacreous.unchanging import Unchanging, keep, key_of, ordered, released
 
@@ -65,11 +64,11 @@ class Image(Unchanging):
 
     def __repr__(self) -> str:
         """Its size and whose picture it is, on one line."""
-        import tomllib
+        from nacreous import toml_text
 
         height, width = self.linear.shape[:2]
         texts = [text for key, text in self.recipe.items() if key.split(".")[0] == "pearl"]
-        of = tomllib.loads(texts[0]).get("name") if len(texts) == 1 else f"{len(texts)} pearls"
+        of = toml_text.loads(texts[0]).get("name") if len(texts) == 1 else f"{len(texts)} pearls"
         return f"Image({width} x {height}{f', {of}' if texts else ''})"
 
     def __array__(
@@ -82,7 +81,7 @@ class Image(Unchanging):
 
     def _repr_png_(self) -> bytes:
         """The picture as notebooks show it, in sRGB."""
-        return _core.png_bytes(self.develop()[0], "srgb", self._texts({}, Path()))
+        return self.png()
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
@@ -143,12 +142,30 @@ class Image(Unchanging):
         >>> codes.dtype, codes.shape
         (dtype('uint8'), (8, 8, 4))
         """
-        _check_bits(bits)
+        check_bits(bits)
         if not alpha:
             return _core.develop(self.linear, str(space), str(gamut), bits)
         from nacreous.alpha import codes_with_alpha, pearls_alone
 
         return codes_with_alpha(pearls_alone(self.layers), bits, str(space), str(gamut))
+
+    def png(
+        self,
+        bits: Literal[8, 16] = 8,
+        space: str = "srgb",
+        gamut: str = "soft",
+        alpha: bool = False,
+    ) -> bytes:
+        """The picture as a PNG in memory, with its recipe; arguments as for `save`.
+
+        Files that the recipe names are named by their absolute paths.
+
+        >>> render("paper", size=8, samples=1).png()[1:4]
+        b'PNG'
+        """
+        codes, _ = self.develop(bits, space, gamut, alpha)
+        how = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
+        return _core.png_bytes(codes, str(space), self._texts(how, None))
 
     def save(
         self,
@@ -166,10 +183,11 @@ class Image(Unchanging):
         The file is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
         suffix = file.check_output(path, SUFFIXES).suffix.lower()
-        _check_bits(bits)
-        _check_words(str(space), str(gamut))
+        check_bits(bits)
+        check_words(str(space), str(gamut))
         how: dict[str, object] = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
         if suffix == ".exr":
+            check_unchanged(bits, str(space), str(gamut))
             how = {"alpha": True} if alpha else {}
         texts = self._texts(how, Path(path).parent)
         with file.atomic(path) as temporary:
@@ -196,9 +214,9 @@ class Image(Unchanging):
         _core.write_png(path, codes, how[1], texts)
         return outside
 
-    def _texts(self, how: Mapping[str, object], folder: Path) -> _Texts:
-        """The recipe for a file in a folder, and how the light became what the file holds."""
-        texts = moved(self.recipe, relative_to(folder))
+    def _texts(self, how: Mapping[str, object], folder: Path | None) -> _Texts:
+        """The recipe for a file, in a folder if in any, and how light became what it holds."""
+        texts = dict(self.recipe) if folder is None else moved(self.recipe, relative_to(folder))
         if how and texts:
             texts["developed"] = json.dumps(how)
         return [(PREFIX + name, text) for name, text in texts.items()]
@@ -312,21 +330,6 @@ def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, 
         (number, measured_grain(Pearl.model_validate_json(json.dumps(pearls[number]))))
         for number in photographed
     ]
-
-
-def _check_words(space: str, gamut: str) -> None:
-    """Asked of OpenEXR too, which needs neither."""
-    for name, word, allowed in (
-        ("RGB space", space, ("srgb", "display-p3")),
-        ("gamut", gamut, ("clip", "soft")),
-    ):
-        if word not in allowed:
-            raise InputError(f'{name} is "{word}"; allowed: {", ".join(allowed)}')
-
-
-def _check_bits(bits: int) -> None:
-    if type(bits) is not int or bits not in (8, 16):
-        raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
 
 
 if TYPE_CHECKING:

@@ -12,7 +12,6 @@ from nacreous.deprecation import keep_former_names
 from nacreous.nacre import LayerStack
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
-from nacreous.unchanging import released
 from nacreous.value import value_class
 
 __all__ = ["ByAngle", "exact", "illuminant_model"]
@@ -73,7 +72,7 @@ def exact(
     known, spectrum = _checked(stack, light)
     found = _core.iridescence(known, spectrum, str(observer), str(polarisation))
     fine = _Fine(stack, spectrum, str(observer), str(polarisation))
-    reflected, transmitted = (ByAngle(released(table)) for table in fine.resolved(found))
+    reflected, transmitted = (ByAngle(table) for table in fine.resolved(found))
     fine.check(reflected, transmitted)
     return reflected, transmitted
 

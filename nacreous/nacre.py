@@ -60,7 +60,8 @@ class LayerStack:
     ambient: Medium
     substrate: Medium
     cover: tuple[tuple[Medium, float], ...]
-    _compiled: _core.Stack = field(init=False, compare=False, repr=False)
+    if TYPE_CHECKING:  # no field, so that `dataclasses.asdict` gives what a stack is made from
+        _compiled: _core.Stack = field(init=False, compare=False, repr=False)
 
     def __init__(
         self,
@@ -181,6 +182,11 @@ def _cover(cover: Sequence[tuple[Medium, float]]) -> tuple[tuple[Medium, float],
         medium, nm = layer
         medium_of(f"cover[{place}]", medium)
         kept.append((medium, within(f"cover[{place}] thickness", nm, 0, 1e6)))
+    known = [
+        (f"cover[{place}]", medium_of("cover", medium)) for place, (medium, _) in enumerate(kept)
+    ]
+    around = [("ambient", 1.0), *known, ("substrate", 1.0)]
+    _core.Film(around, list(range(1, len(kept) + 1)), [nm for _, nm in kept])  # knows every name
     return tuple(kept)
 
 

@@ -38,8 +38,7 @@ def moved(texts: Mapping[str, str], move: Callable[[str], str]) -> dict[str, str
     """
     if FILES not in texts:
         return dict(texts)
-    import tomllib
-
+    from nacreous import toml_text
     from nacreous.spec import Pearl, Scene
     from nacreous.spec.specfile import move_paths
     from nacreous.spec.toml import to_toml
@@ -48,7 +47,7 @@ def moved(texts: Mapping[str, str], move: Callable[[str], str]) -> dict[str, str
     for name, text in texts.items():
         kind = name.partition(".")[0]
         if kind in ("pearl", "scene"):
-            values = tomllib.loads(text)
+            values = toml_text.loads(text)
             move_paths(Pearl if kind == "pearl" else Scene, values, move)
             changed[name] = to_toml(values)
     held = {move(path): sha256 for path, sha256 in json.loads(texts[FILES]).items()}

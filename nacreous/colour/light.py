@@ -65,7 +65,7 @@ def _text(path: str | Path, content: bytes) -> str:
         encodings = ["utf-8-sig", "latin-1"]
     for encoding in encodings:
         try:
-            text = content.decode(encoding)
+            text = content.decode(encoding).replace("\r\n", "\n").replace("\r", "\n")
         except UnicodeDecodeError:
             continue
         if not any(unicodedata.category(letter) == "Cc" for letter in set(text) - set("\t\n\r\f")):

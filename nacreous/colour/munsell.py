@@ -70,5 +70,5 @@ def _hvc_of(hvc: ArrayLike) -> Array:
     """Hue, value and chroma, of which no hue is in degrees."""
     array = array_of("hvc", hvc)
     if array.shape[-1:] == (3,):
-        bounded_of("hue of hvc", array[..., 0], 2 * np.pi, "hue is in rad")
+        bounded_of("hue of hvc", array[..., 0], 4 * np.pi, "hue is in rad")
     return array

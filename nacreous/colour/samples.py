@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
 from nacreous.problem import InputError
+from nacreous.unchanging import settled
 
 Array = NDArray[np.float64]
 
@@ -14,9 +15,8 @@ Array = NDArray[np.float64]
 #: 8-bit codes and percentages are.
 _MOST_RELATIVE = 10.0
 
-WAVELENGTH_NM: Array = _core.spectrum_wavelength_nm()
+WAVELENGTH_NM: Array = settled(_core.spectrum_wavelength_nm())
 """Wavelength of each sample of a spectrum: 380, 381 ... 780 nm."""
-WAVELENGTH_NM.flags.writeable = False
 
 
 def array_of(quantity: str, values: ArrayLike) -> Array:

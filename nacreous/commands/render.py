@@ -98,7 +98,12 @@ def run(args: argparse.Namespace) -> int:
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
     with standard.writing(output, ".png") as place:
-        outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
+        how = (job.bits, job.space, job.gamut, job.alpha)
+        if output == standard.STREAM:  # which leads nowhere that files could be named from
+            place.write_bytes(picture.png(*how))
+            outside = picture.develop(*how)[1]
+        else:
+            outside = picture.save(place, *how)
     say(_report(output, job, time.monotonic() - begin, outside), [output])
     return 0
 

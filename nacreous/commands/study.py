@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import time
 
-from nacreous.commands import study_demo, study_report, study_serve, study_store
+from nacreous.commands import study_demo, study_entry, study_report, study_serve, study_store
 from nacreous.commands.terminal import say
 
 _EXAMPLES = """\
@@ -34,6 +34,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     study_serve.add_actions(actions)
     study_demo.add_rehearse(actions)
     study_report.add_action(actions)
+    study_entry.add_actions(actions)
     study_store.add_actions(actions)
 
 
@@ -59,6 +60,7 @@ def new(args: argparse.Namespace) -> int:
 
     from nacreous.commands.progress import bar
     from nacreous.study.design import Design, freeze
+    from nacreous.study.design.outside import files_outside
     from nacreous.study.plan import repetitions, trials
 
     output = args.output or f"{Path(args.study).stem}-study"
@@ -71,6 +73,8 @@ def new(args: argparse.Namespace) -> int:
         f"{len(shown)} trials a participant, {time.monotonic() - begin:.1f} s; "
         f"hash {frozen.study_hash[:12]}"
     )
+    for place in files_outside(args.study):
+        say(f"{output}: holds a picture made with {place}, which is outside the study's folder")
     if again := repetitions(shown):
         say(
             f"{output}: a stimulus is shown twice in a row {again} times; with so few stimuli or "

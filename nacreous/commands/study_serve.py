@@ -25,12 +25,22 @@ examples:
 
 def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     """Describe both."""
-    parser = _add(actions, "serve", "serve a frozen study's pages to participants")
+    parser = add_action(actions, "serve", "serve a frozen study's pages to participants", _EXAMPLES)
     parser.add_argument("--host", default="127.0.0.1", help="where to listen (127.0.0.1)")
     parser.add_argument("--port", type=int, default=8000, help="0 for any that is free (8000)")
     parser.add_argument("--url", help="where people reach the server, if that is elsewhere")
+    parser.add_argument(
+        "--allow-host",
+        action="append",
+        default=[],
+        metavar="HOST",
+        help="another name by which browsers may call the server, such as lab-pc.local; may be "
+        "given again",
+    )
     parser.set_defaults(run=serve)
-    parser = _add(actions, "account", "make an experimenter's account, or change its password")
+    parser = add_action(
+        actions, "account", "make an experimenter's account, or change its password", _EXAMPLES
+    )
     parser.add_argument("name", help="1 to 40 of a to z, 0 to 9, - _ .")
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--generate", action="store_true", help="draw a password and print it")
@@ -46,20 +56,21 @@ def serve(args: argparse.Namespace) -> int:
     from nacreous.study.running import Running
 
     url = None if args.url is None else listening.check_url(args.url)
-    frozen, store = _opened(args)
+    frozen, store = opened(args)
     with store, Worker(frozen.folder, _place(args)) as worker:
-        app = create_app(Running(store, frozen), url=url, worker=worker)
-        with listening.listen(args.host, args.port) as opened, listening.until_stopped():
-            address = listening.address_of(opened)
+        hosts = [*args.allow_host, *listening.named(args.host)]
+        app = create_app(Running(store, frozen), url=url, worker=worker, hosts=hosts)
+        with listening.listen(args.host, args.port) as listener, listening.until_stopped():
+            address = listening.address_of(listener)
             for line in _told(args.study, frozen, store, address, url):
                 say(f"{args.study}: {line}")
-            listening.serve(app, opened)
+            listening.serve(app, listener)
     return 0
 
 
 def account(args: argparse.Namespace) -> int:
     """Make, change or remove an account."""
-    _, store = _opened(args)
+    _, store = opened(args)
     with store:
         if args.remove:
             store.remove_account(args.name, who())
@@ -72,14 +83,15 @@ def account(args: argparse.Namespace) -> int:
     return 0
 
 
-def _add(
-    actions: Actions[argparse.ArgumentParser], name: str, does: str
+def add_action(
+    actions: Actions[argparse.ArgumentParser], name: str, does: str, examples: str
 ) -> argparse.ArgumentParser:
+    """An action on a frozen study and the store of its answers."""
     parser = actions.add_parser(
         name,
         help=does,
         description=f"{does[0].upper()}{does[1:]}.",
-        epilog=_EXAMPLES,
+        epilog=examples,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("study", help="the folder of a frozen study")
@@ -91,7 +103,8 @@ def _add(
     return parser
 
 
-def _opened(args: argparse.Namespace) -> tuple[Frozen, Store]:
+def opened(args: argparse.Namespace) -> tuple[Frozen, Store]:
+    """The study and its store, both to be used now."""
     from nacreous.study.design import open_frozen
     from nacreous.study.store import Store
 

@@ -26,29 +26,38 @@ Actions = argparse._SubParsersAction
 def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     """Describe what `nacreous study` can do with a store."""
     parser = _add(actions, "backup", "copy a store to one file, while it is in use")
-    _add_place(parser)
+    add_place(parser)
     parser.add_argument("-o", "--output", required=True, help="a .sqlite file, from either kind")
     parser.set_defaults(run=backup)
     parser = _add(actions, "restore", "make a store from a backup")
     parser.add_argument("backup", help="what `nacreous study backup` wrote")
-    _add_place(parser)
+    add_place(parser)
     parser.set_defaults(run=restore)
     parser = _add(actions, "export", "write all answers as .csv, .parquet or a Psych-DS folder")
-    _add_place(parser)
+    add_place(parser)
     parser.add_argument(
         "-o",
         "--output",
         default="answers.csv",
         help="- for CSV to standard output; a name without ending is a folder",
     )
-    _add_study(parser)
+    parser.add_argument(
+        "--bom", action="store_true", help="begin a .csv with a byte order mark, as Excel wants it"
+    )
+    parser.add_argument(
+        "--identifying",
+        action="store_true",
+        help="with what may identify a person: the browser's full name, texts in screen checks, "
+        "whom an invitation was for",
+    )
+    add_study(parser)
     parser.set_defaults(run=export)
     parser = _add(actions, "exclude", "mark a person's answers as not to be counted")
-    _add_person(parser)
+    add_person(parser)
     parser.add_argument("--reason", required=True, help="kept with the answers")
     parser.set_defaults(run=exclude)
     parser = _add(actions, "erase", "take away all that leads from answers to a person")
-    _add_person(parser)
+    add_person(parser)
     parser.set_defaults(run=erase)
 
 
@@ -78,7 +87,7 @@ def export(args: argparse.Namespace) -> int:
         standard.writing(args.output, ".csv") as output,
     ):
         study = store.study(args.study)
-        rows = export(store, study, output)
+        rows = export(store, study, output, bom=args.bom, identifying=args.identifying)
         found = store.progress(study)
     say(
         f"{args.output}: written, {rows} answers of {found.entered} people; "
@@ -94,7 +103,7 @@ def exclude(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = _person(store, args)
+        session = person_of(store, args)
         store.exclude(session.id, args.reason, who())
     say(f"person {session.number}: excluded; the answers stay, marked")
     return 0
@@ -105,7 +114,7 @@ def erase(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = _person(store, args)
+        session = person_of(store, args)
         store.erase(session.id, who())
     say(f"person {session.number}: erased; backups and exports made before still hold the data")
     return 0
@@ -123,7 +132,8 @@ def _add(
     )
 
 
-def _add_place(parser: argparse.ArgumentParser) -> None:
+def add_place(parser: argparse.ArgumentParser) -> None:
+    """Where the store is, or nothing for what NACREOUS_STORE says."""
     parser.add_argument(
         "place",
         nargs="?",
@@ -131,24 +141,28 @@ def _add_place(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_study(parser: argparse.ArgumentParser) -> None:
+def add_study(parser: argparse.ArgumentParser) -> None:
+    """Which study of a store."""
     parser.add_argument("--study", help="the beginning of its hash, where a store has several")
 
 
-def _add_person(parser: argparse.ArgumentParser) -> None:
+def add_person(parser: argparse.ArgumentParser) -> None:
+    """Which person of which store."""
     parser.add_argument("place", help="the study's folder, a file, or postgresql://...")
     parser.add_argument("number", type=int, help="the participant's number, from 0")
-    _add_study(parser)
+    add_study(parser)
 
 
-def _person(store: Store, args: argparse.Namespace) -> Session:
+def person_of(store: Store, args: argparse.Namespace) -> Session:
+    """The person whom the arguments name."""
     from nacreous.problem import InputError
 
     people = store.sessions(store.study(args.study))
     for session in people:
         if session.number == args.number:
             return session
-    raise InputError(f"number is {args.number}; allowed: 0 to {len(people) - 1}")
+    allowed = f"0 to {len(people) - 1}" if people else "none, for nobody has entered"
+    raise InputError(f"number is {args.number}; allowed: {allowed}")
 
 
 def _told(copied: Copied) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterable
 from typing import TypeAlias
 
@@ -81,7 +82,7 @@ def parts_of_csv(text: str) -> Parts:
     for row in _rows(text):
         if not _is_float(row[0]):
             columns = [cell.lower() for cell in row[1:]]
-            blocks.append((columns, 1.0 if "nm" in row[0].lower() else 1e3, []))
+            blocks.append((columns, _nm_per_unit(row[0]), []))
         else:
             if not blocks:
                 blocks.append((["n", "k"][: max(1, len(row) - 1)], 1e3, []))
@@ -96,6 +97,19 @@ def parts_of_csv(text: str) -> Parts:
                 raise InputError(f"{name} is given twice; allowed: once")
             parts[name] = dispersion_of_rows(nm_per_unit * rows[:, 0], rows[:, 1 + i])
     return parts
+
+
+def _nm_per_unit(head: str) -> float:
+    """Of the first column's name: micrometres unless it says nanometres; no other unit."""
+    words = re.findall(r"[^\W\d_]+", head.lower())
+    in_brackets = re.findall(r"[(\[]\s*([^)\]]*?)\s*[)\]]", head.lower())
+    if not {*words, *in_brackets} & {"ev", "a", "å", "thz", "hz", "cm", "mm", "energy"}:
+        unit = (in_brackets or ["um"])[0]
+        if unit in ("nm", "nanometer", "nanometers", "nanometre", "nanometres") or "nm" in words:
+            return 1.0
+        if unit in ("um", "\u00b5m", "\u03bcm", "micron", "microns") or unit.startswith("micromet"):
+            return 1e3
+    raise InputError(f"wavelengths are in {said(head)}; allowed: um or nm")
 
 
 def _rows(text: str) -> list[list[str]]:

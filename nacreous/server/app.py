@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 
 from fastapi import FastAPI
@@ -25,15 +26,18 @@ def create_app(
     url: str | None = None,
     built: Path | None = None,
     worker: Worker | None = None,
+    hosts: Collection[str] = (),
 ) -> FastAPI:
     """The application that serves a running study.
 
     url: where people reach it, if not where it listens. built: where the pages are, if
-    not where `./just pages` builds them. worker: a process for what takes seconds. Raises
-    `InputError` where they are not.
+    not where `./just pages` builds them. worker: a process for what takes seconds. hosts:
+    names that are the server's beside localhost, the address a request came in at, and that of
+    `url`; a request that names another is refused. Raises `InputError` where the pages are not
+    there, and for what is no host.
     """
     app = without_study()
-    service = Service(running, url, worker)
+    service = Service(running, url, worker, hosts)
     app.state.service = service
     app.state.pages = pages.Pages(built or pages.FOLDER)
     app.add_middleware(GuardMiddleware, service=service)

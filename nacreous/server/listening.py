@@ -19,6 +19,8 @@ from nacreous.problem import InputError
 _BACKLOG = 2048
 #: Where a proxy may be that is believed: at "localhost", by either protocol.
 _THIS_MACHINE = "127.0.0.1,::1"
+#: Every address of this machine.
+_ALL = ("0.0.0.0", "::")  # noqa: S104 (what is asked for, not what we listen at)
 #: Open connections at once, where the system lets a process have so many.
 _MOST_OPEN = 16_384
 
@@ -68,6 +70,15 @@ def listen(host: str, port: int) -> socket.socket:
             raise InputError(f"host is {host}; wanted: one of this machine's") from None
         raise
     return made
+
+
+def named(host: str) -> list[str]:
+    """What the place where we listen is called in `address_of`; "" stands for all addresses.
+
+    >>> named("lab-pc.local"), named("")
+    (['lab-pc.local'], ['0.0.0.0', '::'])
+    """
+    return [host] if host else list(_ALL)
 
 
 def address_of(listening: socket.socket) -> str:

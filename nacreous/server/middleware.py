@@ -40,6 +40,7 @@ class GuardMiddleware:
             await send(message)
 
         try:
+            self._service.hosts.check(Headers(scope=scope), scope.get("server"))
             if scope["method"] not in SAFE:
                 receive = await self._checked(scope, receive)
             await self._app(scope, receive, guarded)

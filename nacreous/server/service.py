@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+from urllib.parse import urlsplit
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -13,6 +14,7 @@ from starlette.types import Scope
 
 from nacreous.printable import printable
 from nacreous.server.facts import Facts
+from nacreous.server.hosts import Hosts
 from nacreous.server.origin import origin_of
 from nacreous.server.person import People
 from nacreous.server.pictures import Pictures
@@ -32,12 +34,17 @@ P = ParamSpec("P")
 class Service:
     """A study that runs, and what the server remembers beside it.
 
-    url: where people reach the server, if it is not where it listens, as behind a proxy. worker:
-    what works out in a process of its own what takes seconds.
+    url: where people reach the server, if it is not where it listens, as behind a proxy. hosts:
+    names that are the server's too (`nacreous.server.hosts`). worker: what works out in a process
+    of its own what takes seconds.
     """
 
     def __init__(
-        self, running: Running, url: str | None = None, worker: Worker | None = None
+        self,
+        running: Running,
+        url: str | None = None,
+        worker: Worker | None = None,
+        hosts: Collection[str] = (),
     ) -> None:
         self.running = running
         self.rates = Rates()
@@ -49,6 +56,7 @@ class Service:
         self._facts = Facts(running.frozen.design)
         self.url = url.rstrip("/") if url else None
         self.origin = origin_of(url) if url else None
+        self.hosts = Hosts([*hosts, *([urlsplit(url).netloc] if url else [])])
 
     @property
     def store(self) -> Store:

@@ -8,6 +8,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from nacreous import toml_text
 from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
@@ -74,12 +75,14 @@ def parse(text: str, where: str) -> dict[str, Any]:
     nacreous.problem.InputError: pearl.toml: line 1, column 8: not TOML: Invalid value
     """
     try:
-        return tomllib.loads(text)
+        return toml_text.loads(text)
     except tomllib.TOMLDecodeError as error:
         reason, line, column = _placed(str(error), text)
         message = f"{where}: line {line}, column {column}: not TOML: {reason}"
-    except RecursionError:
-        message = f"{where}: lists or tables are nested too deeply"
+    except toml_text.TooDeepError as error:
+        before = text[: error.position]
+        line, column = before.count("\n") + 1, error.position - before.rfind("\n")
+        message = f"{where}: line {line}, column {column}: {error}"
     except ValueError:  # a whole number of thousands of digits
         message = f"{where}: holds a number too long to be read"
     raise InputError(message)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable
 from typing import Any
 
+from nacreous import toml_text
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
 
@@ -34,8 +34,8 @@ def value_of(text: str) -> Any:
     if "\n" in text:
         return text
     try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except (ValueError, RecursionError):
+        return toml_text.loads(f"value = {text}")["value"]
+    except ValueError:
         return text
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from nacreous import toml_text
 from nacreous.problem import InputError
 
 _FOLDER = Path(__file__).parent.parent / "presets"
@@ -52,4 +52,4 @@ def summary(kind: str, name: str) -> str:
 
 def values(kind: str, name: str) -> dict[str, Any]:
     """The keys that the preset gives."""
-    return tomllib.loads(text(kind, name))
+    return toml_text.loads(text(kind, name))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Any
 
@@ -279,3 +280,12 @@ def test_bad_input_is_refused_in_one_line(act: Any, message: str) -> None:
         act()
     assert str(caught.value).startswith(message)
     assert "\n" not in str(caught.value)
+
+
+def test_a_covers_medium_is_known_when_the_stack_is_made() -> None:
+    for medium, said in (("x", "cover[0] is 'x'; allowed: "), (1.5 - 0.1j, "cover[0]: k is -0.1")):
+        with pytest.raises(nc.InputError) as refusal:
+            nc.LayerStack([400.0], cover=[(medium, 3.0)])
+        assert str(refusal.value).startswith(said)
+    kept = dataclasses.asdict(nc.LayerStack([400.0], cover=[("chitin", 3.0)]))
+    assert kept["cover"] == (("chitin", 3.0),)

@@ -362,3 +362,17 @@ def test_a_path_that_cannot_be_is_refused_in_words(path: object) -> None:
     for reader in (medium.read, nc.colour.spectrum_from_csv, nc.file.read_panorama):
         with pytest.raises(InputError, match=r"path is .*; allowed: the path"):
             reader(path)  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("head", ["eV,n,k", "wl (A),n,k", "wavelength [cm-1],n,k", "energy,n,k"])
+def test_wavelengths_in_a_unit_that_is_not_read_are_refused_by_name(
+    head: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "medium.csv"
+    file.write_text(f"{head}\n1.5,1.5,0\n3,1.6,0\n", "utf-8")
+    with pytest.raises(nc.InputError, match=r"wavelengths are in .*; allowed: um or nm"):
+        nc.medium.read(file)
+    for unit in ("wl", "wl,um", "Wavelength (\u00b5m)", "lambda [micron]"):
+        name = unit.split(",")[0]
+        file.write_text(f"{name},n,k\n0.4,1.5,0\n0.8,1.6,0\n", "utf-8")
+        assert nc.medium.read(file).last_nm == pytest.approx(800.0)

@@ -276,4 +276,4 @@ def test_an_image_goes_from_process_to_process_with_all_that_it_holds() -> None:
         np.testing.assert_array_equal(other.linear, image.linear)
         assert list(other.layers) == list(image.layers)
         assert other.recipe == image.recipe
-    assert repr(image).startswith("Image(8 x 8 pixels, layers: interference, diffuse")
+    assert repr(copies[0]) == "Image(8 x 8, paper)"

@@ -16,6 +16,7 @@ from PIL import Image as Pillow
 
 import nacreous as nc
 from nacreous import cli
+from nacreous.embedded import read_embedded
 from nacreous.spec import (
     Growth,
     Lamp,
@@ -158,9 +159,33 @@ def test_what_means_nothing_is_refused_and_not_passed_over(
     image = nc.render("paper", size=4, samples=1)
     message = refusal(lambda: image.save(tmp_path / "k.exr", gamut="x"))
     assert message == 'gamut is "x"; allowed: clip, soft'
+    for name, word in (("bits", 16), ("space", "display-p3"), ("gamut", "clip")):
+        message = refusal(
+            lambda name=name, word=word: image.save(tmp_path / "k.exr", **{name: word})
+        )
+        assert message.startswith(f"{name} is ")
     assert cli.main(["render", "paper", "-o", str(tmp_path / "p.exr"), "--bits", "16"]) == 2
     assert "--bits is given for" in capsys.readouterr().err
     masked = np.ma.masked_array([400.0, 500.0], [True, False])
     assert "has masked values" in refusal(lambda: nc.LayerStack(masked))
     message = refusal(lambda: nc.nacre.diary("paper"))  # type: ignore[arg-type]
     assert message.startswith("growth is 'paper'")
+
+
+def test_a_picture_of_no_place_names_its_files_absolutely_and_makes_itself_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a notebook, or through a pipe."""
+    (tmp_path / "lamp.csv").write_text("380,1\n780,2\n", "utf-8")
+    lamp = '[[lamps]]\nposition_mm = [0, 200, 200]\nspectrum = "lamp.csv"\n'
+    (tmp_path / "scene.toml").write_text(lamp, "utf-8")
+    monkeypatch.chdir(tmp_path)
+    image = nc.render("paper", "scene.toml", 8, 4)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    for name, made in (("shown.png", image._repr_png_()), ("piped.png", image.png(bits=16))):
+        (elsewhere / name).write_bytes(made)
+        monkeypatch.chdir("/")
+        kept = read_embedded(elsewhere / name)
+        again = nc.render(kept.pearls, kept.scene, kept.size, kept.samples)
+        assert (again.linear == image.linear).all()

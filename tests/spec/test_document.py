@@ -26,7 +26,7 @@ from tests.spec.keys import (
         (b"name = 'never closed", "line 1, column 21"),
         (b"\x89PNG\r\n\x1a\n\0\0", "binary"),
         (b"name = 'a'\n# \xff\n", "line 2: is not UTF-8"),
-        (b"a = " + b"[" * 5000, "nested too deeply"),
+        (b"a = " + b"[" * 5000, "line 1, column 37: nested too deeply"),
         (b"[nacre]\nseed = " + b"9" * 5000, "too long"),
         (b"# " + b"a" * 1_000_000, "1000000 bytes"),
         (b"nam = 'a'\n", "nam is not a key here; did you mean name?"),

@@ -12,6 +12,7 @@ import pytest
 
 import nacreous as nc
 from nacreous.problem import InputError
+from nacreous.study.results import exported_answers
 from nacreous.study.store import Store, answers_of, counts, export
 from tests.support.pairs import pair_answer
 
@@ -84,6 +85,68 @@ def test_a_psych_ds_folder_describes_every_column(store: Store, tmp_path: Path) 
         export(store, STUDY, tmp_path / "akoya")
 
 
+FORMULAS = ("=1+1", "+1", "-1", "@x", "'=1", "''-1", "＝1")
+PLAIN = ("a-b", "'s", "1=1", "'", "a'=")
+
+
+@pytest.mark.parametrize("suffix", ["csv", "parquet"])
+def test_our_import_reads_every_label_and_level_back_as_it_was(
+    place: str, tmp_path: Path, suffix: str
+) -> None:
+    labels = (*FORMULAS, *PLAIN)
+    with Store.open(place) as store:
+        store.add_study({"design_hash": STUDY})
+        store.set_registration(STUDY, "open", "lab")
+        for level in FORMULAS:
+            session = store.enter(STUDY, "en", {"sex": level})[0].id
+            store.consent(session)
+            for trial, label in enumerate(labels[1:]):
+                store.answer(session, pair_answer(trial, "q", labels[0], label, "left"))
+        export(store, STUDY, tmp_path / f"answers.{suffix}")
+        given = answers_of(store, STUDY, "q")
+    read = exported_answers(tmp_path / f"answers.{suffix}")
+    assert read is not None
+    assert set(read.stimuli) == set(given.stimuli)
+    assert read.groups["sex"].levels == given.groups["sex"].levels
+    if suffix == "csv":
+        rows = pl.read_csv(tmp_path / "answers.csv", infer_schema=False)
+        assert set(rows["right"]) == {f"'{text}" for text in FORMULAS[1:]} | set(PLAIN)
+
+
+def test_no_cell_of_text_begins_a_formula_in_a_spreadsheet(place: str, tmp_path: Path) -> None:
+    with Store.open(place) as store:
+        fill(store)
+        for number, begin in enumerate(("=", "+", "-", "@", "\t=", "\r=", "\n=", "＠")):
+            session = store.enter(STUDY, "en", {"sex": f"{begin}1"})[0].id
+            store.consent(session)
+            store.answer(session, pair_answer(0, "q", f"{begin}a", f"{number}", "left"))
+            store.exclude(session, f"{begin}cmd|' /C calc'!A0", "lab")
+        export(store, STUDY, tmp_path / "akoya")
+        [path] = (tmp_path / "akoya" / "data").iterdir()
+    with path.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert sum(row["excluded"].startswith("'") for row in rows) == 8
+    for row in rows:
+        for text in row.values():
+            assert not text or text[0] not in "=+-@\t\r\n＝＋－＠"
+    told = json.loads((tmp_path / "akoya/dataset_description.json").read_text(encoding="utf-8"))
+    assert "so that no spreadsheet takes it for a formula" in told["description"]
+
+
+def test_a_byte_order_mark_is_there_on_request_and_alters_nothing(
+    store: Store, tmp_path: Path
+) -> None:
+    export(store, STUDY, tmp_path / "plain.csv")
+    export(store, STUDY, tmp_path / "bom.csv", bom=True)
+    plain = (tmp_path / "plain.csv").read_bytes()
+    assert (tmp_path / "bom.csv").read_bytes() == b"\xef\xbb\xbf" + plain
+    found = [exported_answers(tmp_path / name) for name in ("plain.csv", "bom.csv")]
+    assert found[0] == found[1]
+    for other in ("answers.parquet", "folder"):
+        with pytest.raises(InputError, match=r"bom is for \.csv files"):
+            export(store, STUDY, tmp_path / other, bom=True)
+
+
 def test_a_scale_takes_pairs_of_people_who_count(store: Store) -> None:
     answers = answers_of(store, STUDY, "q")
     # Three people (one of them erased) with two pairs and a repeat each.
@@ -128,8 +191,68 @@ def test_a_study_without_answers_has_a_header(place: str, tmp_path: Path) -> Non
     with Store.open(place) as store:
         store.add_study({"design_hash": STUDY})
         assert export(store, STUDY, tmp_path / "none.parquet") == 0
-        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 17
+        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 22
         with pytest.raises(InputError, match=r"the ending is \.xlsx"):
             export(store, STUDY, tmp_path / "none.xlsx")
         with pytest.raises(InputError, match="is not in this store"):
             export(store, "00" * 32, tmp_path / "none.csv")
+
+
+SCREEN = {
+    "window": {"width_px": 1920.0, "height_px": 1080.0, "note": "Mikimoto's laptop"},
+    "agent": "Firefox 131.0",
+    "gamut": "p3",
+    "gamma": 2.2,
+    "distance_tries_mm": [510.0, 530.0],
+    "remark": "call me on 555-1234",
+    "remarks": ["my name is Kokichi"],
+    "flags": ["no-card"],
+}
+FREE = ("laptop", "131.0", "555-1234", "Kokichi", "Mr Mikimoto")
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet", ""])
+def test_all_that_is_collected_of_people_is_exported_and_what_identifies_on_request_alone(
+    place: str, tmp_path: Path, suffix: str
+) -> None:
+    plain, whole = tmp_path / f"plain{suffix}", tmp_path / f"whole{suffix}"
+    with Store.open(place) as store:
+        store.add_study({"design_hash": STUDY})
+        [token] = store.invite(STUDY, 1, "Mr Mikimoto", "lab")
+        session = store.enter(STUDY, "en", {"browser": "real"}, token)[0].id
+        store.consent(session)
+        store.screen(session, {"gamma": 1.0})
+        store.screen(session, SCREEN)
+        store.answer(session, pair_answer(0, "q", "a", "b", "left"))
+        store.finish(session)
+        known = store.session(session)
+        export(store, STUDY, plain)
+        export(store, STUDY, whole, identifying=True)
+    paths = [path if suffix else next((path / "data").iterdir()) for path in (plain, whole)]
+    read = pl.read_parquet if suffix == ".parquet" else pl.read_csv
+    [row], [more] = (read(path).to_dicts() for path in paths)
+    for name in ("consented_at", "finished_at"):
+        assert datetime.fromisoformat(row[name]) == getattr(known, name)
+    assert datetime.fromisoformat(row["entered_at"]) == known.started_at
+    assert (row["browser"], row["group_browser"]) == ("Firefox", "real")
+    first, last = json.loads(row["screen_checks"])
+    assert first["gamma"] == 1.0
+    kept = {name: last[name] for name in ("gamut", "gamma", "distance_tries_mm", "flags")}
+    assert kept == {name: SCREEN[name] for name in kept}
+    assert last["window"] == {"width_px": 1920.0, "height_px": 1080.0}
+    assert not any(text in str(row) for text in FREE)
+    assert (more["browser_name"], more["invitation"]) == ("Firefox 131.0", "Mr Mikimoto")
+    assert {**json.loads(more["screen_checks"])[1], "at": None} == {**SCREEN, "at": None}
+    assert paths[1].stat().st_mode & 0o077 == 0
+    exported = exported_answers(paths[1])
+    assert exported is not None
+    assert list(exported.groups) == ["group_browser"]
+
+
+def test_nothing_of_an_erased_person_is_exported_with_the_answers(
+    store: Store, tmp_path: Path
+) -> None:
+    export(store, STUDY, tmp_path / "a.csv", identifying=True)
+    for row in pl.read_csv(tmp_path / "a.csv").filter(pl.col("erased")).to_dicts():
+        for name in ("entered_at", "finished_at", "browser", "screen_checks", "browser_name"):
+            assert row[name] is None

@@ -16,6 +16,7 @@ from nacreous import cli
 from nacreous.spec import Pearl, Scene
 from nacreous.study.design import freeze, open_frozen
 from nacreous.study.design.manifest import hash_of
+from nacreous.study.design.outside import files_outside
 
 SMALL = """
 purpose = "demo"
@@ -184,6 +185,43 @@ def test_a_changed_or_missing_stimulus_is_noticed(desk: Path) -> None:
     path.unlink()
     with pytest.raises(nc.InputError, match="cannot be read"):
         open_frozen("out")
+
+
+def test_a_frozen_folder_holds_its_files_and_no_links_or_paths_to_others(
+    desk: Path, tmp_path: Path
+) -> None:
+    folder = desk / "out"
+    frozen = freeze(desk / "small.toml", folder)
+    [first, *_] = frozen.stimuli
+    elsewhere = tmp_path / "elsewhere"
+    for name in (first.file, "stimuli", "study.json"):
+        (folder / name).rename(elsewhere)
+        (folder / name).symlink_to(elsewhere)
+        with pytest.raises(nc.InputError, match=f"is a link to {elsewhere}; wanted: as"):
+            open_frozen(folder)
+        (folder / name).unlink()
+        elsewhere.rename(folder / name)
+    assert open_frozen(folder).study_hash == frozen.study_hash
+    manifest = json.loads((folder / "study.json").read_text(encoding="utf-8"))
+    (tmp_path / "out.png").write_bytes((folder / first.file).read_bytes())
+    for path in ("../../out.png", str(tmp_path / "out.png"), f"stimuli/../{first.file}", 7):
+        manifest["stimuli"][0]["file"] = path
+        del manifest["study_hash"]
+        manifest["study_hash"] = hash_of(manifest)
+        (folder / "study.json").write_text(json.dumps(manifest), encoding="utf-8")
+        with pytest.raises(nc.InputError, match=r'file of "own" is .*; allowed: stimuli/ and its'):
+            open_frozen(folder)
+
+
+def test_files_from_outside_a_studys_folder_are_stated(desk: Path, tmp_path: Path) -> None:
+    assert files_outside(desk / "small.toml") == []
+    (desk / "photograph.png").rename(tmp_path / "holiday.png")
+    (desk / "photograph.png").symlink_to(tmp_path / "holiday.png")
+    (desk / "own.toml").rename(tmp_path / "own.toml")
+    text = (desk / "small.toml").read_text(encoding="utf-8").replace("own.toml", "../own.toml")
+    (desk / "small.toml").write_text(text, encoding="utf-8")
+    found = [str(tmp_path / "holiday.png"), str(tmp_path / "own.toml")]
+    assert files_outside(desk / "small.toml") == found
 
 
 def test_a_study_is_never_frozen_over_another_nor_among_other_files(desk: Path) -> None:

@@ -178,7 +178,7 @@ def test_a_scale_is_the_papers_or_a_file_that_nacreous_scale_wrote(tmp_path: Pat
         if text:
             with pytest.raises(InputError, match="is no scale; wanted: paper, or CSV"):
                 scale_of(str(path))
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="does not exist; wanted: paper, or a CSV file"):
         scale_of(str(tmp_path / "none.csv"))
 
 

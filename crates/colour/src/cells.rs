@@ -64,7 +64,12 @@ impl Comma {
     ) -> Result<Self, (usize, String)> {
         let cells = || rows.iter().flat_map(|(line, row)| row.map(|cell| (*line, cell)));
         let commas = || cells().filter(|(_, cell)| cell.contains(','));
-        let Some((line, comma)) = commas().next() else { return Ok(Self::Thousands) };
+        let Some((line, comma)) = commas().next() else {
+            return match points_may_part_thousands(rows) {
+                Some(found) => Err(found),
+                None => Ok(Self::Thousands),
+            };
+        };
         let odd = commas().find(|(_, cell)| !parts_thousands(cell));
         let point = cells().find(|(_, cell)| cell.contains('.'));
         match (odd, point) {
@@ -94,6 +99,25 @@ impl Comma {
         };
         parsed.ok().filter(|value: &f64| value.is_finite())
     }
+}
+
+/// The line and what is wrong where whole numbers stand beside such as `1.020` alone in a column: who writes
+/// decimals to three places writes them for whole numbers too.
+fn points_may_part_thousands(rows: &[(usize, [&str; 2])]) -> Option<(usize, String)> {
+    [0, 1].iter().find_map(|&column| {
+        let cells = || rows.iter().map(|(line, row)| (*line, row[column]));
+        let (line, point) = cells().find(|(_, cell)| cell.contains('.'))?;
+        let only_groups = cells()
+            .filter(|(_, cell)| cell.contains('.'))
+            .all(|(_, cell)| parts_thousands(&cell.replace('.', ",")));
+        let whole = cells()
+            .any(|(_, cell)| !cell.contains('.') && cell.parse::<u32>().is_ok_and(|n| n > 9));
+        (only_groups && whole).then(|| {
+            let bare = point.replace('.', "");
+            let given = format!("a cell is {point:?}, whose point may part thousands or decimals");
+            (line, format!("{given}; allowed: such as {bare} or {point}0"))
+        })
+    })
 }
 
 /// Whether commas stand in all cells of a column or in none.
@@ -136,6 +160,24 @@ mod tests {
         assert_eq!(numbers("380;0.25;;"), Some(vec![380.0, 0.25]));
         for word in ["1.234,5", "1,2,3", "nan", "inf", "", "dark"] {
             assert_eq!(number(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn points_that_may_part_thousands_are_refused_and_decimals_are_not() {
+        let of = |values: &[&'static str]| {
+            let rows: Vec<_> = values.iter().map(|value| (1, ["380", *value])).collect();
+            Comma::of(&rows, true).map_err(|(_, why)| why)
+        };
+        assert!(of(&["960", "1.020", "2.000"]).unwrap_err().contains("such as 1020 or 1.0200"));
+        for decimals in [
+            &["0.960", "1.020"][..],
+            &["960.000", "1.020"],
+            &["0", "1.020", "2.5"],
+            &["0", "0.125", "1.020"],
+            &["1", "1.125"],
+        ] {
+            assert_eq!(of(decimals), Ok(Comma::Thousands), "{decimals:?}");
         }
     }
 }

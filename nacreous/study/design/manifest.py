@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -101,14 +103,23 @@ def open_frozen(path: str | Path) -> Frozen:
     if not intact:
         raise InputError(f"{where}: has been changed since it was frozen; wanted: as it was made")
     for stimulus in stimuli:
-        _check(Path(path) / stimulus.file, stimulus)
+        _check(Path(path), stimulus)
     design = Design.check(manifest["design"], where, Path())
     return Frozen(
         Path(path), design, manifest["design_hash"], manifest["study_hash"], tuple(stimuli)
     )
 
 
+def _refuse_link(path: Path) -> None:
+    """A frozen folder holds its files: what a link leads to could be anything, and change."""
+    if path.is_symlink():
+        raise InputError(
+            f"{path}: is a link to {os.path.realpath(path)}; wanted: as {MAKER} made it"
+        )
+
+
 def _read(folder: Path) -> dict[str, Any]:
+    _refuse_link(folder / RECORD)
     try:
         manifest = json.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
@@ -129,7 +140,16 @@ def _read(folder: Path) -> dict[str, Any]:
     return manifest
 
 
-def _check(path: Path, stimulus: FrozenStimulus) -> None:
+def _check(folder: Path, stimulus: FrozenStimulus) -> None:
+    path = folder / STIMULI / f"{stimulus.sha256}.png"
+    named = re.fullmatch("[0-9a-f]{64}", str(stimulus.sha256))
+    if named is None or path != folder / str(stimulus.file):
+        raise InputError(
+            f'{folder / RECORD}: file of "{stimulus.label}" is {ascii(stimulus.file)[:80]}; '
+            f"allowed: {STIMULI}/ and its SHA-256"
+        )
+    for part in (path.parent, path):
+        _refuse_link(part)
     try:
         found = hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as problem:

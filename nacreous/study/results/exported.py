@@ -11,6 +11,8 @@ from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.study.results.scale import called_simulated
 from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
+from nacreous.study.store.person_columns import IDENTIFYING, PERSON
+from nacreous.study.store.spreadsheet import as_given
 from nacreous.study.task.counting import counts
 from nacreous.study.task.row import Row
 from nacreous.study.task.tasks import task_of
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["exported_answers", "exported_settings"]
 
 _NAMES = tuple(column.name for column in COLUMNS)
-_KNOWN = (*_NAMES, CHOSEN_BY.name)
+_KNOWN = (*_NAMES, *(column.name for column in (CHOSEN_BY, *PERSON, *IDENTIFYING)))
 
 
 def exported_answers(
@@ -109,7 +111,8 @@ def _rows(table: Table, where: str) -> list[Row]:
 def _texts(table: Table, name: str) -> list[str | None]:
     """A column as text; empty cells are None."""
     texts: list[str | None] = text_column(table, name).to_pylist()
-    return texts
+    # Parquet is no spreadsheet's, and holds every text as it is.
+    return texts if table.place.lower().endswith(".parquet") else [as_given(text) for text in texts]
 
 
 def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | None:

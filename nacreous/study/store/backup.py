@@ -21,7 +21,7 @@ import sqlalchemy as sa
 from nacreous import file
 from nacreous.missing import missing
 from nacreous.problem import InputError
-from nacreous.study.store.engine import engine_of, writing
+from nacreous.study.store.engine import BESIDE, engine_of, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
 from nacreous.study.store.migrate import check_revision, upgrade
 from nacreous.study.store.schema import answers, logins, metadata, sessions, studies
@@ -48,7 +48,7 @@ def backup(place: str | PathLike[str] | None, output: str | PathLike[str]) -> Co
     file.check_output(output, [".sqlite"])
     with _opened(place) as engine:
         file.require_apart([output], [place_of(engine)])
-        with _refused(str(output)), file.atomic(output) as temporary:
+        with _refused(str(output)), file.atomic(output, private=True) as temporary:
             if engine.dialect.name == "sqlite":
                 _copy_file(Path(place_of(engine)), temporary)
             else:
@@ -78,10 +78,10 @@ def restore(backup: str | PathLike[str], place: str | PathLike[str] | None) -> C
 
 def _restore_file(backup: Path, target: Path) -> None:
     # A log that lies there would be played into the restored file.
-    for taken in (target, Path(f"{target}-wal"), Path(f"{target}-journal")):
+    for taken in (target, *(Path(f"{target}{end}") for end in BESIDE)):
         if taken.exists():
             raise InputError(f"{taken}: is there already; wanted: a place without a store")
-    with _refused(str(target)), file.atomic(target) as temporary:
+    with _refused(str(target)), file.atomic(target, private=True) as temporary:
         _copy_file(backup, temporary)
         upgraded = engine_of(temporary)
         try:
@@ -195,6 +195,7 @@ def _opened(place: str | PathLike[str] | None) -> Iterator[sa.Engine]:
 def _read_only(path: Path) -> Iterator[sqlite3.Connection]:
     uri = f"file:{_quoted(path)}?mode=ro"
     with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
+        connection.execute("PRAGMA trusted_schema = OFF")  # it may be anybody's
         yield connection
 
 

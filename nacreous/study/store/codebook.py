@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.store.progress import Progress
+from nacreous.study.store.spreadsheet import NOTE
 from nacreous.study.task.column import Column
 from nacreous.study.task.counting import KINDS
 from nacreous.study.task.tasks import TASKS, columns_of_tasks
@@ -42,7 +44,7 @@ CHOSEN_BY = Column(
     ("greedy", "drawn"),
 )
 
-_NAMES = frozenset(column.name for column in (*COLUMNS, CHOSEN_BY))
+_NAMES = frozenset(column.name for column in (*COLUMNS, CHOSEN_BY, *PERSON, *IDENTIFYING))
 
 
 def group_column(name: str) -> Column:
@@ -68,7 +70,7 @@ def description(
             f"{progress.entered} people. {progress.excluded} people were excluded; their rows are "
             f"here and say why. {progress.erased} people were erased; {progress.erased_answers} "
             f"answers of theirs are here without anything that leads to them. "
-            f"{progress.simulated} answers are simulated."
+            f"{progress.simulated} answers are simulated. {NOTE}"
         ),
         "identifier": f"sha256:{study}",
         "variableMeasured": [column.property_value() for column in columns],

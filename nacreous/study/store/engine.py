@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sqlite3
+import stat
 import time
 from importlib.util import find_spec
 from os import PathLike
@@ -19,6 +21,8 @@ from nacreous.problem import InputError
 VARIABLE = "NACREOUS_STORE"
 #: The file in a study's folder.
 FILE = "answers.sqlite"
+#: The files that SQLite keeps beside a database, by what follows its name.
+BESIDE = ("-wal", "-shm", "-journal")
 #: How long to wait for another program's transaction, in ms.
 _BUSY_MS = 10_000
 
@@ -47,6 +51,11 @@ def engine_of(place: str | PathLike[str] | None) -> sa.Engine:
 def _sqlite(path: Path) -> sa.Engine:
     path = Path(os.path.realpath(path))
     file = path / FILE if path.is_dir() else path
+    if file.is_symlink():  # a folder that was handed on could otherwise name any file of ours
+        raise InputError(
+            f"{file}: is a link to {os.path.realpath(file)}; wanted: a file in the folder itself, "
+            "or the path of the store instead of the folder's"
+        )
     if not file.parent.is_dir():
         raise InputError(f"{file}: the folder {file.parent} does not exist")
     engine = sa.create_engine(
@@ -64,8 +73,23 @@ def _prepare_sqlite(connection: Any, _record: Any) -> None:
         "synchronous = FULL",  # a commit is on the disk when it returns
         "foreign_keys = ON",
         "secure_delete = ON",  # what is erased is overwritten
+        "trusted_schema = OFF",  # a file that was handed on calls no functions of ours
     ):
         connection.execute(f"PRAGMA {pragma}")
+
+
+def make_private(path: Path) -> None:
+    """Make a database's file, empty, where there is none; SQLite's files beside it follow it."""
+    with contextlib.suppress(OSError):  # SQLite itself says what is wrong with the place
+        os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
+
+
+def keep_private(path: Path) -> None:
+    """Leave a database and the files beside it to its owner alone, where that is who we are."""
+    for name in (path, *(Path(f"{path}{end}") for end in BESIDE)):
+        with contextlib.suppress(OSError):  # another user's store, or a file system without rights
+            if stat.S_IMODE(name.stat().st_mode) & 0o077:
+                name.chmod(0o600)
 
 
 def keep_log(engine: sa.Engine) -> None:

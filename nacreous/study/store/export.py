@@ -5,6 +5,7 @@ Excluded, simulated and erased rows are marked in files, never left out.
 
 from __future__ import annotations
 
+import codecs
 import copy
 import json
 import re
@@ -17,6 +18,8 @@ from nacreous import file, folder
 from nacreous.problem import InputError
 from nacreous.study.design.design import Design
 from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS, description, group_column
+from nacreous.study.store.person_columns import person_columns
+from nacreous.study.store.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
 from nacreous.study.task import counting
 from nacreous.study.task.column import Column
@@ -27,26 +30,40 @@ if TYPE_CHECKING:
     from nacreous.scaling import Answers, Comparisons
 
 _RECORD = "dataset_description.json"
+#: Rows written at a time.
+_ROWS = 65_536
 _MAKER = "nacreous study export"
 
 
-def export(store: Store, study: str, output: str | PathLike[str]) -> int:
+def export(
+    store: Store,
+    study: str,
+    output: str | PathLike[str],
+    *,
+    bom: bool = False,
+    identifying: bool = False,
+) -> int:
     """Write all answers of a study to .csv, .parquet or a Psych-DS folder; return how many.
 
     A name without an ending is a folder, which must not be there yet: `dataset_description.json`
     describes every column, and `data/` holds the answers. A file or folder is whole or absent.
-    Raises `InputError` where it cannot be written.
+    bom: begin a .csv with a byte order mark, by which Excel knows UTF-8. In CSV texts that a
+    spreadsheet would take for a formula are defused (`nacreous.study.store.spreadsheet`).
+    identifying: with what may identify a person (`nacreous.study.store.person_columns`), readable
+    by the owner alone. Raises `InputError` where it cannot be written.
     """
     suffix = Path(output).suffix.lower()
+    if bom and suffix != ".csv":
+        raise InputError(f"{output}: bom is for .csv files; allowed without it: any other output")
     if suffix:
         file.check_output(output, [".csv", ".parquet"])
         file.require_apart([output], [store.place])
-    columns, table = _table(store, study)
+    columns, table = _table(store, study, identifying)
     if suffix:
-        with file.atomic(output) as temporary:
-            _write(table, temporary, suffix)
+        with file.atomic(output, private=identifying) as temporary:
+            _write(table, temporary, suffix, bom)
     else:
-        _write_psych_ds(store, study, columns, table, Path(output))
+        _write_psych_ds(store, study, columns, table, Path(output), private=identifying)
     return int(table.num_rows)
 
 
@@ -93,7 +110,7 @@ def _groups(rows: Sequence[Row]) -> dict[Column, list[str | None]]:
     return {group_column(name): [given.get(name) for given in groups] for name in names}
 
 
-def _table(store: Store, study: str) -> tuple[list[Column], Any]:
+def _table(store: Store, study: str, identifying: bool) -> tuple[list[Column], Any]:
     """The columns described, and a pyarrow table of them."""
     import pyarrow as pa
 
@@ -118,7 +135,10 @@ def _table(store: Store, study: str) -> tuple[list[Column], Any]:
     groups = _groups(store_rows)
     for column, levels in groups.items():
         values[column.name] = pa.array(levels, pa.string())
-    columns = [*COLUMNS, *([] if chosen_by is None else [CHOSEN_BY]), *groups]
+    numbers = [row["number"] for row in store_rows]
+    people = person_columns(store, study, numbers, identifying=identifying)
+    values.update({column.name: told for column, told in people.items()})
+    columns = [*COLUMNS, *([] if chosen_by is None else [CHOSEN_BY]), *people, *groups]
     return columns, pa.table({column.name: values[column.name] for column in columns})
 
 
@@ -134,19 +154,22 @@ def _chosen_by(store: Store, study: str) -> str | None:
     return TASKS[design.task].chosen_by(design.asked)
 
 
-def _write(table: Any, path: Path, suffix: str) -> None:
-    if suffix == ".csv":
-        from pyarrow import csv
+def _write(table: Any, path: Path, suffix: str, bom: bool = False) -> None:
+    from pyarrow import csv, parquet
 
-        csv.write_csv(table, path)
-    else:
-        from pyarrow import parquet
-
-        parquet.write_table(table, path)
+    schema = plain(table.slice(0, 0)).schema
+    with path.open("wb") as stream:
+        stream.write(codecs.BOM_UTF8 if bom else b"")
+        make = csv.CSVWriter if suffix == ".csv" else parquet.ParquetWriter
+        with make(stream, schema) as writer:
+            # In parts, for what is known of a person is long, and stands in each row.
+            for start in range(0, table.num_rows, _ROWS):
+                part = plain(table.slice(start, _ROWS))
+                writer.write_table(defused(part) if suffix == ".csv" else part)
 
 
 def _write_psych_ds(
-    store: Store, study: str, columns: Sequence[Column], table: Any, output: Path
+    store: Store, study: str, columns: Sequence[Column], table: Any, output: Path, *, private: bool
 ) -> None:
     if output.exists():
         raise InputError(f"{output}: is there already; wanted: a folder that is not")
@@ -156,6 +179,8 @@ def _write_psych_ds(
     told = description(name or f"study {study[:12]}", study, columns, store.progress(study))
     with folder.whole(output, [_RECORD, "data"], _RECORD, _MAKER) as temporary:
         (temporary / "data").mkdir()
-        _write(table, temporary / "data" / f"study-{word}_data.csv", ".csv")
+        data = temporary / "data" / f"study-{word}_data.csv"
+        data.touch(0o600 if private else 0o666)
+        _write(table, data, ".csv")
         text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
         (temporary / _RECORD).write_text(text, encoding="utf-8", newline="\n")

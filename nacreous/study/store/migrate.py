@@ -13,8 +13,9 @@ from alembic.script import ScriptDirectory
 
 from nacreous.missing import missing
 from nacreous.problem import InputError
-from nacreous.study.store.engine import keep_log, writing
+from nacreous.study.store.engine import keep_log, keep_private, make_private, writing
 from nacreous.study.store.fault import place_of, translated
+from nacreous.study.store.foreign import check_own
 
 #: Held while tables change, so that two programs that start at once do not both make them.
 _LOCK = 0x4E414352
@@ -30,8 +31,12 @@ def upgrade(engine: sa.Engine, *, make: bool = True) -> None:
     place = place_of(engine)
     if not make and engine.dialect.name == "sqlite" and not Path(place).is_file():
         raise missing(place, "a store")
+    if engine.dialect.name == "sqlite":
+        make_private(Path(place))
     with translated(place):
         _upgrade(engine, place, make)
+        if engine.dialect.name == "sqlite":
+            keep_private(Path(place))
         keep_log(engine)  # only now, for it changes the file, which may be another program's
 
 
@@ -67,6 +72,8 @@ def check_revision(connection: sa.Connection, place: str) -> str | None:
             f"{place}: has schema {revision!a}, which this version of Nacreous does not know; "
             f"allowed: up to {script.get_current_head()}"
         )
+    if connection.dialect.name == "sqlite":
+        check_own(connection, place)
     return revision
 
 

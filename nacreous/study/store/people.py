@@ -114,6 +114,20 @@ def find(connection: sa.Connection, where: sa.ColumnElement[bool]) -> list[Sessi
     return [_session(row) for row in connection.execute(_SESSIONS.where(where)).mappings()]
 
 
+def screen_checks(connection: sa.Connection, study: str) -> dict[int, list[dict[str, Any]]]:
+    """All screen checks by the person's number, in order, each with `at`, when it came."""
+    query = (
+        sa.select(sessions.c.number, screens.c.at, screens.c.content)
+        .join(screens, screens.c.session == sessions.c.id)
+        .where(sessions.c.study == study)
+        .order_by(screens.c.seq)
+    )
+    found: dict[int, list[dict[str, Any]]] = {}
+    for number, at, content in connection.execute(query):
+        found.setdefault(number, []).append({**json.loads(content), "at": at})
+    return found
+
+
 def one(connection: sa.Connection, session: str) -> Session:
     """A session by its id."""
     found = find(connection, sessions.c.id == session)

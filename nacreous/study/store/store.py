@@ -137,6 +137,11 @@ class Store(Lab):
         with self.reading() as connection:
             return people.find(connection, sessions.c.study == study)
 
+    def screen_checks(self, study: str) -> dict[int, list[dict[str, Any]]]:
+        """All screen checks by the person's number, in order, each with `at`, when it came."""
+        with self.reading() as connection:
+            return people.screen_checks(connection, study)
+
     def consent(self, session: str) -> None:
         """Note that a participant consented; no answer is taken before."""
         self._set_once(session, "consented_at", "consented")

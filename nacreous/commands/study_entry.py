@@ -1,0 +1,124 @@
+"""`nacreous study open | pause | close | invite | readmit`: who may enter, and who counts again."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from nacreous.commands.study_serve import add_action, opened
+from nacreous.commands.study_store import Actions, add_person, person_of, who
+from nacreous.commands.terminal import say
+
+if TYPE_CHECKING:
+    from nacreous.study.store import Store
+
+_EXAMPLES = """\
+examples:
+  nacreous study open my-study --everyone       anybody with the address may enter
+  nacreous study open my-study --invited        invited people alone, as at first
+  nacreous study pause my-study                 nobody enters for now; who is in goes on
+  nacreous study close my-study                 nobody enters any more
+  nacreous study invite my-study 20 --label "Monday" --url https://pearls.example
+  nacreous study readmit my-study 17            takes back   nacreous study exclude
+
+A server that runs heeds each at once.
+"""
+
+
+def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
+    """Describe what an experimenter can do on the page, from the command line."""
+    parser = add_action(actions, "open", "let people enter, anybody or who is invited", _EXAMPLES)
+    whom = parser.add_mutually_exclusive_group()
+    for mode, value, says in (
+        ("everyone", "open", "anybody with the address may enter from now on"),
+        ("invited", "invited", "invited people alone may enter from now on"),
+    ):
+        whom.add_argument(
+            f"--{mode}", dest="registration", action="store_const", const=value, help=says
+        )
+    parser.set_defaults(run=open_study)
+    does = "let nobody enter for now; who has entered goes on"
+    add_action(actions, "pause", does, _EXAMPLES).set_defaults(run=pause)
+    does = "let nobody enter any more; who has entered may end"
+    add_action(actions, "close", does, _EXAMPLES).set_defaults(run=close)
+    parser = add_action(actions, "invite", "make links, each for one person", _EXAMPLES)
+    parser.add_argument("count", type=int, help="how many, 1 to 1000")
+    parser.add_argument("--label", required=True, help="whom or what they are for")
+    parser.add_argument(
+        "--url",
+        default="http://127.0.0.1:8000",
+        help="where people reach the server (http://127.0.0.1:8000)",
+    )
+    parser.set_defaults(run=invite)
+    does = "Count an excluded person's answers after all."
+    parser = actions.add_parser("readmit", help=does[:-1].lower(), description=does)
+    add_person(parser)
+    parser.set_defaults(run=readmit)
+
+
+def open_study(args: argparse.Namespace) -> int:
+    """Let people enter, and say whom."""
+    with _study(args) as (store, study):
+        if args.registration is not None:
+            store.set_registration(study, args.registration, who())
+        store.reopen(study, who())
+        say(_told(args, store, study))
+    return 0
+
+
+def pause(args: argparse.Namespace) -> int:
+    """Let nobody enter for now."""
+    with _study(args) as (store, study):
+        store.pause(study, who())
+        say(_told(args, store, study))
+    return 0
+
+
+def close(args: argparse.Namespace) -> int:
+    """Let nobody enter any more."""
+    with _study(args) as (store, study):
+        store.close_study(study, who())
+        say(_told(args, store, study))
+    return 0
+
+
+def invite(args: argparse.Namespace) -> int:
+    """Make invitations and print their links, which are told only here."""
+    from nacreous.server.listening import check_url
+
+    home = check_url(args.url)
+    with _study(args) as (store, study):
+        for token in store.invite(study, args.count, args.label, who()):
+            say(f"{home}/#{token}")
+    return 0
+
+
+def readmit(args: argparse.Namespace) -> int:
+    """Take an exclusion back."""
+    from nacreous.study.store import Store
+
+    with Store.open(args.place, make=False) as store:
+        session = person_of(store, args)
+        store.readmit(session.id, who())
+    say(f"person {session.number}: readmitted; the answers count again")
+    return 0
+
+
+@contextmanager
+def _study(args: argparse.Namespace) -> Iterator[tuple[Store, str]]:
+    """The store with the study in it, which need not have been served yet."""
+    frozen, store = opened(args)
+    with store:
+        yield store, store.add_study(frozen.manifest())
+
+
+def _told(args: argparse.Namespace, store: Store, study: str) -> str:
+    """Who may enter now."""
+    state = store.studies()[study]
+    if state != "open":
+        return f"{args.study}: {state}; nobody enters, and who has entered goes on"
+    everyone = store.registration(study) == "open"
+    whom = "anybody with the address" if everyone else "invited people alone"
+    return f"{args.study}: open; {whom} may enter"

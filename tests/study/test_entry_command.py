@@ -1,0 +1,110 @@
+"""`nacreous study open | pause | close | invite | readmit`: what the lab's page can do."""
+
+from pathlib import Path
+
+import pytest
+
+from nacreous import cli
+from nacreous.study.design import open_frozen
+from nacreous.study.store import NotAllowed, Store
+from tests.support.pairs import pair_answer
+from tests.support.server_process import small_study
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A frozen study's folder that nobody has served yet."""
+    return small_study(tmp_path / "study")
+
+
+def hash_in(folder: Path) -> str:
+    return open_frozen(folder).study_hash
+
+
+def call(action: str, folder: Path, *more: str) -> int:
+    return cli.main(["study", action, str(folder), *more])
+
+
+def test_a_store_that_is_in_use_heeds_who_may_enter_at_once(folder: Path, capsys) -> None:
+    study = hash_in(folder)
+    with Store.open(folder) as serving:
+        serving.add_study(open_frozen(folder).manifest())
+
+        def enters() -> bool:
+            try:
+                serving.enter(study, "en", {})
+            except NotAllowed:
+                return False
+            return True
+
+        for action, option, told, may in (
+            ("open", "--everyone", "open; anybody with the address may enter", True),
+            ("pause", None, "paused; nobody enters, and who has entered goes on", False),
+            ("open", None, "open; anybody with the address may enter", True),
+            ("open", "--invited", "open; invited people alone may enter", False),
+            ("close", None, "closed; nobody enters, and who has entered goes on", False),
+            ("open", "--everyone", "open; anybody with the address may enter", True),
+        ):
+            assert call(action, folder, *([option] if option else [])) == 0
+            assert capsys.readouterr().out == f"{folder}: {told}\n"
+            assert enters() == may
+        noted = [event.what for event in serving.events(study)]
+    for what in ("study paused", "study closed", "study open", "registration invited"):
+        assert what in noted
+
+
+def test_each_link_lets_one_person_in(folder: Path, capsys) -> None:
+    url = ["--url", "https://pearls.example/"]
+    assert call("invite", folder, "2", "--label", "seat 3", *url) == 0
+    first, second = capsys.readouterr().out.split()
+    assert first.startswith("https://pearls.example/#")
+    study = hash_in(folder)
+    with Store.open(folder) as store:
+        for number, link in enumerate((first, second, first)):
+            session, _ = store.enter(study, "en", {}, link.partition("#")[2])
+            assert session.number == number % 2
+        assert [one.label for one in store.invitations(study)] == ["seat 3"] * 2
+
+
+def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, capsys) -> None:
+    assert call("open", folder, "--everyone") == 0
+    study = hash_in(folder)
+    with Store.open(folder) as store:
+        for _ in range(2):
+            session, _ = store.enter(study, "en", {})
+            store.consent(session.id)
+            store.answer(session.id, pair_answer(0, "q", "a", "b", "left"))
+        store.withdraw(session.id)
+    assert call("exclude", folder, "0", "--reason", "slept") == 0
+    assert call("readmit", folder, "0") == 0
+    assert "person 0: readmitted" in capsys.readouterr().out
+    assert call("readmit", folder, "1") == 2
+    assert "the person withdrew" in capsys.readouterr().err
+    with Store.open(folder) as store:
+        assert [row["excluded"] for row in store.answers(study)] == [None, "withdrew"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("invite", "0", "--label", "x"), "count is 0; allowed: 1 to 1000"),
+        (("invite", "1", "--label", "x", "--url", "ftp://a"), "url is 'ftp://a'"),
+        (("close", "--store", "no/such/folder/a.sqlite"), "does not exist"),
+        (("open", "--everyone", "--invited"), "not allowed with"),
+        (("readmit", "3"), "does not exist; wanted: a store"),
+    ],
+)
+def test_mistakes_are_told_and_change_nothing(
+    folder: Path, capsys, arguments: tuple[str, ...], told: str
+) -> None:
+    action, *more = arguments
+    try:
+        code = call(action, folder, *more)
+    except SystemExit as end:  # argparse's own
+        code = end.code
+    assert code == 2
+    assert told in capsys.readouterr().err
+    with Store.open(folder) as store:
+        study = store.add_study(open_frozen(folder).manifest())
+        assert store.invitations(study) == []
+        assert store.registration(study) == "invited"
