@@ -85,7 +85,7 @@ def test_what_is_no_table_is_called_by_its_name(tmp_path, content, options, mess
         ("p,A,B,A\np,B,C,C\nq,C,A,A\np,A,B,A\n", 'row 1 seems to be an answer, for "p", "A", "B"'),
         ("p,A,B,C\np,A,C,B\nq,C,B,A\n", 'row 1 seems to be an answer, for "p", "A", "B" stand in'),
         ("who,A or B,B or C\np,A,B\n", 'has columns such as "A or B"; allowed with a column a p'),
-        ("who,A/B,B/C\np,A,B\n", 'has columns such as "A/B"; allowed with a column a pair: names'),
+        ("subject,A/B,B/C\np,A,B\n", 'has columns such as "A/B"; allowed with a column a pair'),
         ("'left','right','chosen'\n'A','B','A'\n", "row 1 has its names in single quotation mark"),
     ],
 )

@@ -182,7 +182,7 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
     }
     options = ", ".join(f"{role}={near[role]!r}" if near[role] else f"{role}=NAME" for role in near)
     pairs = [name for name in free if _OR.fullmatch(name)]
-    if len(lacking) > 1 and len(pairs) == len(free) - 1:
+    if pairs and len(lacking) > 1 and len(pairs) >= len(free) - 1:
         versus = quoted(_OR.sub(r"\1 vs \2", pairs[0]))
         return (
             f"has columns such as {quoted(pairs[0])}; allowed with a column a pair: names such as "
