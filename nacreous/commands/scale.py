@@ -67,8 +67,8 @@ def _add_data(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="ROLE=NAME",
-        help="left, right, chosen (or winner, loser), person, time, trial, response_s, response_ms "
-        "by another name; time= and the like for none",
+        help="left, right, chosen (or winner, loser), person, time, trial, response_s, "
+        "response_ms, count by another name; time= and the like for none",
     )
     data.add_argument("--left", metavar="WORD", help="what chosen holds where the left one was")
     data.add_argument("--right", metavar="WORD", help="what chosen holds where the right one was")

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from nacreous.printable import printable
 from nacreous.problem import InputError
 
-_COLUMNS = ("left", "right", "chosen", "winner", "loser", "person", "time", "trial")
+_COLUMNS = ("left", "right", "chosen", "winner", "loser", "person", "time", "trial", "count")
 _TIMES = ("response_s", "response_ms")
 #: Arguments whose option has the same name, but for dashes.
 _SAME = (
@@ -32,14 +32,25 @@ _PHRASES = {
     "read this by Answers.read": "leave out --counts",
     "read this by Comparisons.read_counts": "give --counts",
     "with Comparisons.read_counts": "with --counts",
+    "in Python Comparisons.of_proportions": "Python's nc.scaling.Comparisons.of_proportions",
+    'kind="expected" or counts, which take answers as independent': "--column person= to take "
+    "answers as independent",
+    'by="answers", which takes the answers as independent': "--column person= to take answers as "
+    "independent",
+    "with method 'bias-reduced': False": "with --method bias-reduced: --no-ties",
 }
 
-_VALUE = r"'(?:[^'\\]|\\.)*'|[+-]?[0-9.]+(?:e[+-]?[0-9]+)?|True|False|None|[A-Z]+\b"
+_VALUE = (
+    r"'(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"|[+-]?[0-9.]+(?:e[+-]?[0-9]+)?|True|False|None|[A-Z]+\b"
+)
 _ARGUMENT = re.compile(rf"(?<![\w.\-])({'|'.join(_OPTIONS)})=({_VALUE})")
 #: Python parts arguments by commas, and a command by spaces.
 _ARGUMENTS = re.compile(rf"{_ARGUMENT.pattern}(?:, {_ARGUMENT.pattern})*")
 _SUBJECT = re.compile(rf"({'|'.join((*_SAME, 'left_word', 'right_word'))}) is (?=.*; )")
-_QUOTED = re.compile(r'("[^"]*")')
+#: A label; in double quotes behind = Python writes a value that has an apostrophe in it.
+_QUOTED = re.compile(r'((?<!=)"[^"]*")')
+#: What is said of a switch that was given.
+_GIVEN = re.compile(r"is True(?=;)")
 
 
 @contextmanager
@@ -61,18 +72,18 @@ def spoken(place: str) -> Iterator[None]:
 def _line(line: str, place: str) -> str:
     """One message; the file's name and labels in double quotes are what somebody else wrote."""
     above, said = (place, line[len(place) :]) if line.startswith(place) else ("", line)
+    for phrase, option in _PHRASES.items():
+        said = said.replace(phrase, option)
     subject = _SUBJECT.match(said)
     parts = _QUOTED.split(said[subject.end() :] if subject else said)
     parts[::2] = map(_with_options, parts[::2])
     if subject:
         parts[::2] = map(_bare_words, parts[::2])
         above += f"{_OPTIONS[subject[1]]} is "
-    return above + "".join(parts)
+    return _GIVEN.sub("is given", above + "".join(parts))
 
 
 def _with_options(text: str) -> str:
-    for phrase, option in _PHRASES.items():
-        text = text.replace(phrase, option)
     return _ARGUMENTS.sub(
         lambda found: " ".join(_option(*each) for each in _ARGUMENT.findall(found[0])), text
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import sys
 from collections.abc import Collection, Iterable, Iterator, Sequence
@@ -10,6 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from nacreous import file
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 #: The name that stands for both.
@@ -18,6 +20,10 @@ STREAM = "-"
 
 def check_output(output: str, endings: Collection[str]) -> None:
     """Refuse what cannot be written, before any long work; standard output always can."""
+    if not output.strip():
+        raise InputError(f"the output is empty; allowed: a file that ends in {', '.join(endings)}")
+    if output != STREAM and Path(output).is_dir():
+        raise InputError(f"{printable(output)}: is a folder; allowed: a file in it, by its name")
     if output != STREAM:
         file.check_output(output, endings)
     elif sys.stdout is None or sys.stdout.isatty():
@@ -47,7 +53,17 @@ def writing(output: str, ending: str) -> Iterator[Path]:
 
 @contextmanager
 def reading(given: str, ending: str) -> Iterator[str]:
-    """The path to read; of `-` a file with all that standard input holds."""
+    """The path to read; of `-` a file with all that standard input holds.
+
+    Raises `InputError` for an empty name and for an address of the web.
+    """
+    if not given.strip():
+        raise InputError("the file's name is empty; allowed: a file, or - for standard input")
+    if re.match(r"[a-z]{2,}://", given, re.IGNORECASE):
+        raise InputError(
+            f"{printable(given)}: is an address; allowed: a file on this computer (download it "
+            "first)"
+        )
     if given != STREAM:
         yield given
         return

@@ -78,6 +78,14 @@ UNKNOWN = ["A>B", "C>B", "A>C"]
         "no end of the last line": PLAIN[:-1],
         "an index of pandas": ",person,left,right,chosen\n0,p1,A,B,A\n1,p1,B,C,C\n2,p2,C,A,A\n",
         "an index of R": '"",person,left,right,chosen\n1,p1,A,B,A\n2,p1,B,C,C\n3,p2,C,A,A\n',
+        "names of rows of R, in tabs": (
+            HEAD
+            + "".join(
+                f"{at},{line}" for at, line in zip((1, 3, 2), ROWS.splitlines(True), strict=True)
+            )
+        ).replace(",", "\t"),
+        "names of rows of R, in blanks": '"person" "left" "right" "chosen"\n'
+        '"1" "p1" "A" "B" "A"\n"2" "p1" "B" "C" "C"\n"7" "p2" "C" "A" "A"\n',
         "UTF-16": PLAIN.encode("utf-16"),
         "UTF-16, big end first": b"\xfe\xff" + PLAIN.encode("utf-16-be"),
         "UTF-16 of E-Prime": PLAIN.replace(",", "\t").encode("utf-16"),
@@ -94,6 +102,8 @@ UNKNOWN = ["A>B", "C>B", "A>C"]
         "a note over lines": PLAIN.replace("chosen", "chosen,note", 1)
         .replace("A\n", 'A,"one, two\nthree"\n')
         .replace("C\n", "C,\n"),
+        "Ctrl-Z at the end": PLAIN + "\x1a",
+        "a new page at the end": PLAIN + "\x0c\r\n",
         "long cells": PLAIN.replace("chosen", "chosen,note", 1)
         .replace("A\n", f"A,{'x' * 2_000_000}\n")
         .replace("C\n", "C,\n"),
@@ -347,11 +357,17 @@ def test_words_of_any_script_are_labels(tmp_path):
 ONE_NUMBER = [
     *(("1", "1.0"), ("0.5", "0.50"), ("0.5", ".5"), ("0.5", "0,5"), ("-1", "-1.0"), ("1", "+1")),
     *(("1000", "1e3"), ("1000", "1,000"), ("0", "-0.0"), ("1e-2", ".01"), ("-1", "\u22121.0")),
+    *(("1000", "1 000"), ("1000", "1'000"), ("1000.5", "1.000,5"), ("0.5", "½"), ("1.75", "1¾")),
+    *(("1000", "1\u202f000"), ("1000000", "1.000.000")),
 ]
 ALIKE = [
     *(("a b", "a\u00a0b"), ("ab", "a\u200db"), ("ab", "ab\ufe0f"), ("A1", "Ａ１"), ("1", "１")),
     *(("A", "\u0410"), ("A", "\u0391"), ("\u0410", "\u0391"), ("c", "\u0441"), ("ガ", "ｶﾞ")),
     *(("A-1", "A\u20111"), ("A-1", "A\u20131"), ("-1", "\u22121"), ("ﬁn", "fin")),
+    *(("A's", "A\u2019s"), ("\u201ca", "\u201da"), ("\u30ed", "\u53e3"), ("\u30cb", "\u4e8c")),
+    *(("\u30ab", "\u529b"), ("\u30bf", "\u5915"), ("\u30fc", "\u4e00"), ("\u3078", "\u30d8")),
+    *(("A\u00d72", "Ax2"), ("1", "\u2460"), ("a\u00b7b", "a\u30fbb"), ("A/B", "A\u2215B")),
+    *(("a~", "a\u223c"), ("a", "\u0251"), ("i", "\u0131"), ("1", "\u0661")),
 ]
 
 
@@ -397,6 +413,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
         ("left,right;chosen\nA,B;A\n", "separated by commas or semicolons in .*line sep=,"),
         (HEAD + "p1,A,B\n", "row 2: has 3 cells; allowed: 4"),
         (HEAD + "p1,A,B,A,note\n", "row 2: has 5 cells; allowed: 4"),
+        (HEAD + "1,p1,A,B,A\n1,p1,B,C,C\n", "row 2: has 5 cells; allowed: 4"),
         (HEAD + "\n\np1,A,B\n", "row 4: has 3 cells; allowed: 4"),
         (HEAD + 'p1,A,B,A\np1,"A,B,A\np2,B,C,C\n', "row 3: a quotation mark is not closed"),
         (HEAD + 'p1,A,B,"A\np2,B,C,C\n', "row 2: a quotation mark is not closed"),
@@ -419,7 +436,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
         (PLAIN.replace("chosen", "winner"), "has no column chosen; .*name it by chosen=NAME"),
         (f"{HEAD}p1,A,B,{'x' * 300}\n", "chosen is 300 characters long"),
     ],
-    ids=range(24),
+    ids=range(25),
 )
 def test_what_cannot_be_read_is_refused_in_one_line(tmp_path, content, message):
     with pytest.raises(nc.InputError, match=message) as told:

@@ -59,6 +59,17 @@ def test_gorilla_sosci_and_limesurvey_are_known_by_their_columns(tmp_path):
     assert read(tmp_path, "id,submitdate,lastpage", "1,,3", "2,,3", "1,,3").people == ("1", "2")
 
 
+@pytest.mark.parametrize("cell", ["NA", "n/a", "null", "NaN", "None", "undefined"])
+def test_a_word_for_an_empty_cell_is_nobody_and_no_stimulus(tmp_path, cell):
+    with pytest.raises(nc.InputError, match=f'row 3: person is "{cell}", as programs write an emp'):
+        read(tmp_path, "person", "x1", cell, "x2")
+    table = {"left": ["A", cell], "right": ["B", "B"], "chosen": ["A", "B"]}
+    with pytest.raises(nc.InputError, match=f'row 1: left is "{cell}", as programs write'):
+        Answers.of_table(table)
+    assert Answers.of_table(table, stimuli=["A", "B", cell]).stimuli == ("A", "B", cell)
+    assert Answers.of_table(table | {"left": ["A", "none"]}).stimuli == ("A", "B", "none")
+
+
 @pytest.mark.parametrize(
     ("columns", "said"),
     [

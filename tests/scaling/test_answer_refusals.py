@@ -8,6 +8,8 @@ from typing import Any
 import pytest
 
 import nacreous as nc
+from nacreous import cli
+from nacreous.commands.spoken import spoken
 from nacreous.scaling import Answers, Comparisons
 
 HEAD = "person,left,right,chosen\n"
@@ -74,6 +76,26 @@ def test_japanese_of_mail_is_read_by_its_escapes(tmp_path):
 )
 def test_what_is_no_table_is_called_by_its_name(tmp_path, content, options, message):
     assert refused(tmp_path, content, **options).startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (PLAIN + "# exported 2024\n", 'row 4: has 1 cell, "# exported 2024"; allowed: 4 (remove'),
+        ("p,A,B,A\np,B,C,C\nq,C,A,A\np,A,B,A\n", 'row 1 seems to be an answer, for "p", "A", "B"'),
+        ("p,A,B,C\np,A,C,B\nq,C,B,A\n", 'row 1 seems to be an answer, for "p", "A", "B" stand in'),
+        ("who,A or B,B or C\np,A,B\n", 'has columns such as "A or B"; allowed with a column a p'),
+        ("subject,A/B,B/C\np,A,B\n", 'has columns such as "A/B"; allowed with a column a pair'),
+        ("'left','right','chosen'\n'A','B','A'\n", "row 1 has its names in single quotation mark"),
+    ],
+)
+def test_what_is_no_line_of_names_or_no_answer_is_said(tmp_path, content, message):
+    assert refused(tmp_path, content).startswith(message)
+
+
+def test_a_line_of_a_wide_table_given_twice_is_one_fault(tmp_path):
+    line = refused(tmp_path, "subject,A vs B,B vs C,A vs C\np1,A,C,A\np1,A,C,A\n")
+    assert line.startswith("row 3: repeats row 2: the same person on the same pair")
 
 
 @pytest.mark.parametrize(
@@ -166,6 +188,51 @@ def test_a_table_of_answers_is_no_square_of_counts_and_the_other_way_round(tmp_p
     path.write_text(square.replace(",", ";").replace("3", "3,5"))
     with pytest.raises(nc.InputError, match=r'column 2 is "3,5"; allowed: a whole number, 0 or'):
         Comparisons.read_counts(path)
+
+
+@pytest.mark.parametrize(
+    ("python", "command"),
+    [
+        (
+            "ties is True; allowed with method 'bias-reduced': False, each counts half",
+            "--ties is given; allowed with --method bias-reduced: --no-ties, each counts half",
+        ),
+        (
+            'group "g": few; allowed: 3 or more people, or kind="expected" or counts, which take '
+            "answers as independent",
+            'group "g": few; allowed: 3 or more people, or --column person= to take answers as '
+            "independent",
+        ),
+        (
+            """has no columns left; name them by left="it's", right='b'""",
+            """has no columns left; name them by --column 'left=it'"'"'s' --column right=b""",
+        ),
+        (
+            'label "x" is odd; name it by left="a\'b"',
+            """label "x" is odd; name it by --column 'left=a'"'"'b'""",
+        ),
+    ],
+)
+def test_the_command_speaks_of_its_own_options(python, command):
+    with pytest.raises(nc.InputError) as told, spoken("a.csv"):
+        raise nc.InputError(python)
+    assert str(told.value) == command
+
+
+def test_what_is_no_file_is_called_by_its_name(tmp_path, capsys):
+    path = tmp_path / "a.csv"
+    path.write_text(PLAIN)
+    for command, message in (
+        ([""], "the file's name is empty; allowed: a file, or - for standard input"),
+        (
+            ["https://example.org/a.csv"],
+            "https://example.org/a.csv: is an address; allowed: a file",
+        ),
+        ([str(path), "-o", ""], "the output is empty; allowed: a file that ends in .html, .csv"),
+        ([str(path), "-o", str(tmp_path)], f"{tmp_path}: is a folder; allowed: a file in it"),
+    ):
+        assert cli.main(["scale", *command]) == 2
+        assert capsys.readouterr().err.startswith(f"nacreous: {message}")
 
 
 def test_a_line_break_in_a_path_breaks_no_message(tmp_path):

@@ -224,6 +224,34 @@ def test_labels_may_be_numbers_and_the_diagonal_empty(tmp_path):
         assert found.matrix.tolist() == [[0, 1], [2, 0]]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        ",A,B,C,Total\nA,,5,3,8\nB,2,,6,8\nC,4,1,,5\n",
+        ",A,B,C,Sum\nA,0,5,3,8\nB,2,0,6,8\nC,4,1,0,5\nSum,6,6,9,21\n",
+        ",A,B,C\nA,,5,3\nB,2,,6\nC,4,1,\nTotal,6,6,9\n",
+        ",A,B,C\nC,4,1,-\nA,-,5,3\nB,2,-,6\n",
+        ",A,B,C\nC,4,1,\nA,,5,3\nB,2,,6\n",
+    ],
+)
+def test_sums_dashes_and_the_order_of_rows_change_no_counts(tmp_path, text):
+    (tmp_path / "c.csv").write_text(text)
+    found = Comparisons.read_counts(tmp_path / "c.csv")
+    assert found.stimuli == ("A", "B", "C")
+    assert found.matrix.tolist() == [[0, 5, 3], [2, 0, 6], [4, 1, 0]]
+
+
+def test_shares_and_false_sums_are_no_counts(tmp_path):
+    path = tmp_path / "c.csv"
+    path.write_text(",A,B\nA,0.5,0.7\nB,0.3,0.5\n")
+    assert "as shares are" in refusal(lambda: Comparisons.read_counts(path))[0]
+    path.write_text(",A,B,Total\nA,,5,9\nB,2,,2\n")
+    assert refusal(lambda: Comparisons.read_counts(path))
+    path.write_text(",A,B\nA,,1.5\nB,2,\n")
+    (line,) = refusal(lambda: Comparisons.read_counts(path))
+    assert line == f'{path}: row "A", column "B" is 1.5; allowed: a whole number, 0 or more'
+
+
 def test_files_that_are_no_counts_are_refused(tmp_path):
     path = tmp_path / "counts.csv"
 
@@ -238,10 +266,10 @@ def test_files_that_are_no_counts_are_refused(tmp_path):
     assert line("0,1\n1,x\n") == ': row 2: column 2 is "x"; allowed: a whole number, 0 or more'
     assert line("a,b\n0,1\nx,0\n") == ': row 3: column 1 is "x"; allowed: a whole number, 0 or more'
     assert line("0,1\n,0\n") == ': row 2: column 1 is ""; allowed: a whole number, 0 or more'
-    assert line("0,1\n-2,0\n") == f"[1, 0] is -2; {WHOLE}"
-    assert line("0,1\n2\n") == ": row 2: has 1 cells; allowed: 2"
+    assert line("0,1\n-2,0\n") == f': row "2", column "1" is -2; {WHOLE}'
+    assert line("0,1\n2\n") == ': row 2: has 1 cell, "2"; allowed: 2 (remove what is no answer)'
     assert (
-        line("x,a,b\nb,0,1\na,1,0\n")
+        line("x,a,b\nb,0,1\nc,1,0\n")
         == ": rows and columns differ in their labels; allowed: the same"
     )
     assert line("").startswith(": is empty")

@@ -75,9 +75,10 @@ class Answers:
         Columns, which `names` may call otherwise (`left="first"`): `left`, `right` and `chosen`,
         or `winner` and `loser`. `chosen` holds the label of either, or left, right or tie
         (`tie="equal"`, `left_word="f"`, `right_word="j"` for other words). `person`, `time`,
-        `trial` (or `order`), `response_s` or `response_ms` are used where they are; every other
-        column is a group. docs/answers.md has what else is read, such as files of PsychoPy,
-        jsPsych and Qualtrics. `stimuli` gives the labels in an order of your own, and allows no
+        `trial` (or `order`), `response_s` or `response_ms` are used where they are; `count` (or
+        `freq`) says how many answers a row stands for. Every other column is a group.
+        docs/answers.md has what else is read, such as files of PsychoPy, jsPsych and Qualtrics.
+        `stimuli` gives the labels in an order of your own, and allows no
         others.
 
         A text file is UTF-8, UTF-16 or Shift-JIS, or in the `encoding` of that name; its first

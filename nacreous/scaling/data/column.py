@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from datetime import datetime
 from typing import Any
 
@@ -72,6 +73,23 @@ def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
     faults.say_of_rows(
         np.array(hidden, np.int64),
         lambda row: f"{name} is {quoted(text[row])}; allowed: no {hidden_in(str(text[row]))} in it",
+    )
+
+
+def refuse_nothing(
+    name: str, text: Any, faults: Faults, labels: Iterable[str] = frozenset()
+) -> None:
+    """Note the words that programs write into an empty cell, unless they are among the labels."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(NOTHING), text.type))
+    word = pc.and_not(word, pc.is_in(text, pa.array(sorted(labels), text.type)))
+    faults.say_of_rows(
+        np.flatnonzero(np.asarray(pc.fill_null(word, False))),
+        lambda row: (
+            f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a label"
+        ),
     )
 
 

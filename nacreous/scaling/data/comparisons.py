@@ -91,15 +91,16 @@ class Comparisons:
     def read_counts(cls, path: str | PathLike[str]) -> Comparisons:
         """Read a square matrix of counts from a .csv file, with labels in a first line or without.
 
-        With labels, they may stand in the first column too. Raises `InputError` with file, row and
-        column for everything else.
+        With labels, they may stand in the first column too, in another order, and a row and a
+        column of sums at the end. Where a stimulus meets itself the cell is empty, 0 or a dash.
+        Raises `InputError` with file, row and column for everything else.
 
         >>> Comparisons.read_counts("no such counts.csv")
         Traceback (most recent call last):
         nacreous.problem.InputError: no such counts.csv: does not exist
         """
         values, labels = read_matrix(Path(path))
-        matrix = check_counts(printable(str(path)), values)
+        matrix = check_counts(printable(str(path)), values, labels or numbered(len(values)))
         return cls._of_matrix(matrix, np.zeros_like(matrix), labels)
 
     @classmethod

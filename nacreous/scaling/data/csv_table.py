@@ -1,7 +1,4 @@
-"""CSV files as columns of text, as spreadsheets and programs of experiments write them.
-
-All cells stay text, so that the label "01" is not the label "1".
-"""
+"""CSV files as columns of text: all cells stay text, for the label "01" is not the label "1"."""
 
 from __future__ import annotations
 
@@ -22,6 +19,8 @@ from nacreous.scaling.data.header import Header, find_header
 
 #: A row longer than this is read as one whose quotation mark is not closed.
 _LONGEST_ROW = 2**26
+#: What old programs write at the end of a file: Ctrl-Z, and a new page.
+_ENDS = b"\x1a\x0c\r\n"
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,18 +59,21 @@ def parse_csv(
     wanted: sets of names of which the header has one (`find_header`). A column without a name is
     left out where it is empty or counts the rows, and is refused otherwise.
     """
-    content = utf8_of(place, content, encoding)
+    content = utf8_of(place, content, encoding).rstrip(_ENDS)
     header = find_header(place, content, wanted, whole_of("skip_rows", skip_rows, 0, 10_000))
     columns, numbers = _body(place, content[header.begin :], header)
     kept = [at for at, name in enumerate(header.names) if name]
     for at, column in enumerate(columns):
-        if at not in kept:
+        if at not in kept and not (header.row_names and at == 0 and _are_row_names(column)):
             _check_nameless(place, at, column, numbers, header.names)
     names = [header.names[at] for at in kept]
     twice = sorted({name for name in names if names.count(name) > 1})
+    if not twice:
+        _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
+    if wanted and not any({*map(str.casefold, names)} >= {*map(str.casefold, w)} for w in wanted):
+        _check_headless(place, header.rows, names, [columns[at] for at in kept])
     if twice:
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
-    _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
     texts = dict(zip(header.names, header.texts, strict=False))
     found = [(header.names[at], columns[at]) for at in kept]
     return CsvTable(found, numbers, texts, header.separator == ";")
@@ -154,7 +156,7 @@ def _with_misfits(
             number = misfit.row + header.rows
             faults.say_of_rows(
                 np.array([number]),
-                lambda _, cells=cells: f"has {len(cells)} cells; allowed: {named}",  # type: ignore[misc]
+                lambda _, cells=cells: _misfit_said(cells, named),  # type: ignore[misc]
             )
         fitted.append(kept)
     if faults and named == 1:
@@ -180,6 +182,12 @@ def _with_misfits(
     if not filled.all():
         columns = [column.filter(pa.array(filled)) for column in columns]
     return columns, numbers[filled]
+
+
+def _misfit_said(cells: list[str], allowed: int) -> str:
+    if len(cells) == 1:
+        return f"has 1 cell, {quoted(cells[0])}; allowed: {allowed} (remove what is no answer)"
+    return f"has {len(cells)} cells; allowed: {allowed}"
 
 
 def _cells(misfit: _Misfit, separator: str) -> list[str]:
@@ -249,6 +257,30 @@ def _check_nameless(
         f"{place}: column {at + 1} has no name, and row {numbers[row]} holds {quoted(text[row])} "
         "there; allowed: a name each"
     )
+
+
+def _are_row_names(column: Any) -> bool:
+    """Whether a first column numbers the rows, each its own, in any order."""
+    import pyarrow.compute as pc
+
+    numbers = pc.all(pc.match_substring_regex(column, "^[0-9]+$")).as_py()
+    return bool(numbers) and column.null_count == 0 and len(column.unique()) == len(column)
+
+
+def _check_headless(place: str, row: int, names: list[str], columns: list[Any]) -> None:
+    """Refuse a line of names that is an answer: what it has, the rows below have there too."""
+    import pyarrow.compute as pc
+
+    again = [
+        name
+        for name, column in zip(names, columns, strict=True)
+        if pc.any(pc.equal(pc.utf8_trim_whitespace(column), name)).as_py()
+    ]
+    if len(again) > 1:
+        raise InputError(
+            f"{place}: row {row} seems to be an answer, for {listed(again)} stand in rows below it "
+            "too; allowed: a line of column names first, such as left,right,chosen"
+        )
 
 
 def _check_repeated_header(

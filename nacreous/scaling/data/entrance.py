@@ -15,9 +15,11 @@ from nacreous.scaling.data.column import (
     codes_of,
     group_column,
     number_column,
+    refuse_nothing,
     text_column,
     time_column,
 )
+from nacreous.scaling.data.count import counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
@@ -55,6 +57,8 @@ def fields_of(
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
     table, column, unpaired = _trials(table, names)
+    if "count" in column:
+        table = table.take(counts_of(table, column["count"], table.faults()) > 0)
     won = "winner" in column
     paired = table.rows
     if skip_unanswered and not won:
@@ -82,7 +86,8 @@ def fields_of(
         _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in column.values()]
-    return Fields(
+    counts = counts_of(table, column["count"], faults) if "count" in column else None
+    fields = Fields(
         stimuli=labels,
         left=left,
         right=right,
@@ -96,6 +101,23 @@ def fields_of(
         left_out=unpaired + skipped,
         unanswered=skipped,
     )
+    return fields if counts is None else _counted(fields, counts)
+
+
+def _counted(fields: Fields, counts: NDArray[np.int64]) -> Fields:
+    """Each answer as often as its row says."""
+    row = np.repeat(np.arange(len(counts)), counts)
+    counted = fields.copy()
+    counted["left"], counted["right"] = fields["left"][row], fields["right"][row]
+    counted["outcome"] = fields["outcome"][row]
+    person, response_s, time = fields["person"], fields["response_s"], fields["time"]
+    counted["person"] = None if person is None else person[row]
+    counted["response_s"] = None if response_s is None else response_s[row]
+    counted["time"] = None if time is None else time[row]
+    counted["groups"] = {
+        name: Grouping(group.levels, group.code[row]) for name, group in fields["groups"].items()
+    }
+    return counted
 
 
 def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
@@ -135,8 +157,10 @@ def _stimuli(
     sides = ("winner", "loser") if "winner" in column else ("left", "right")
     shown = [column[side] for side in sides]
     texts = [text_column(table, name) for name in shown]
+    labels = None if given is None else labels_of(given)
     for name, text in zip(shown, texts, strict=True):
         check_labels(table, name, text, faults)
+        refuse_nothing(name, text, faults, {"none", *(labels or ())})  # a dish without a sauce
     found, both = codes_of(pa.concat_arrays(texts))
     left, right = both[: table.rows], both[table.rows :]
     itself = np.flatnonzero((left == right) & (left >= 0))
@@ -146,10 +170,9 @@ def _stimuli(
     )
     faults.stop()
     check_alike(found, table.place)
-    if given is None:
+    if labels is None:
         check_number(found, table.place)
         return found, left, right
-    labels = labels_of(given)
     place = {label: index for index, label in enumerate(labels)}
     order = np.array([place.get(label, -1) for label in found], np.int64)
     for name, code in zip(shown, (left, right), strict=True):
@@ -170,6 +193,7 @@ def _people(
         return (), None
     text = text_column(table, column["person"])
     check_labels(table, column["person"], text, faults)
+    refuse_nothing(column["person"], text, faults)
     people, person = codes_of(text)
     faults.stop()
     check_alike(people, table.place)
@@ -197,8 +221,10 @@ def _refuse_repeats(
         return
     first = _earlier_twin([np.nan_to_num(column, nan=np.inf) for column in columns])
     who = "the same person on the same pair" if person is not None else "the same in every column"
+    again = np.flatnonzero(first >= 0)
+    _, at = np.unique(table.numbers[again], return_index=True)  # a row of a wide table is several
     faults.say_of_rows(
-        np.flatnonzero(first >= 0),
+        again[at],
         lambda row: (
             f"repeats row {table.numbers[first[row]]}: {who}, and no time or trial tells "
             "them apart; remove one, or pass repeats=True"

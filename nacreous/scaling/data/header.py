@@ -25,7 +25,8 @@ class Header:
 
     separator: of cells. names: of columns, "" where a column has none. rows: how many rows of the
     file stand above the first row of data. top, begin: the bytes at which the line of names and the
-    first row of data begin. texts: what Qualtrics says of each column below its name.
+    first row of data begin. texts: what Qualtrics says of each column below its name. row_names:
+    R's names of rows stand in front of each, and have no name of their own.
     """
 
     separator: str
@@ -34,6 +35,7 @@ class Header:
     top: int
     begin: int
     texts: list[str]
+    row_names: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,7 @@ def find_header(
     """
     text = content[:_MOST_BYTES].decode("utf-8", errors="ignore")
     said, after_said = _said_separator(text, skip_rows)
+    said = said or _quoted_blanks(text, skip_rows)
     found = {mark: _rows(place, text, mark) for mark in ([said] if said else SEPARATORS)}
     begin = skip_rows + after_said
     hits = [
@@ -78,6 +81,12 @@ def find_header(
             allowed = "allowed: a line of column names, then answers"
             raise InputError(f"{place}: is empty{below}; {allowed}")
     header = _header(found[mark], mark, at)
+    named = [name for name in header.names if name]
+    if named and all(re.fullmatch("'[^']*'", name) for name in named):
+        raise InputError(
+            f"{place}: row {at + 1} has its names in single quotation marks; allowed: double ones, "
+            "or none"
+        )
     if any(re.search(r"[\n\r]", name) for name in header.names):
         line = content[header.top : found[mark][at].end].decode("utf-8")
         try:
@@ -93,7 +102,25 @@ def _header(rows: list[_Row], mark: str, at: int) -> Header:
     if at + 2 < len(rows) and all('"ImportId"' in cell for cell in rows[at + 2].cells if cell):
         texts, last = (rows[at + 1].cells, at + 2) if rows[at + 2].filled else ([], at)
     top = rows[at - 1].end if at else 0
-    return Header(mark, rows[at].cells, last + 1, top, rows[last].end, texts)
+    row_names = _has_row_names(rows[at].cells, [row for row in rows[last + 1 :] if row.filled])
+    names = [*[""] * row_names, *rows[at].cells]
+    return Header(mark, names, last + 1, top, rows[last].end, texts, row_names)
+
+
+def _has_row_names(names: list[str], rows: list[_Row]) -> bool:
+    """Whether each row has one cell more than the names, in front, as R's write.table writes it."""
+    if not rows or not names[-1] or {len(row.cells) for row in rows} != {len(names) + 1}:
+        return False
+    first = [row.cells[0] for row in rows]
+    numbered = all(cell.isdecimal() for cell in first) and len(set(first)) == len(first)
+    return numbered and any(row.cells[-1] for row in rows)
+
+
+def _quoted_blanks(text: str, skip_rows: int) -> str | None:
+    """A blank where the first line is names in quotes that blanks part, as R writes them."""
+    lines = (line.strip() for line in text.splitlines()[skip_rows:_MOST_ROWS])
+    first = next(filter(None, lines), "")
+    return " " if re.fullmatch(r'"[^"]*"(?: "[^"]*")+', first) else None
 
 
 def _said_separator(text: str, skip_rows: int) -> tuple[str | None, int]:

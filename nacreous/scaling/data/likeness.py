@@ -4,25 +4,34 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from unicodedata import decomposition, normalize
+from unicodedata import decimal, decomposition, normalize, numeric
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.data.hidden import visible
 
-#: Letters of Cyrillic and Greek that are drawn as a Latin one (a part of the table of Unicode
-#: Technical Standard 39), and dashes that are drawn as a hyphen.
+#: Letters of Cyrillic and Greek, and some others, that are drawn as a Latin one, kana that are
+#: drawn as a kanji or as the other kana, and marks that are drawn as one on every keyboard (a part
+#: of the table of Unicode Technical Standard 39).
 _DRAWN_AS = str.maketrans(
     "АВЕЅІЈКМНОРСТУХЅаеѕіјорсухһԁԛԝ" + "ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοϲϳ",
     "ABESIJKMHOPCTYXSaesijopcyxhdqw" + "ABEZHIKMNOPTYXocj",
 ) | dict.fromkeys(map(ord, "\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u2043\ufe58\ufe63"), "-")
-#: Kinds of Unicode's compatibility forms that differ in width or cut alone; ² and ① are not 2.
-_FORMS = ("<wide>", "<narrow>", "<font>", "<noBreak>", "<compat>")
+_DRAWN_AS |= str.maketrans("ɑı×✕✖∕⁄⧸∼∽〜～", "aixxx///~~~~")
+_DRAWN_AS |= str.maketrans("ロニカタエトハチムヘベペリー一", "口二力夕工卜八千厶へべぺり--")
+_DRAWN_AS |= dict.fromkeys(map(ord, "‘’‚‛′ʹʻʼ`´＇"), "'") | dict.fromkeys(map(ord, "“”„‟″«»"), '"')
+_DRAWN_AS |= dict.fromkeys(map(ord, "･·•‧∙⋅ꞏ・"), "·")
+#: Kinds of Unicode's compatibility forms that differ in width, cut or a ring; ² is not 2.
+_FORMS = ("<wide>", "<narrow>", "<font>", "<noBreak>", "<compat>", "<circle>")
 #: Whole or decimal, without zeros in front: 007 is a person's code.
 _NUMBER = re.compile(
     r"([+-]?)(0|[1-9][0-9]*|(?=[.,][0-9]))(?:[.,]([0-9]*))?(?:[eE]([+-]?[0-9]{1,3}))?"
 )
-_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}(,[0-9]{3})+(\.[0-9]*)?")
+#: Thousands parted by commas, blanks or apostrophes, and by points where a decimal comma follows.
+_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}([,' ])[0-9]{3}(\1[0-9]{3})*(\.[0-9]*)?")
+_POINTS = re.compile(r"[+-]?[1-9][0-9]{0,2}((\.[0-9]{3})+,[0-9]+|(\.[0-9]{3}){2,})")
+#: One character that is a number between 0 and 1, alone or behind a whole one.
+_FRACTION = re.compile("([0-9]*) ?([¼½¾⅐-⅞↉])")
 
 
 def check_alike(labels: Iterable[str], place: str) -> None:
@@ -52,19 +61,21 @@ def _drawn(label: str) -> str:
     """What a label looks like: letters of one width and one script where they are drawn alike."""
     text = visible(label)
     if text.isascii():
-        return text
-    plain = "".join(
-        normalize("NFKC", letter) if decomposition(letter).startswith(_FORMS) else letter
-        for letter in text
-    )
+        return text.replace("`", "'")
+    plain = "".join(map(_plain, text))
     return " ".join(normalize("NFC", plain).translate(_DRAWN_AS).split())
+
+
+def _plain(letter: str) -> str:
+    """A letter in its plain form; digits of every script as 0 to 9."""
+    if decomposition(letter).startswith(_FORMS):
+        return normalize("NFKC", letter)
+    return str(decimal(letter, letter))
 
 
 def _number(drawn: str) -> str | None:
     """A number as a whole one and a power of ten, however it is written; None of other labels."""
-    if _THOUSANDS.fullmatch(drawn):
-        drawn = drawn.replace(",", "")
-    found = _NUMBER.fullmatch(drawn)
+    found = _NUMBER.fullmatch(_ungrouped(drawn))
     if not found:
         return None
     fraction = found[3] or ""
@@ -74,3 +85,13 @@ def _number(drawn: str) -> str | None:
         return "0"
     power = int(found[4] or 0) - len(fraction) + len(digits) - len(whole)
     return f"{found[1].strip('+')}{whole}e{power}"
+
+
+def _ungrouped(drawn: str) -> str:
+    """A number without what parts its thousands, its decimal mark a point."""
+    if _THOUSANDS.fullmatch(drawn):
+        return re.sub("[,' ]", "", drawn)
+    if _POINTS.fullmatch(drawn):
+        return drawn.replace(".", "").replace(",", ".")
+    part = _FRACTION.fullmatch(drawn)
+    return str(int(part[1] or 0) + numeric(part[2])) if part else drawn

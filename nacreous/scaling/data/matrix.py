@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,9 @@ from nacreous.scaling.data.table import read_bytes
 #: How far a proportion and its mirror may be from 1 together: two roundings to two decimals.
 ROUNDING = 0.011
 MOST_COUNT = 2.0**53
+#: What stands where a stimulus meets itself.
+_DIAGONAL = frozenset({"", "-", "\u2013", "\u2014", "/", "*", "."})
+_TOTALS = frozenset({"total", "totals", "sum", "all", "gesamt", "summe", "合計", "計"})
 
 
 def labelled_matrix(name: str, values: Any) -> tuple[NDArray[np.float64], list[object] | None]:
@@ -34,14 +38,23 @@ def labelled_matrix(name: str, values: Any) -> tuple[NDArray[np.float64], list[o
     return _square(name, array_of(name, values.to_numpy())), columns
 
 
-def check_counts(name: str, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Whole counts of 0 or more with nothing on the diagonal."""
+def check_counts(
+    name: str, matrix: NDArray[np.float64], labels: Sequence[object] | None = None
+) -> NDArray[np.float64]:
+    """Whole counts of 0 or more with nothing on the diagonal. labels: for messages."""
     diagonal = np.eye(len(matrix), dtype=bool)
     counts = np.where(diagonal & np.isnan(matrix), 0.0, matrix)
     with np.errstate(invalid="ignore"):
+        shares = (counts >= 0) & (counts <= 1)
+        if shares[~diagonal].all() and (counts[~diagonal] % 1).any():
+            raise InputError(
+                f"{name}: holds numbers between 0 and 1, as shares are; allowed: counts of "
+                "answers, or in Python Comparisons.of_proportions"
+            )
         whole = (counts >= 0) & (counts <= MOST_COUNT) & (counts == np.floor(counts))
-    _stop_at(name, counts, ~whole, "a whole number, 0 or more")
-    _stop_at(name, counts, diagonal & (counts != 0), "0, for nothing is compared with itself")
+    _stop_at(name, counts, ~whole, "a whole number, 0 or more", labels)
+    itself = "0, for nothing is compared with itself"
+    _stop_at(name, counts, diagonal & (counts != 0), itself, labels)
     return counts
 
 
@@ -73,25 +86,46 @@ def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
     """A matrix of numbers from a CSV file, and its labels where it has them."""
     content = read_bytes(path)
     place = printable(str(path))
-    rows = parse_csv_cells(place, content)
+    rows = _without_totals(parse_csv_cells(place, content))
     if {"left", "right"} <= {*map(str.lower, rows[0])} or {"winner", "loser"} <= {*rows[0]}:
         raise InputError(
             f"{place}: row 1 has the names of a table of answers ({listed(rows[0])}); allowed with "
             "Comparisons.read_counts: a square of counts; read this by Answers.read"
         )
     labels: list[str] | None = None
+    order: list[int] | None = None
     first_row = 1
     if len(rows) == len(rows[0]) + 1:
         labels, rows = rows[0], rows[1:]
         first_row = 2
     elif _has_corner(rows):
         labels = rows[0][1:]
-        if [row[0] for row in rows[1:]] != labels:
+        own = [row[0] for row in rows[1:]]
+        if sorted(own) != sorted(labels):
             differ = "rows and columns differ in their labels"
             raise InputError(f"{place}: {differ}; allowed: the same")
+        order = [labels.index(label) for label in own]
         rows = [row[1:] for row in rows[1:]]
         first_row = 2
-    return _square(place, _matrix_of(place, rows, first_row)), labels
+    matrix = _matrix_of(place, rows, first_row, order or list(range(len(rows))))
+    return _square(place, matrix)[np.argsort(order) if order else slice(None)], labels
+
+
+def _without_totals(rows: list[list[str]]) -> list[list[str]]:
+    """A square with labels without a last row and column of sums."""
+    if len(rows) > 2 and rows[0][-1].casefold() in _TOTALS and all(map(_is_sum, rows[1:])):
+        rows = [row[:-1] for row in rows]
+    across = [list(column) for column in zip(*rows, strict=True)]
+    if len(rows) > 2 and rows[-1][0].casefold() in _TOTALS and all(map(_is_sum, across[1:])):
+        rows = rows[:-1]
+    return rows
+
+
+def _is_sum(cells: list[str]) -> bool:
+    """Whether the last cell is the sum of those between it and the label; of nothing it may be."""
+    numbers = [_number(cell) for cell in cells[1:-1]]
+    total = _number(cells[-1])
+    return cells[-1] in _DIAGONAL or total == sum(number or 0.0 for number in numbers)
 
 
 def _has_corner(rows: list[list[str]]) -> bool:
@@ -107,13 +141,15 @@ def _has_corner(rows: list[list[str]]) -> bool:
     return bool(corner) or not numbers or rows[-1][-1] != ""
 
 
-def _matrix_of(place: str, rows: list[list[str]], first_row: int) -> NDArray[np.float64]:
-    """The numbers in cells of text; an empty diagonal is NaN."""
+def _matrix_of(
+    place: str, rows: list[list[str]], first_row: int, own: list[int]
+) -> NDArray[np.float64]:
+    """The numbers in cells of text; an empty diagonal is NaN. own: for each row its own column."""
     matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
     faults = Faults(place, np.arange(len(rows)) + first_row)
     for i, row in enumerate(rows):
         for j, cell in enumerate(row):
-            number = np.nan if i == j and not cell else _number(cell)
+            number = np.nan if j == own[i] and cell in _DIAGONAL else _number(cell)
             if number is None:
                 verdict = f"column {j + 1} is {quoted(cell)}; allowed: a whole number, 0 or more"
                 faults.say_of_rows(np.array([i]), lambda _, verdict=verdict: verdict)  # type: ignore[misc]
@@ -140,13 +176,25 @@ def _square(name: str, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
     return matrix
 
 
-def _stop_at(name: str, matrix: NDArray[np.float64], bad: Any, allowed: str) -> None:
-    """Name the first few cells that are bad."""
+def _stop_at(
+    name: str,
+    matrix: NDArray[np.float64],
+    bad: Any,
+    allowed: str,
+    labels: Sequence[object] | None = None,
+) -> None:
+    """Name the first few cells that are bad, by labels or by indices from 0."""
     cells = np.argwhere(bad)
     if len(cells) == 0:
         return
+
+    def place(i: int, j: int) -> str:
+        if labels is None:
+            return f"{name}[{i}, {j}]"
+        return f"{name}: row {quoted(labels[i])}, column {quoted(labels[j])}"
+
     lines = [
-        f"{name}[{i}, {j}] is {said(float(matrix[i, j])).removesuffix('.0')}; allowed: {allowed}"
+        f"{place(i, j)} is {said(float(matrix[i, j])).removesuffix('.0')}; allowed: {allowed}"
         for i, j in cells[:5].tolist()
     ]
     if len(cells) > len(lines):

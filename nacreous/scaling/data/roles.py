@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 from itertools import combinations
 from typing import Any, TypedDict
@@ -10,7 +11,8 @@ import numpy as np
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import codes_of, number_column, text_column
-from nacreous.scaling.data.fault import Faults, listed, nearest
+from nacreous.scaling.data.count import count_column, counts_of_sides
+from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.program import names_people, program_of
 from nacreous.scaling.data.table import Table
@@ -29,6 +31,7 @@ class Names(TypedDict, total=False):
     trial: str
     response_s: str
     response_ms: str
+    count: str
     tie: str
     left_word: str
     right_word: str
@@ -36,7 +39,7 @@ class Names(TypedDict, total=False):
 
 LONG = ("left", "right", "chosen")
 WINNERS = ("winner", "loser")
-OPTIONAL = ("person", "time", "trial", "response_s", "response_ms")
+OPTIONAL = ("person", "time", "trial", "response_s", "response_ms", "count")
 WORDS = ("left_word", "right_word", "tie")
 
 
@@ -118,6 +121,8 @@ def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
         column = column_of(table, role, names)
         if role == "person" and column is None and "person" not in names:
             column = _people(table, {*found.values()})
+        if role == "count" and "count" not in names and not lacking:
+            column = count_column(table, {*found.values()})
         name = str(names.get(role) or role)
         if column is not None:
             found[role] = column
@@ -164,11 +169,25 @@ def _holds_numbers(table: Table, name: str) -> bool:
 def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> str:
     """In one line the columns that are not there, and the arguments that name them."""
     free = [name for name in table.columns if name not in taken]
+    sides = counts_of_sides(table, taken) if "chosen" in lacking else []
+    if len(sides) > 1:
+        return (
+            f"columns {' and '.join(sides[:2])} may count the answers for either side, and no "
+            "column is called chosen; allowed: the columns left, right, chosen and count, with a "
+            "row for each side, such as A,B,A,5 and A,B,B,3"
+        )
     near = {
         role: _likely(role, free) if name == role else nearest(name, table.columns)
         for role, name in lacking.items()
     }
     options = ", ".join(f"{role}={near[role]!r}" if near[role] else f"{role}=NAME" for role in near)
+    pairs = [name for name in free if _OR.fullmatch(name)]
+    if pairs and len(lacking) > 1 and len(pairs) >= len(free) - 1:
+        versus = quoted(_OR.sub(r"\1 vs \2", pairs[0]))
+        return (
+            f"has columns such as {quoted(pairs[0])}; allowed with a column a pair: names such as "
+            f"{versus}, or the columns left, right and chosen"
+        )
     names = list(lacking.values())
     meant = next(iter(near.values()))
     if len(names) == 1 and meant:
@@ -180,6 +199,9 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
         hint += ", or skip rows above the names by skip_rows=N"
     return f"has no column{several}; {hint}"
 
+
+#: A pair in other words than `vs`, which a label may hold.
+_OR = re.compile(r"(\S.*?)(?:[ _]+(?:or|and|oder|ou)[ _]+|\s*[/|–—:]\s*|\s+-\s+|\s*か\s*)(\S.*)")
 
 #: Parts of names that columns of a role have in other programs and languages.
 _PARTS = {
