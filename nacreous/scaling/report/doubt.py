@@ -99,7 +99,8 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
     drawable = fit.method == "maximum-likelihood" and fit.posterior is None
     sets = endless(fit)
     if sets:  # samples stay as near as what draws the scale together
-        return replace(_over_answers(fit, settings, True, False, progress), endless=sets)
+        alike = known and len(sets) == len(fit.stimuli)  # every answer goes with one order
+        return replace(_over_answers(fit, settings, True, alike, progress), endless=sets)
     fixed = settings.bootstrap == 0 or not drawable or bool(np.any(counts % 1))
     if over_people is None:
         return _over_answers(fit, settings, fixed, known, progress)
