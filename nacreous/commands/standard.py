@@ -22,7 +22,7 @@ def check_output(output: str, endings: Collection[str]) -> None:
     """Refuse what cannot be written, before any long work; standard output always can."""
     if not output.strip():
         raise InputError(f"the output is empty; allowed: a file that ends in {', '.join(endings)}")
-    if output != STREAM and Path(output).is_dir():
+    if output != STREAM and _is_folder(output):
         raise InputError(f"{printable(output)}: is a folder; allowed: a file in it, by its name")
     if output != STREAM:
         file.check_output(output, endings)
@@ -75,3 +75,11 @@ def reading(given: str, ending: str) -> Iterator[str]:
             yield str(path)
         except InputError as problem:
             raise InputError(str(problem).replace(str(path), "standard input")) from None
+
+
+def _is_folder(path: str) -> bool:
+    """Whether it is one; a name longer than names can be is told where it is written."""
+    try:
+        return Path(path).is_dir()
+    except OSError:
+        return False

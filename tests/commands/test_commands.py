@@ -196,7 +196,7 @@ def test_a_bad_setting_is_refused(refused: Run, settings: list[str], expected: s
         (["--scene", "unknown.toml"], "unknown.toml: is a pearl file; wanted: a scene file"),
         (["-o", "pearl.gif"], "pearl.gif: the ending is .gif; allowed: .png, .exr"),
         (["-o", "pearl"], "pearl: the ending is missing; allowed: .png, .exr"),
-        (["-o", "folder.png"], "folder.png: is a directory; a file name is needed"),
+        (["-o", "folder.png"], "folder.png: is a folder; allowed: a file in it, by its name"),
         (["-o", "gone/pearl.png"], "gone/pearl.png: the folder "),
         (["-o", "text.png/pearl.png"], "text.png/pearl.png: "),
         (["-o", "/proc/pearl.png"], "/proc/pearl.png: cannot be written ("),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unicodedata
 from pathlib import Path
 from typing import Any
 
@@ -132,9 +131,8 @@ def test_zeros_in_front_are_part_of_a_label(tmp_path):
     assert Answers.read(path).stimuli == ("01", "1")
 
 
-LABELS = st.text(st.characters(exclude_categories=["C", "Z"]), min_size=1, max_size=6).map(
-    lambda text: unicodedata.normalize("NFC", text)
-)
+#: Letters that no other looks like, and what CSV has a meaning for.
+LABELS = st.text("abzAB\"',;|=+@#$%\u3042\u5149\u6ca2\u00e9", min_size=1, max_size=6)
 
 
 @given(st.data())

@@ -188,7 +188,7 @@ def test_bad_questions_are_refused():
         (lambda: thurstone(paper(), prior=-1), "prior is -1"),
         (lambda: thurstone(paper(), method="bayes"), "method is 'bayes'"),
         (lambda: thurstone(paper(), "least-squares").bootstrap(), "least-squares"),
-        (lambda: thurstone([[0, 0.5], [1, 0]]).bootstrap(10), "whole"),
+        (lambda: thurstone([[0, 1.5], [3, 0]]).bootstrap(10), "whole"),
     ):
         with pytest.raises(InputError, match=message):
             call()
