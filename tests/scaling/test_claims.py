@@ -275,7 +275,10 @@ def test_where_all_agree_no_margin_over_people_is_given_and_no_end_is_claimed(dr
         fit.intervals(kind="expected")[analysis.order[0]].tolist()
     )
     assert "cannot be told" in told(analysis, 0).splitlines()[-2]
-    assert "there is no upper end" in analysis.text("report.html")
+    page = analysis.text("report.html")
+    assert "there is no upper end" in page
+    assert "no bar here promises to hold the true place" in page
+    assert "the bar holds it" not in page
     assert "離れ方に上限はありません" in analysis.text("report.html", "ja")
 
 

@@ -41,7 +41,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
                 ),
                 "doubt",
                 words.alt("scale.interval_alt", **ends),
-                words("scale.interval_caption", level=f"{100 * level:g}"),
+                words("scale.endless_caption")
+                if analysis.doubt.endless
+                else words("scale.interval_caption", level=f"{100 * level:g}"),
             )
         )
     else:
