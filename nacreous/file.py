@@ -83,10 +83,13 @@ def check_output(path: str | PathLike[str], suffixes: Collection[str]) -> Path:
     nacreous.problem.InputError: pearl.gif: the ending is .gif; allowed: .png, .exr
     """
     output = named(path)
+    if not os.fspath(path).strip():
+        raise InputError(f"the output is empty; allowed: a file that ends in {', '.join(suffixes)}")
+    target = _target(path)
     if output.suffix.lower() not in suffixes:
         given = output.suffix or "missing"
         raise InputError(f"{output}: the ending is {given}; allowed: {', '.join(suffixes)}")
-    _create_beside(path, _target(path)).unlink()
+    _create_beside(path, target).unlink()
     return output
 
 
@@ -211,7 +214,7 @@ def _target(path: str | PathLike[str]) -> Path:
     except (OSError, ValueError) as problem:
         raise _unwritable(path, problem) from problem
     if stat.S_ISDIR(mode):
-        raise InputError(f"{path}: is a directory; a file name is needed")
+        raise InputError(f"{path}: is a folder; allowed: a file in it, by its name")
     if not stat.S_ISREG(mode):
         # Replacing it would turn, say, /dev/null into a file.
         raise InputError(f"{path}: is not an ordinary file, and cannot be replaced by one")

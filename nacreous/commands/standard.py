@@ -20,10 +20,6 @@ STREAM = "-"
 
 def check_output(output: str, endings: Collection[str]) -> None:
     """Refuse what cannot be written, before any long work; standard output always can."""
-    if not output.strip():
-        raise InputError(f"the output is empty; allowed: a file that ends in {', '.join(endings)}")
-    if output != STREAM and _is_folder(output):
-        raise InputError(f"{printable(output)}: is a folder; allowed: a file in it, by its name")
     if output != STREAM:
         file.check_output(output, endings)
     elif sys.stdout is None or sys.stdout.isatty():
@@ -75,11 +71,3 @@ def reading(given: str, ending: str) -> Iterator[str]:
             yield str(path)
         except InputError as problem:
             raise InputError(str(problem).replace(str(path), "standard input")) from None
-
-
-def _is_folder(path: str) -> bool:
-    """Whether it is one; a name longer than names can be is told where it is written."""
-    try:
-        return Path(path).is_dir()
-    except OSError:
-        return False

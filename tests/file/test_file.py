@@ -520,7 +520,7 @@ def test_outputs_that_cannot_be_are_refused_before_and_during(tmp_path: Path) ->
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "note").touch()
     for path, message in [
-        (tmp_path / "folder.png", r"folder.png: is a directory; a file name is needed$"),
+        (tmp_path / "folder.png", r"folder.png: is a folder; allowed: a file in it, by its name$"),
         (tmp_path / "missing" / "a.png", r"a.png: the folder .*missing does not exist$"),
         (tmp_path / "note" / "a.png", r"a.png: the folder .*note does not exist$"),
         (Path("/proc/a.png"), r"^/proc/a.png: cannot be written \(.+\)$"),
