@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import TYPE_CHECKING, BinaryIO, Literal, TypeAlias
 
 from nacreous import _core, file
 from nacreous.development import check_bits, check_unchanged, check_words
@@ -81,7 +81,7 @@ class Image(Unchanging):
 
     def _repr_png_(self) -> bytes:
         """The picture as notebooks show it, in sRGB."""
-        return self.png()
+        return self._png((8, "srgb", "soft", False))[0]
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
         """By its arrays, so that it goes from process to process."""
@@ -149,27 +149,9 @@ class Image(Unchanging):
 
         return codes_with_alpha(pearls_alone(self.layers), bits, str(space), str(gamut))
 
-    def png(
-        self,
-        bits: Literal[8, 16] = 8,
-        space: str = "srgb",
-        gamut: str = "soft",
-        alpha: bool = False,
-    ) -> bytes:
-        """The picture as a PNG in memory, with its recipe; arguments as for `save`.
-
-        Files that the recipe names are named by their absolute paths.
-
-        >>> render("paper", size=8, samples=1).png()[1:4]
-        b'PNG'
-        """
-        codes, _ = self.develop(bits, space, gamut, alpha)
-        how = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
-        return _core.png_bytes(codes, str(space), self._texts(how, None))
-
     def save(
         self,
-        path: str | Path,
+        path: str | Path | BinaryIO,
         bits: Literal[8, 16] = 8,
         space: str = "srgb",
         gamut: str = "soft",
@@ -177,20 +159,28 @@ class Image(Unchanging):
     ) -> float:
         """Write the picture; the ending decides. Returns the share of pixels out of gamut.
 
+        Into an open binary file, such as an `io.BytesIO`, goes a PNG, whose recipe names files by
+        their absolute paths.
+
         .png: developed, with its colour profile. .exr: linear, with all layers; nothing is clipped
         and the share is 0. Both carry the recipe: pearl, scene, seed, size and versions. alpha: the
         pearls alone, cut out (docs/picture.md); without it a PNG has no alpha and an EXR's is 1.
         The file is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
-        suffix = file.check_output(path, SUFFIXES).suffix.lower()
+        if hasattr(path, "write"):
+            made, outside = self._png((bits, str(space), str(gamut), alpha))
+            path.write(made)
+            return outside
+        place = file.check_output(file.named(path), SUFFIXES)
+        suffix = place.suffix.lower()
         check_bits(bits)
         check_words(str(space), str(gamut))
         how: dict[str, object] = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
         if suffix == ".exr":
             check_unchanged(bits, str(space), str(gamut))
             how = {"alpha": True} if alpha else {}
-        texts = self._texts(how, Path(path).parent)
-        with file.atomic(path) as temporary:
+        texts = self._texts(how, place.parent)
+        with file.atomic(place) as temporary:
             if self._picture is None or self._arrays is not None or alpha:
                 return self._save_arrays(
                     temporary, suffix, (bits, str(space), str(gamut), alpha), texts
@@ -200,9 +190,13 @@ class Image(Unchanging):
                 return 0.0
             return self._picture.save_png(temporary, str(space), str(gamut), bits, texts)
 
-    def _save_arrays(
-        self, path: Path, suffix: str, how: tuple[Literal[8, 16], str, str, bool], texts: _Texts
-    ) -> float:
+    def _png(self, how: _How) -> tuple[bytes, float]:
+        """A PNG, and the share of its pixels out of gamut; of no folder to name files from."""
+        codes, outside = self.develop(*how)
+        named = dict(zip(("bits", "space", "gamut", "alpha"), how, strict=True))
+        return _core.png_bytes(codes, how[1], self._texts(named, None)), outside
+
+    def _save_arrays(self, path: Path, suffix: str, how: _How, texts: _Texts) -> float:
         """Write the arrays, which may have been changed since they were rendered."""
         if suffix == ".exr":
             from nacreous.alpha import opaque, pearls_alone
@@ -334,4 +328,5 @@ def _measured_grains(made: str, photographed: Sequence[int]) -> list[tuple[int, 
 
 if TYPE_CHECKING:
     _Texts: TypeAlias = list[tuple[str, str]]
+    _How: TypeAlias = tuple[Literal[8, 16], str, str, bool]
     _Arrays: TypeAlias = tuple[NDArray[np.float32], Mapping[str, NDArray[np.float32]]]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
@@ -97,13 +98,8 @@ def run(args: argparse.Namespace) -> int:
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
-    with standard.writing(output, ".png") as place:
-        how = (job.bits, job.space, job.gamut, job.alpha)
-        if output == standard.STREAM:  # which leads nowhere that files could be named from
-            place.write_bytes(picture.png(*how))
-            outside = picture.develop(*how)[1]
-        else:
-            outside = picture.save(place, *how)
+    place = sys.stdout.buffer if output == standard.STREAM else output
+    outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
     say(_report(output, job, time.monotonic() - begin, outside), [output])
     return 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import subprocess
@@ -183,7 +184,9 @@ def test_a_picture_of_no_place_names_its_files_absolutely_and_makes_itself_again
     image = nc.render("paper", "scene.toml", 8, 4)
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
-    for name, made in (("shown.png", image._repr_png_()), ("piped.png", image.png(bits=16))):
+    piped = io.BytesIO()
+    image.save(piped, bits=16)
+    for name, made in (("shown.png", image._repr_png_()), ("piped.png", piped.getvalue())):
         (elsewhere / name).write_bytes(made)
         monkeypatch.chdir("/")
         kept = read_embedded(elsewhere / name)
