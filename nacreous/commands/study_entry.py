@@ -1,4 +1,4 @@
-"""`nacreous study open | pause | close | invite | readmit`: who may enter, and who counts again."""
+"""`nacreous study open | pause | close | invite`: who may enter."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from nacreous.commands.study_serve import add_action, opened
-from nacreous.commands.study_store import Actions, add_person, person_of, who
+from nacreous.commands.study_store import Actions, who
 from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
@@ -21,7 +21,6 @@ examples:
   nacreous study pause my-study                 nobody enters for now; who is in goes on
   nacreous study close my-study                 nobody enters any more
   nacreous study invite my-study 20 --label "Monday" --url https://pearls.example
-  nacreous study readmit my-study 17            takes back   nacreous study exclude
 
 A server that runs heeds each at once.
 """
@@ -52,10 +51,6 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
         help="where people reach the server (http://127.0.0.1:8000)",
     )
     parser.set_defaults(run=invite)
-    does = "Count an excluded person's answers after all."
-    parser = actions.add_parser("readmit", help=does[:-1].lower(), description=does)
-    add_person(parser)
-    parser.set_defaults(run=readmit)
 
 
 def open_study(args: argparse.Namespace) -> int:
@@ -92,17 +87,6 @@ def invite(args: argparse.Namespace) -> int:
     with _study(args) as (store, study):
         for token in store.invite(study, args.count, args.label, who()):
             say(f"{home}/#{token}")
-    return 0
-
-
-def readmit(args: argparse.Namespace) -> int:
-    """Take an exclusion back."""
-    from nacreous.study.store import Store
-
-    with Store.open(args.place, make=False) as store:
-        session = person_of(store, args)
-        store.readmit(session.id, who())
-    say(f"person {session.number}: readmitted; the answers count again")
     return 0
 
 

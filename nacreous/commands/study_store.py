@@ -1,4 +1,4 @@
-"""`nacreous study backup | restore | export | exclude | erase`: what is kept of a study."""
+"""`nacreous study backup | restore | export`, `exclude | readmit | erase`: what is kept of one."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ examples:
   nacreous study export my-study -o answers.csv            or .parquet
   nacreous study export my-study -o for-others             a folder by Psych-DS, with a code book
   nacreous study exclude my-study 17 --reason "left the room"
+  nacreous study readmit my-study 17                       takes that back
   nacreous study erase my-study 17                         at that person's wish, for ever
 """
 
@@ -26,15 +27,15 @@ Actions = argparse._SubParsersAction
 def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     """Describe what `nacreous study` can do with a store."""
     parser = _add(actions, "backup", "copy a store to one file, while it is in use")
-    add_place(parser)
+    _add_place(parser)
     parser.add_argument("-o", "--output", required=True, help="a .sqlite file, from either kind")
     parser.set_defaults(run=backup)
     parser = _add(actions, "restore", "make a store from a backup")
     parser.add_argument("backup", help="what `nacreous study backup` wrote")
-    add_place(parser)
+    _add_place(parser)
     parser.set_defaults(run=restore)
     parser = _add(actions, "export", "write all answers as .csv, .parquet or a Psych-DS folder")
-    add_place(parser)
+    _add_place(parser)
     parser.add_argument(
         "-o",
         "--output",
@@ -50,14 +51,17 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
         help="with what may identify a person: the browser's full name, texts in screen checks, "
         "whom an invitation was for",
     )
-    add_study(parser)
+    _add_study(parser)
     parser.set_defaults(run=export)
     parser = _add(actions, "exclude", "mark a person's answers as not to be counted")
-    add_person(parser)
+    _add_person(parser)
     parser.add_argument("--reason", required=True, help="kept with the answers")
     parser.set_defaults(run=exclude)
+    parser = _add(actions, "readmit", "count an excluded person's answers after all")
+    _add_person(parser)
+    parser.set_defaults(run=readmit)
     parser = _add(actions, "erase", "take away all that leads from answers to a person")
-    add_person(parser)
+    _add_person(parser)
     parser.set_defaults(run=erase)
 
 
@@ -103,9 +107,20 @@ def exclude(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = person_of(store, args)
+        session = _person(store, args)
         store.exclude(session.id, args.reason, who())
     say(f"person {session.number}: excluded; the answers stay, marked")
+    return 0
+
+
+def readmit(args: argparse.Namespace) -> int:
+    """Take an exclusion back."""
+    from nacreous.study.store import Store
+
+    with Store.open(args.place, make=False) as store:
+        session = _person(store, args)
+        store.readmit(session.id, who())
+    say(f"person {session.number}: readmitted; the answers count again")
     return 0
 
 
@@ -114,7 +129,7 @@ def erase(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = person_of(store, args)
+        session = _person(store, args)
         store.erase(session.id, who())
     say(f"person {session.number}: erased; backups and exports made before still hold the data")
     return 0
@@ -132,7 +147,7 @@ def _add(
     )
 
 
-def add_place(parser: argparse.ArgumentParser) -> None:
+def _add_place(parser: argparse.ArgumentParser) -> None:
     """Where the store is, or nothing for what NACREOUS_STORE says."""
     parser.add_argument(
         "place",
@@ -141,19 +156,19 @@ def add_place(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_study(parser: argparse.ArgumentParser) -> None:
+def _add_study(parser: argparse.ArgumentParser) -> None:
     """Which study of a store."""
     parser.add_argument("--study", help="the beginning of its hash, where a store has several")
 
 
-def add_person(parser: argparse.ArgumentParser) -> None:
+def _add_person(parser: argparse.ArgumentParser) -> None:
     """Which person of which store."""
     parser.add_argument("place", help="the study's folder, a file, or postgresql://...")
     parser.add_argument("number", type=int, help="the participant's number, from 0")
-    add_study(parser)
+    _add_study(parser)
 
 
-def person_of(store: Store, args: argparse.Namespace) -> Session:
+def _person(store: Store, args: argparse.Namespace) -> Session:
     """The person whom the arguments name."""
     from nacreous.problem import InputError
 
