@@ -154,10 +154,11 @@ class Running:
         self.task.check(self._asked, response.given)
         asked = plan[trial]
         answer = Answer(trial, asked.question, shown(asked, self.task), response, asked.kind)
-        return self.store.hand_in(session.id, answer, in_turn=True)
+        last = trial == len(plan) - 1
+        return self.store.hand_in(session.id, answer, in_turn=True, last=last)
 
     def finish(self, session: Session) -> None:
-        """Note that a participant saw the last page; every trial must be answered."""
+        """Note that a participant has answered every trial, where the last answer did not."""
         count, wanted = self.answered(session), len(self.plan(session))
         if count < wanted:
             raise OutOfTurn(f"{count} trials are answered; wanted: all {wanted} before the end")
@@ -177,13 +178,13 @@ class Running:
 
     def _settled(self, session: Session) -> Session:
         """The session with its groups and its plan, made now where a crash left it without."""
-        if self._plans.get(session.id) is not None or session.erased_at is not None:
+        if self._plans.get(session.id) is not None:
             return session
-        if self._kept(session) is not None:
+        if self._kept(session) is not None or session.slot is None:
             return session
         design = self.frozen.design
-        groups = {**session.groups, **drawn_groups(design, session.number)}
-        plan = trials(design, session.number, self._so_far())
+        groups = {**session.groups, **drawn_groups(design, session.slot)}
+        plan = trials(design, session.slot, self._so_far())
         self.store.settle(session.id, groups, plain(plan, self.task))
         self._kept(session)
         return self.store.session(session.id)
