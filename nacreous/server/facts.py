@@ -29,6 +29,7 @@ class Facts:
                 for question in design.questions
             ],
             "groups": _groups(design),
+            "parameters": list(design.entry.parameters),
             "sitting": design.sitting,
             "screen": design.screen,
         }

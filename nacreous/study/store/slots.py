@@ -7,6 +7,7 @@ a slot that nobody fills any more is a hole in it, and is given again before any
 from __future__ import annotations
 
 from itertools import count
+from typing import Any
 
 import sqlalchemy as sa
 
@@ -15,7 +16,7 @@ from nacreous.study.store.schema import answers, sessions
 __all__ = ["next_free"]
 
 
-def _of_answer(column: sa.ColumnElement[object], order: sa.ColumnElement[object]) -> object:
+def _of_answer(column: sa.Column[Any], order: sa.ColumnElement[Any]) -> sa.ScalarSelect[Any]:
     """A column of a session's first or last answer, by one look into the index of trials."""
     return (
         sa.select(column)
@@ -27,7 +28,7 @@ def _of_answer(column: sa.ColumnElement[object], order: sa.ColumnElement[object]
     )
 
 
-_SINCE = sa.bindparam("since")
+_SINCE: sa.BindParameter[str] = sa.bindparam("since")
 _SIMULATED = _of_answer(answers.c.simulated, answers.c.trial)
 _LAST_AT = _of_answer(answers.c.received_at, answers.c.trial.desc())
 # Made once, for making a statement takes longer than running it.

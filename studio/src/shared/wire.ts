@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * e10323bb2815c04dcc30775e937fa8ba639790a7865cdfe3058778be445cf870
+ * cdde1bc12fe531d05285e11c23db263266725fd126050f38209fb4bc56aa8fd2
  */
 
 export type JsonValue = unknown;
@@ -172,11 +172,23 @@ export interface Words {
   ja?: string;
 }
 /**
+ * What somebody is given who has finished: a completion code, and where to go back to.
+ */
+export interface EndingTold {
+  code: string | null;
+  return_url: string | null;
+}
+/**
  * Who comes: the language of the pages, and what was asked of each recorded group.
+ *
+ * parameters: of the address by which they came, those that the study keeps.
  */
 export interface Entering {
   language: string;
   groups: {
+    [k: string]: string;
+  };
+  parameters?: {
     [k: string]: string;
   };
 }
@@ -493,6 +505,7 @@ export interface SittingTold {
   screen_flags: string[];
   refused: boolean;
   finished: boolean;
+  ending: EndingTold | null;
   answered: number;
   groups_notes: Words[];
   trials: TrialTold[];
@@ -513,6 +526,8 @@ export interface TrialTold {
 }
 /**
  * A study to somebody who has not entered. `token` is fresh: it becomes theirs by entering.
+ *
+ * parameters: of the page's address, which are kept with whoever comes by it.
  */
 export interface StudyTold {
   name: string;
@@ -524,6 +539,7 @@ export interface StudyTold {
   instructions: Words;
   questions: QuestionTold[];
   groups: GroupTold[];
+  parameters: string[];
   sitting: Sitting;
   screen: Screen;
   token: string;
@@ -588,7 +604,7 @@ export interface Routes {
     told: ScreenTold;
   };
   /**
-   * The participant saw the last page; every trial is answered.
+   * Every trial is answered, which the server knows by the last answer; twice does no harm.
    */
   "POST /api/finish": {
     body: undefined;
