@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * cdde1bc12fe531d05285e11c23db263266725fd126050f38209fb4bc56aa8fd2
+ * 223edf0fc63526a3a05488d7bcc77047a7acc99e41ac407f81b4243272a85804
  */
 
 export type JsonValue = unknown;
@@ -737,9 +737,16 @@ export interface Routes {
     told: Blob;
   };
   /**
-   * All answers, the excluded, simulated and erased ones marked.
+   * All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it.
    */
   "GET /lab/api/answers.csv": {
+    body: undefined;
+    told: Blob;
+  };
+  /**
+   * Everyone who has entered, with their flags, also who never answered.
+   */
+  "GET /lab/api/people.csv": {
     body: undefined;
     told: Blob;
   };
