@@ -83,7 +83,7 @@ export const en = {
     answers: "All answers as a table (CSV)",
     people: "Everyone who entered (CSV)",
     answers_note: "Excluded and simulated answers are in them, and say so.",
-    bom: "For Excel: with a byte order mark, by which it reads Japanese letters right",
+    bom: "For Excel (with a byte order mark)",
     making: "The report is being made …",
   },
 
