@@ -125,8 +125,9 @@ export const en = {
   colour_none: "None",
 
   instructions_title: "What to do",
-  instructions_keys: "Keys: ← for the left picture, → for the right picture.",
-  instructions_ties: "↓ or = where you see no difference.",
+  instructions_keys:
+    "Click the picture that you choose, or press ← for the left one and → for the right one.",
+  instructions_ties: "Where you see no difference, press ↓ or =, or the button below the pictures.",
   instructions_touch: "Touch the picture that you choose.",
   instructions_touch_ties: "Touch “{tie}” below the pictures where you see none.",
   instructions_training: "First come {n} pairs for practice.",

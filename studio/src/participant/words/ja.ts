@@ -126,8 +126,10 @@ export const ja: Words = {
   colour_none: "見えません",
 
   instructions_title: "進め方",
-  instructions_keys: "キー操作：左の画像は ←、右の画像は →",
-  instructions_ties: "違いがわからないときは ↓ または =",
+  instructions_keys:
+    "選んだ画像をクリックするか、左の画像は ←、右の画像は → のキーで選んでください。",
+  instructions_ties:
+    "違いがわからないときは、↓ または = のキーか、画像の下のボタンを押してください。",
   instructions_touch: "選んだ画像に触れてください。",
   instructions_touch_ties: "違いがわからないときは、画像の下の「{tie}」に触れてください。",
   instructions_training: "はじめに、練習が {n} 組あります。",
