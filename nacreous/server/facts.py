@@ -30,6 +30,7 @@ class Facts:
             ],
             "groups": _groups(design),
             "sitting": design.sitting,
+            "background_code": design.display.background_code,
             "screen": design.screen,
         }
 

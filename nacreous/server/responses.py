@@ -57,6 +57,7 @@ class StudyTold(BaseModel):
     questions: list[QuestionTold]
     groups: list[GroupTold]
     sitting: Sitting
+    background_code: int
     screen: Screen
     token: str
 
