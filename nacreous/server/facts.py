@@ -31,6 +31,7 @@ class Facts:
             "groups": _groups(design),
             "parameters": list(design.entry.parameters),
             "sitting": design.sitting,
+            "background_code": design.display.background_code,
             "screen": design.screen,
         }
 

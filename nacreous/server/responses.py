@@ -61,6 +61,7 @@ class StudyTold(BaseModel):
     groups: list[GroupTold]
     parameters: list[str]
     sitting: Sitting
+    background_code: int
     screen: Screen
     token: str
 

@@ -5,6 +5,7 @@ import "./participant.css";
 import { element } from "../shared/dom";
 import { Problem } from "../shared/http";
 import { preferred } from "../shared/language";
+import { paint } from "./grey";
 import { Sitting, studyTold } from "./sitting";
 import { Kept } from "./storage/kept";
 import { claim } from "./storage/tabs";
@@ -24,6 +25,7 @@ async function main(): Promise<void> {
   const words = WORDS[preferred(["en", "ja"], navigator.languages)];
   const stage = new Stage(root, simulation());
   const study = await studyTold((yes) => (yes ? notice.hide() : notice.show(words.unreachable)));
+  paint(study.background_code);
   const kept = await Kept.open();
   const sitting = new Sitting(stage, notice, kept, study);
   const { end, ending } = (await claim(study.name)) ? await ended(sitting) : new Ended("tabs");

@@ -13,6 +13,7 @@ import { barred, Entering, sittingOf } from "./entering";
 import { linked } from "./storage/kept";
 import type { Kept } from "./storage/kept";
 import type { Notice } from "./notice";
+import { adaptPage } from "./pages/adapt";
 import {
   breakPage,
   instructionsPage,
@@ -138,7 +139,7 @@ export class Sitting {
       await stage.show(reading("notes", words.notes_title, notes, [["go", words.go_on]]));
     }
     const pictures = Object.values(sitting.pictures);
-    const check = new ScreenCheck(stage, words, this.study.screen, sitting.number, pictures);
+    const check = new ScreenCheck(stage, words, this.study, sitting.number, pictures);
     const content = await check.run();
     const found = await this.reach(() => api.screen(content));
     await this.kept.keepScreen(api.token, content).catch(() => undefined);
@@ -194,7 +195,10 @@ export class Sitting {
     const asked =
       previous?.question === first.question ? null : said(question?.text ?? {}, this.language);
     const page = resumed
-      ? resumedPage(words, fill(words.resumed, { n: first.trial + 1, all: sitting.trials.length }))
+      ? resumedPage(
+          words,
+          fill(first.training ? words.resumed_training : words.resumed, { n, all }),
+        )
       : first.trial === 0
         ? instructionsPage(words, this.instructions(first), study.sitting.training)
         : previous?.training
@@ -202,6 +206,14 @@ export class Sitting {
           : breakPage(words, n - 1, all, asked);
     while ((await stage.show(page)) === "stop") await this.stop(api);
     if (resumed && study.screen.full_screen && stage.simulation === null) await fillScreen();
+    if (page.name === "resumed" || page.name === "break") await this.adapted();
+  }
+
+  /** Eyes that looked away get used to the grey again; simulated ones need not. */
+  private async adapted(): Promise<void> {
+    const { adaptation_s } = this.study.sitting;
+    if (adaptation_s === 0 || this.stage.simulation !== null) return;
+    await this.stage.show(adaptPage(this.words, adaptation_s));
   }
 
   /** What the study says, then how its first trial is answered. */

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 223edf0fc63526a3a05488d7bcc77047a7acc99e41ac407f81b4243272a85804
+ * df11a747e9b7153ae07d15460ac6da5316c72f0b25f87ad483990f626c60bab0
  */
 
 export type JsonValue = unknown;
@@ -412,7 +412,15 @@ export interface Screen {
    */
   distance: boolean;
   /**
-   * Where the viewing distance is not known: keep the answers with a mark, or do not begin. Allowed: "flag" or "refuse". Source: **(ours)**.
+   * The least viewing distance that passes. Allowed: 50 to 10000 mm. Source: **(ours)**; nearer than this few adults see sharply (Duane 1922).
+   */
+  least_distance_mm: number;
+  /**
+   * The greatest viewing distance that passes. Allowed: 50 to 10000 mm. Source: **(ours)**; farther away nobody reaches keys or mouse.
+   */
+  most_distance_mm: number;
+  /**
+   * Where the viewing distance is not known or does not pass: keep the answers with a mark, or do not begin. Allowed: "flag" or "refuse". Source: **(ours)**.
    */
   if_no_distance: "flag" | "refuse";
   /**
@@ -461,6 +469,7 @@ export interface ScreenTold {
     | "not-full-screen"
     | "no-card"
     | "no-distance"
+    | "distance"
     | "no-levels"
     | "gamma"
     | "darkest-step"
@@ -482,6 +491,10 @@ export interface Sitting {
    * After how many trials there is a break; 0 for none. Allowed: 0 to 1000. Source: **(ours)**.
    */
   break_every: number;
+  /**
+   * How long a plain page of the pictures' grey is looked at after a break and on coming back, before the next pair; 0 for not at all. Allowed: 0 to 600 s. Source: Fairchild and Reniff 1995, 90 % of chromatic adaptation within 60 s.
+   */
+  adaptation_s: number;
   /**
    * How long a pair is on the screen before an answer is taken. Allowed: 0 to 60000 ms. Source: **(ours)**.
    */
@@ -541,6 +554,7 @@ export interface StudyTold {
   groups: GroupTold[];
   parameters: string[];
   sitting: Sitting;
+  background_code: number;
   screen: Screen;
   token: string;
 }
