@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 897d1206eed14efecdb0bd45d6a385b8746505f67c902129e6690b06d1b2e81c
+ * 173e2daecad83d990f51f5f89a77c4fb9fe9672c5225f3c10e78b895d102f0ee
  */
 
 export type JsonValue = unknown;
@@ -251,7 +251,7 @@ export interface Opening {
   state: "open" | "paused" | "closed";
 }
 /**
- * How far one participant is. Of an erased one `trials` is 0.
+ * How far one participant is, practice aside. Of an erased one `trials` is 0.
  */
 export interface PersonTold {
   number: number;
