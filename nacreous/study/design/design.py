@@ -14,7 +14,9 @@ from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.texts import NAME, Name
 from nacreous.study.design import demo
+from nacreous.study.design.completion import Completion
 from nacreous.study.design.display import Display
+from nacreous.study.design.entry import Entry
 from nacreous.study.design.group import Group
 from nacreous.study.design.multilingual import WORDS, Language, Words
 from nacreous.study.design.question import Question
@@ -106,6 +108,8 @@ class Design(SpecFile):
     sitting: Sitting = section("How one participant goes through the study.")
     display: Display = section("How large stimuli are, and on which grey.")
     screen: Screen = section("What is asked of the participant's screen.")
+    entry: Entry = section("How people come to the study.")
+    completion: Completion = section("What whoever has finished is given.")
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -143,6 +147,7 @@ class Design(SpecFile):
             yield from question.text.missing(f"questions.{place}.text", self.languages)
         for place, group in enumerate(self.groups):
             yield from group.missing(f"groups.{place}", self.languages)
+        yield from self.completion.unknown(self.entry.parameters)
 
     def _twice(self) -> Iterator[Contradiction]:
         named = {

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 173e2daecad83d990f51f5f89a77c4fb9fe9672c5225f3c10e78b895d102f0ee
+ * 4b5a48c7a705d75643e647963bc4a14af894380126e34865b029735d83a163b2
  */
 
 export type JsonValue = unknown;
@@ -172,11 +172,23 @@ export interface Words {
   ja?: string;
 }
 /**
+ * What somebody is given who has finished: a completion code, and where to go back to.
+ */
+export interface EndingTold {
+  code: string | null;
+  return_url: string | null;
+}
+/**
  * Who comes: the language of the pages, and what was asked of each recorded group.
+ *
+ * parameters: of the address by which they came, those that the study keeps.
  */
 export interface Entering {
   language: string;
   groups: {
+    [k: string]: string;
+  };
+  parameters?: {
     [k: string]: string;
   };
 }
@@ -506,6 +518,7 @@ export interface SittingTold {
   screen_flags: string[];
   refused: boolean;
   finished: boolean;
+  ending: EndingTold | null;
   answered: number;
   groups_notes: Words[];
   trials: TrialTold[];
@@ -526,6 +539,8 @@ export interface TrialTold {
 }
 /**
  * A study to somebody who has not entered. `token` is fresh: it becomes theirs by entering.
+ *
+ * parameters: of the page's address, which are kept with whoever comes by it.
  */
 export interface StudyTold {
   name: string;
@@ -537,6 +552,7 @@ export interface StudyTold {
   instructions: Words;
   questions: QuestionTold[];
   groups: GroupTold[];
+  parameters: string[];
   sitting: Sitting;
   background_code: number;
   screen: Screen;
@@ -602,7 +618,7 @@ export interface Routes {
     told: ScreenTold;
   };
   /**
-   * The participant saw the last page; every trial is answered.
+   * Every trial is answered, which the server knows by the last answer; twice does no harm.
    */
   "POST /api/finish": {
     body: undefined;

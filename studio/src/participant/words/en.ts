@@ -169,6 +169,12 @@ export const en = {
   sending: "{n} answers are still on their way. Please leave this page open.",
   thanks_title: "Thank you",
   thanks: "All answers are stored. You can close this page.",
+  thanks_stored: "All answers are stored.",
+  thanks_return: "Back to where you came from",
+  thanks_return_use:
+    "Please press the button below, so that the site from which you came knows that you have finished.",
+  thanks_code: "Give this completion code where you signed up for the study:",
+  thanks_code_too: "If it asks for a completion code, it is this one:",
   thanks_next: "Another person at this computer",
   refused_title: "This screen does not suit the study",
   refused:

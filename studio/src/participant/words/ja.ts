@@ -173,6 +173,11 @@ export const ja: Words = {
   sending: "{n} 件の回答を送信しています。このページを開いたままお待ちください。",
   thanks_title: "ご協力ありがとうございました",
   thanks: "すべての回答が保存されました。このページを閉じていただいて結構です。",
+  thanks_stored: "すべての回答が、無事に保存されました。",
+  thanks_return: "元のサイトに戻る",
+  thanks_return_use: "下のボタンを押してください。完了したことが、元のサイトに伝わります。",
+  thanks_code: "次の完了コードを、お申し込みになったところでご入力ください。",
+  thanks_code_too: "完了コードを尋ねられたときは、こちらをご入力ください。",
   thanks_next: "この端末で別の方が参加する",
   refused_title: "この画面では参加いただけません",
   refused:
