@@ -96,17 +96,31 @@ async def report(
     responses={200: {"content": {"text/csv": {}}}},
     openapi_extra=READS,
 )
-async def answers(request: Request, _who: Who) -> Response:
-    """All answers, the excluded, simulated and erased ones marked."""
-    service = service_of(request)
-    content = await run_in_threadpool(_csv, service)
-    return Response(content, media_type="text/csv", headers=_named("answers.csv"))
+async def answers(request: Request, _who: Who, bom: bool = False) -> Response:
+    """All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it."""
+    return await _csv(service_of(request), "answers", bom)
 
 
-def _csv(service: Service) -> bytes:
+@router.get(
+    "/people.csv",
+    response_class=Response,
+    responses={200: {"content": {"text/csv": {}}}},
+    openapi_extra=READS,
+)
+async def people(request: Request, _who: Who, bom: bool = False) -> Response:
+    """Everyone who has entered, with their flags, also who never answered."""
+    return await _csv(service_of(request), "people", bom)
+
+
+async def _csv(service: Service, table: str, bom: bool) -> Response:
+    content = await run_in_threadpool(_exported, service, table, bom)
+    return Response(content, media_type="text/csv", headers=_named(f"{table}.csv"))
+
+
+def _exported(service: Service, table: str, bom: bool) -> bytes:
     with TemporaryDirectory() as folder:
-        path = Path(folder) / "answers.csv"
-        export(service.store, service.running.study, path)
+        path = Path(folder) / "table.csv"
+        export(service.store, service.running.study, path, table=table, bom=bom)
         return path.read_bytes()
 
 

@@ -192,3 +192,21 @@ def test_a_picture_of_no_place_names_its_files_absolutely_and_makes_itself_again
         kept = read_embedded(elsewhere / name)
         again = nc.render(kept.pearls, kept.scene, kept.size, kept.samples)
         assert (again.linear == image.linear).all()
+
+
+def test_a_picture_of_no_place_names_its_files_absolutely_and_makes_itself_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a notebook, or through a pipe."""
+    (tmp_path / "lamp.csv").write_text("380,1\n780,2\n", "utf-8")
+    (tmp_path / "scene.toml").write_text('[[lamps]]\nspectrum = "lamp.csv"\n', "utf-8")
+    monkeypatch.chdir(tmp_path)
+    image = nc.render("paper", "scene.toml", 8, 4)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    for name, made in (("shown.png", image._repr_png_()), ("piped.png", image.png(bits=16))):
+        (elsewhere / name).write_bytes(made)
+        monkeypatch.chdir("/")
+        kept = read_embedded(elsewhere / name)
+        again = nc.render(kept.pearls, kept.scene, kept.size, kept.samples)
+        assert (again.linear == image.linear).all()

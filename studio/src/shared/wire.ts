@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 4b5a48c7a705d75643e647963bc4a14af894380126e34865b029735d83a163b2
+ * 5d24e07793eaddb6237cde37c0cc2cc84e9541a19d253ff486f6ea21940d7b72
  */
 
 export type JsonValue = unknown;
@@ -751,9 +751,16 @@ export interface Routes {
     told: Blob;
   };
   /**
-   * All answers, the excluded, simulated and erased ones marked.
+   * All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it.
    */
   "GET /lab/api/answers.csv": {
+    body: undefined;
+    told: Blob;
+  };
+  /**
+   * Everyone who has entered, with their flags, also who never answered.
+   */
+  "GET /lab/api/people.csv": {
     body: undefined;
     told: Blob;
   };
