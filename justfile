@@ -181,6 +181,14 @@ pages: _node-tools
         echo "$sources" >node_modules/built-from
     fi
 
+# Make a manylinux wheel with the pages, in dist/, and try it on every Python found, 3.11 to 3.14
+[group("build")]
+[script]
+wheel: pages _program
+    rm -rf dist
+    maturin build --release --compatibility pypi --out dist
+    tests/try-wheel dist/*.whl
+
 # Make again what the declarations of keys are copied to: ranges, complete presets, the pages' types
 [group("build")]
 types: _node-tools setup
@@ -211,7 +219,7 @@ format: setup
 # Make requirements.lock again from pyproject.toml (with --upgrade: the newest of everything)
 [group("build")]
 lock *options:
-    uv pip compile pyproject.toml --group test --group wheel --all-extras --universal --python-version 3.11 \
+    uv pip compile pyproject.toml --group test --all-extras --universal --python-version 3.11 \
         --fork-strategy fewest --generate-hashes --no-header {{ options }} -o requirements.lock
 
 # Remove everything that was built

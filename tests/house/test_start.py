@@ -26,9 +26,13 @@ def machine(tmp_path):
     class Machine:
         installed = clone / ".tools"
 
-        def add(self, name: str, script: str) -> None:
-            (commands / name).write_text(f"#!/bin/sh\n{script}\n")
-            (commands / name).chmod(0o755)
+        def add(self, name: str, script: str, folder: Path = commands) -> None:
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(f"#!/bin/sh\n{script}\n")
+            (folder / name).chmod(0o755)
+
+        def add_to_rustup(self, name: str, script: str) -> None:
+            self.add(name, script, tmp_path / ".cargo/bin")
 
         def start(self) -> subprocess.CompletedProcess[str]:
             return subprocess.run(
@@ -61,6 +65,23 @@ def test_an_old_cargo_and_a_python_without_venv_are_named(machine):
     assert "sudo apt install python3.12-venv" in start.stderr
     assert "linker" not in start.stderr
     assert not machine.installed.exists()
+
+
+def test_the_newest_cargo_found_is_used_wherever_it_is(machine):
+    machine.add("cargo", "echo 'cargo 1.63.0 (of the distribution)'")
+    machine.add("cc", "exit 0")
+    machine.add("python3", 'case "$1" in -m) cargo --version; exit 7;; esac')
+    machine.add_to_rustup("cargo", "echo 'cargo 1.999.0 (of rustup)'")
+    start = machine.start()
+    assert (start.returncode, start.stdout) == (7, "cargo 1.999.0 (of rustup)\n")
+    machine.add_to_rustup("cargo", "exit 1")  # rustup without a toolchain
+    assert "(here: cargo 1.63.0 (of the distribution)" in machine.start().stderr
+
+
+def test_the_readme_names_the_cargo_that_is_asked_for():
+    asked = tomllib.loads((ROOT / "Cargo.toml").read_text())["workspace"]["package"]["rust-version"]
+    for page in ("README.md", "CONTRIBUTING.md"):
+        assert f"cargo {asked} or newer" in (ROOT / page).read_text(encoding="utf-8")
 
 
 def test_node_is_named_but_not_needed(machine):
