@@ -8,13 +8,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Literal, get_args
 
-__all__ = ["KINDS", "Kind", "counts", "is_data"]
+__all__ = ["HEEDED", "KINDS", "Kind", "counts", "is_data"]
 
 #: Why a trial is shown. "pair" is any trial that is asked for the first time, of whatever task; the
 #: word is older than the other tasks, and stands in stores.
 Kind = Literal["training", "pair", "repeat", "catch"]
 KINDS: tuple[str, ...] = get_args(Kind)
 _DATA = ("pair", "repeat")
+#: What of an answer decides whether it counts. An export holds them; a table without is none.
+HEEDED = ("kind", "excluded", "simulated")
 
 
 def is_data(row: Mapping[str, Any]) -> bool:
