@@ -99,6 +99,27 @@ def test_the_python_asked_for_is_that_of_the_package():
     assert project["requires-python"] == f">={asked[1]}.{asked[2]}"
 
 
+def test_the_pearl_installs_no_tool_of_the_tests():
+    groups = tomllib.loads((ROOT / "pyproject.toml").read_text())["dependency-groups"]
+    assert [re.match(r"[\w-]+", one)[0] for one in groups["build"]] == ["maturin"]
+    assert "dev" not in groups  # which maturin installs with every build
+    recipes = (ROOT / "justfile").read_text()
+    installed = re.search(r"\n_program: .*?\n\n", recipes, re.DOTALL)[0]
+    assert "\npearl: _program\n" in recipes
+    assert (
+        "--constraints requirements.lock --requirements pyproject.toml --group build" in installed
+    )
+
+
+def test_whatever_the_program_needs_is_locked_by_its_hash():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    locked = re.findall(
+        r"^([\w.-]+)==.*?\\\n +--hash=", (ROOT / "requirements.lock").read_text(), re.MULTILINE
+    )
+    asked = [re.match(r"[\w.-]+", one)[0] for one in project["dependencies"]]
+    assert {name.replace("_", "-") for name in asked} <= set(locked)
+
+
 def test_the_rust_asked_for_suffices_for_every_dependency():
     host = re.search(r"host: (\S+)", run("rustc", "-vV"))[1]
     packages = json.loads(
