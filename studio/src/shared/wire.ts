@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * df11a747e9b7153ae07d15460ac6da5316c72f0b25f87ad483990f626c60bab0
+ * 5d24e07793eaddb6237cde37c0cc2cc84e9541a19d253ff486f6ea21940d7b72
  */
 
 export type JsonValue = unknown;
@@ -263,7 +263,7 @@ export interface Opening {
   state: "open" | "paused" | "closed";
 }
 /**
- * How far one participant is. Of an erased one `trials` is 0.
+ * How far one participant is, practice aside. Of an erased one `trials` is 0.
  */
 export interface PersonTold {
   number: number;

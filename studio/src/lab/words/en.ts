@@ -62,7 +62,7 @@ export const en = {
     title: "So far",
     entered: "people entered",
     finished: "finished",
-    answers: "answers",
+    answers: "answers, practice too",
     median: "median time",
     excluded: "excluded",
     erased: "erased",

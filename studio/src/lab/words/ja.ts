@@ -64,7 +64,7 @@ export const ja: Words = {
     title: "現在の状況",
     entered: "参加",
     finished: "完了",
-    answers: "回答",
+    answers: "回答（練習を含む）",
     median: "所要時間の中央値",
     excluded: "除外",
     erased: "消去",
