@@ -149,7 +149,11 @@ class PersonTold(BaseModel):
 
 
 class ProgressTold(BaseModel):
-    """How far the study is. `trials` is what a full sitting has."""
+    """How far the study is. `trials` is what a full sitting has.
+
+    flags_known: whether anybody's flags are worked out; before, nobody has any. They may be of a
+    moment ago.
+    """
 
     name: str
     study: str
@@ -165,6 +169,7 @@ class ProgressTold(BaseModel):
     simulated: int
     median_s: float | None
     trials: int
+    flags_known: bool
     people: list[PersonTold]
 
 

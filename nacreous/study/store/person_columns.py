@@ -9,15 +9,16 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from nacreous.study.store import check
+import sqlalchemy as sa
+
+from nacreous.study.store import check, invitations, people
+from nacreous.study.store.record import Session
+from nacreous.study.store.schema import sessions
 from nacreous.study.task.column import Column
 
-if TYPE_CHECKING:
-    from nacreous.study.store.store import Store
-
-__all__ = ["IDENTIFYING", "PERSON", "person_columns"]
+__all__ = ["IDENTIFYING", "PERSON", "PersonColumns"]
 
 _TIME = "by the server's clock, UTC, ISO 8601; empty of an erased person"
 
@@ -48,33 +49,52 @@ _WORDS = frozenset(("flags", "distance_by", "gamut"))
 _AGENT = "agent"
 
 
-def person_columns(
-    store: Store, study: str, numbers: Sequence[int | None], *, identifying: bool
-) -> dict[Column, Any]:
-    """Each column for answers of the people of these numbers, as dictionary-encoded Arrow text.
+class PersonColumns:
+    """The columns of one study, each person's values put into words once.
 
-    None stands for an erased person, of whom nothing is told.
+    identifying: with those that may identify a person.
     """
-    import pyarrow as pa
 
-    people = [one for one in store.sessions(study) if one.erased_at is None]
-    checks = store.screen_checks(study)
-    labels = {one.number: one.label for one in store.invitations(study) if one.number is not None}
-    place = {one.number: row for row, one in enumerate(people)}
-    agents = [str((one.screen or {}).get(_AGENT) or "") for one in people]
-    values: dict[str, list[str | None]] = {
-        "entered_at": [check.written("entered_at", one.started_at) for one in people],
-        "consented_at": [_written(one.consented_at) for one in people],
-        "finished_at": [_written(one.finished_at) for one in people],
-        "browser": [_family(agent) for agent in agents],
-        "screen_checks": [_told(checks.get(one.number, []), identifying) for one in people],
-        "browser_name": [agent or None for agent in agents],
-        "invitation": [labels.get(one.number) for one in people],
-    }
-    rows = pa.array([None if n is None else place.get(n) for n in numbers], pa.int32())
+    def __init__(self, connection: sa.Connection, study: str, *, identifying: bool) -> None:
+        import pyarrow as pa
+
+        everyone = people.find(connection, sessions.c.study == study)
+        living = [one for one in everyone if one.erased_at is None]
+        self.columns = (*PERSON, *(IDENTIFYING if identifying else ()))
+        values = _values(connection, study, living, identifying)
+        self._place = {one.number: row for row, one in enumerate(living)}
+        self._values = {one: pa.array(values[one.name], pa.string()) for one in self.columns}
+
+    def of(self, numbers: Sequence[int | None]) -> dict[str, Any]:
+        """Each column, by name, for answers of the people of these numbers, as Arrow dictionaries.
+
+        None stands for an erased person, of whom nothing is told.
+        """
+        import pyarrow as pa
+
+        rows = pa.array([None if n is None else self._place.get(n) for n in numbers], pa.int32())
+        return {
+            column.name: pa.DictionaryArray.from_arrays(rows, told)
+            for column, told in self._values.items()
+        }
+
+
+def _values(
+    connection: sa.Connection, study: str, living: Sequence[Session], identifying: bool
+) -> dict[str, list[str | None]]:
+    """By the column's name, a value a person."""
+    checks = people.screen_checks(connection, study)
+    invited = invitations.of_study(connection, study)
+    labels = {one.number: one.label for one in invited if one.number is not None}
+    agents = [str((one.screen or {}).get(_AGENT) or "") for one in living]
     return {
-        column: pa.DictionaryArray.from_arrays(rows, pa.array(values[column.name], pa.string()))
-        for column in (*PERSON, *(IDENTIFYING if identifying else ()))
+        "entered_at": [check.written("entered_at", one.started_at) for one in living],
+        "consented_at": [_written(one.consented_at) for one in living],
+        "finished_at": [_written(one.finished_at) for one in living],
+        "browser": [_family(agent) for agent in agents],
+        "screen_checks": [_told(checks.get(one.number, []), identifying) for one in living],
+        "browser_name": [agent or None for agent in agents],
+        "invitation": [labels.get(one.number) for one in living],
     }
 
 

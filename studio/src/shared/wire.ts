@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * e10323bb2815c04dcc30775e937fa8ba639790a7865cdfe3058778be445cf870
+ * af2c6bcd63bb8da1a61bef26361e88575248480e08ab381c75f651c208fe82af
  */
 
 export type JsonValue = unknown;
@@ -297,6 +297,9 @@ export interface Problem {
 }
 /**
  * How far the study is. `trials` is what a full sitting has.
+ *
+ * flags_known: whether anybody's flags are worked out; before, nobody has any. They may be of a
+ * moment ago.
  */
 export interface ProgressTold {
   name: string;
@@ -313,6 +316,7 @@ export interface ProgressTold {
   simulated: number;
   median_s: number | null;
   trials: number;
+  flags_known: boolean;
   people: PersonTold[];
 }
 /**
@@ -630,7 +634,7 @@ export interface Routes {
     told: undefined;
   };
   /**
-   * Who, how far, how long, and what is noticed about whom.
+   * Who, how far, how long; and what is noticed about whom, as far as that is worked out.
    */
   "GET /lab/api/progress": {
     body: undefined;

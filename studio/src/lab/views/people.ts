@@ -19,6 +19,7 @@ export function people(desk: Desk): View {
     { class: "scroll", role: "region", "aria-label": words.title, tabindex: 0 },
     table,
   );
+  const note = element("p", { class: "soft" });
   const node = element(
     "div",
     {},
@@ -30,7 +31,7 @@ export function people(desk: Desk): View {
     ),
     empty,
     scroll,
-    element("p", { class: "soft" }, words.flags_note),
+    note,
   );
   let last: Progress | null = null;
   const rows = new Rows(body, desk, () => last !== null && show(last));
@@ -40,6 +41,7 @@ export function people(desk: Desk): View {
     const shown = progress.people.filter((person) => isShown(person, desk.kept.shown));
     empty.hidden = progress.people.length > 0;
     scroll.hidden = progress.people.length === 0;
+    note.textContent = progress.flags_known ? words.flags_note : words.flags_coming;
     rows.show(shown);
   };
   choice.addEventListener("change", () => {
