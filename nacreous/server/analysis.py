@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Query, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
+from starlette.responses import StreamingResponse
 
 from nacreous.problem import InputError
 from nacreous.server.login import READS, Who
@@ -21,6 +22,9 @@ from nacreous.study import results
 from nacreous.study.store import Progress, export
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
+
+_ANSWERS = "answers.csv"
+_PIECE_BYTES = 2**18
 
 Question = Annotated[str, Query(max_length=40)]
 
@@ -99,15 +103,27 @@ async def report(
 async def answers(request: Request, _who: Who) -> Response:
     """All answers, the excluded, simulated and erased ones marked."""
     service = service_of(request)
-    content = await run_in_threadpool(_csv, service)
-    return Response(content, media_type="text/csv", headers=_named("answers.csv"))
+    folder = await run_in_threadpool(_exported, service)
+    named = _named(_ANSWERS)
+    return StreamingResponse(_pieces(folder), media_type="text/csv", headers=named)
 
 
-def _csv(service: Service) -> bytes:
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "answers.csv"
-        export(service.store, service.running.study, path)
-        return path.read_bytes()
+def _exported(service: Service) -> TemporaryDirectory[str]:
+    """A folder with all answers, whole before the first byte is sent."""
+    folder = TemporaryDirectory()
+    try:
+        export(service.store, service.running.study, Path(folder.name) / _ANSWERS)
+    except BaseException:
+        folder.cleanup()
+        raise
+    return folder
+
+
+def _pieces(folder: TemporaryDirectory[str]) -> Iterator[bytes]:
+    """The file piece by piece; then the folder goes, also where nobody takes the rest."""
+    with folder, (Path(folder.name) / _ANSWERS).open("rb") as stream:
+        while piece := stream.read(_PIECE_BYTES):
+            yield piece
 
 
 def _named(name: str) -> dict[str, str]:
