@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from nacreous.commands.scale_data import PAPER, check_group, data_of, settings_of
 from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
@@ -20,9 +21,6 @@ examples:
   nacreous scale answers.csv --column left=first --column right=second --unit JOD
   nacreous scale counts.csv --counts               a square table: row chosen over column
 """
-
-#: The name that stands for the built-in example.
-PAPER = "paper"
 
 
 def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -141,9 +139,9 @@ def run(args: argparse.Namespace) -> int:
         standard.check_output(output, SUFFIXES)
     standard.require_apart(outputs, [] if args.answers == PAPER else [args.answers])
     with standard.reading(args.answers, ".csv") as args.answers, spoken(args.answers):
-        data = _data(args)
-        settings = _settings(args, _of_study(args))
-        _check_group(data, args.group)
+        data = data_of(args)
+        settings = _settings(args, settings_of(args))
+        check_group(data, args.group)
     begin = time.monotonic()
     with bar("resampling") as show, spoken(args.answers):
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
@@ -154,22 +152,6 @@ def run(args: argparse.Namespace) -> int:
     for output in outputs:
         say(f"{output}: written", outputs)
     return 0
-
-
-def _check_group(data: Any, column: str | None) -> None:
-    """Refuse a column in which all are alike, by its name."""
-    from nacreous.problem import InputError
-    from nacreous.scaling import Answers
-    from nacreous.scaling.data.fault import listed
-
-    if column is None or not isinstance(data, Answers):
-        return
-    groups = data.split(column)
-    if len(groups) < 2:
-        held = listed(groups) or "nothing"
-        raise InputError(
-            f"group is {column!r}, a column that holds {held}; allowed: one with 2 groups or more"
-        )
 
 
 def _prior(text: str) -> float | str:
@@ -193,83 +175,6 @@ def _settings(args: argparse.Namespace, of_study: Settings) -> Settings:
         return wanted
     prior = None if args.prior == "none" else args.prior
     return replace(wanted, method=args.method or "maximum-likelihood", prior=prior)
-
-
-def _of_study(args: argparse.Namespace) -> Settings:
-    """How the study's own report fits its export; of other data the defaults."""
-    from nacreous.scaling.report.settings import Settings
-    from nacreous.study.results import exported_settings
-
-    if args.counts or args.answers == PAPER:
-        return Settings()
-    return exported_settings(args.answers) or Settings()
-
-
-def _data(args: argparse.Namespace) -> Any:
-    from nacreous.problem import InputError
-    from nacreous.scaling import Answers, Comparisons, paper
-
-    names = _columns(args)
-    unneeded = [f"--{name.replace('_', '-')}" for name in _OF_ANSWERS if _is_given(args, name)]
-    if (args.counts or args.answers == PAPER) and unneeded:
-        raise InputError(f"{unneeded[0]} is given with counts; allowed: with a table of answers")
-    if args.answers == PAPER:
-        return paper()
-    if args.counts:
-        return Comparisons.read_counts(args.answers)
-    from nacreous.study.results import exported_answers
-
-    exported = exported_answers(args.answers, args.question, simulated=args.simulated)
-    if exported is not None and unneeded:
-        raise InputError(
-            f"{unneeded[0]} is given with an export of a study, whose columns and repeats are "
-            "known; allowed: with another table of answers"
-        )
-    if exported is not None:
-        return exported
-    return Answers.read(
-        args.answers,
-        repeats=args.repeats,
-        sided=not args.no_sides,
-        skip_unanswered=args.skip_unanswered,
-        skip_rows=args.skip_rows or 0,
-        encoding=args.encoding,
-        **names,
-    )
-
-
-#: Options about a table of answers, which counts and exports of a study do not need.
-_OF_ANSWERS = (
-    "column",
-    "left",
-    "right",
-    "tie",
-    "no_sides",
-    "repeats",
-    "skip_rows",
-    "skip_unanswered",
-    "encoding",
-)
-
-
-def _is_given(args: argparse.Namespace, name: str) -> bool:
-    return getattr(args, name) not in (None, False, [])
-
-
-def _columns(args: argparse.Namespace) -> dict[str, Any]:
-    """The columns' names by role."""
-    from nacreous.problem import InputError
-
-    words = {"tie": args.tie, "left_word": args.left, "right_word": args.right}
-    names: dict[str, Any] = {role: word for role, word in words.items() if word is not None}
-    for setting in args.column:
-        role, equals, name = setting.partition("=")
-        if not equals or not role or role in words:
-            raise InputError(f'--column "{setting}": wanted: role=name, such as left=first')
-        if role in names:
-            raise InputError(f"--column {role} is given twice; allowed: once")
-        names[role] = name
-    return names
 
 
 def _write(found: Analysis, outputs: list[str], language: str) -> None:

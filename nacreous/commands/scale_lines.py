@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from nacreous.scaling.data.fault import listed
+
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
     from nacreous.scaling.report.analysis import Analysis
@@ -35,7 +37,7 @@ def told(found: Analysis, seconds: float) -> str:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
-    lines += _left_out_told(found)
+    lines += _groups_told(found) + _left_out_told(found)
     return "\n".join([*lines, _fit_verdict(found)])
 
 
@@ -63,6 +65,23 @@ def _fit_told(fit: Scale) -> str:
         return fit.method
     spread = fit.posterior.spread
     return f"prior over the spread ({spread:.2f} {fit.own_unit})"
+
+
+def _groups_told(found: Analysis) -> list[str]:
+    """Whether groups differ, and which could not be compared; nothing without a column."""
+    groups = found.groups
+    if groups is None:
+        return []
+    by = f"groups by {found.settings.group}"
+    if groups.found is None:
+        return [f"{by} cannot be compared: fewer than two have a scale of their own"]
+    differ = groups.differ(found.settings.level)
+    what = f"{by} differ" if differ else f"{by}: no difference beyond chance"
+    lines = [f"{what}, p = {groups.found.p_value:.3g}"]
+    if groups.left_out:
+        names = listed(one.name for one in groups.left_out)
+        lines.append(f"not compared, for they have no scale of their own: {names}")
+    return lines
 
 
 def _left_out_told(found: Analysis) -> list[str]:

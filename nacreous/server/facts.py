@@ -29,7 +29,9 @@ class Facts:
                 for question in design.questions
             ],
             "groups": _groups(design),
+            "parameters": list(design.entry.parameters),
             "sitting": design.sitting,
+            "background_code": design.display.background_code,
             "screen": design.screen,
         }
 

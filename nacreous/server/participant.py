@@ -95,7 +95,9 @@ async def enter(request: Request, response: Response) -> SittingTold:
             again = True
         except UnknownToken:
             again = False
-        session = service.running.enter(token, wanted.language, dict(wanted.groups))
+        session = service.running.enter(
+            token, wanted.language, dict(wanted.groups), dict(wanted.parameters)
+        )
         request.state.session = session.id
         return again, sitting_of(service, session)
 
@@ -136,7 +138,7 @@ async def screen(request: Request) -> ScreenTold:
 
 @router.post("/finish", status_code=204, openapi_extra=_BEARER)
 def finish(request: Request) -> None:
-    """The participant saw the last page; every trial is answered."""
+    """Every trial is answered, which the server knows by the last answer; twice does no harm."""
     with changing(request) as (service, session):
         service.running.finish(session)
 

@@ -88,10 +88,13 @@ def _of_starlette(problem: HTTPException) -> Refusal:
 
 
 def _first(errors: Sequence[Any]) -> str:
-    """The first of pydantic's complaints, in one line; no password in it, for it is logged."""
+    """The first of pydantic's complaints, in one line that may be logged.
+
+    So there is no password in it, and no parameter of an address, which may identify somebody.
+    """
     error = errors[0]
     where = ".".join(str(part) for part in error["loc"]) or "body"
-    secret = where in ("body", "password")
+    secret = where in ("body", "password") or where.startswith("parameters")
     if secret or error["type"] in ("missing", "extra_forbidden", "json_invalid"):
         return _line(f"{where}: {error['msg']}")
     return _line(f"{where} is {ascii(error['input'])[:60]}; wanted: {error['msg']}")

@@ -25,10 +25,14 @@ Noticed = Annotated[dict[str, JsonValue], Field(max_length=50)]
 
 
 class Entering(RequestBody):
-    """Who comes: the language of the pages, and what was asked of each recorded group."""
+    """Who comes: the language of the pages, and what was asked of each recorded group.
+
+    parameters: of the address by which they came, those that the study keeps.
+    """
 
     language: Word
     groups: Annotated[dict[Word, Word], Field(max_length=12)]
+    parameters: Annotated[dict[Word, Line], Field(max_length=12)] = Field(default_factory=dict)
 
 
 class Checking(RequestBody):

@@ -45,7 +45,10 @@ class GroupTold(BaseModel):
 
 
 class StudyTold(BaseModel):
-    """A study to somebody who has not entered. `token` is fresh: it becomes theirs by entering."""
+    """A study to somebody who has not entered. `token` is fresh: it becomes theirs by entering.
+
+    parameters: of the page's address, which are kept with whoever comes by it.
+    """
 
     name: str
     purpose: Literal["study", "demo"]
@@ -56,7 +59,9 @@ class StudyTold(BaseModel):
     instructions: Words
     questions: list[QuestionTold]
     groups: list[GroupTold]
+    parameters: list[str]
     sitting: Sitting
+    background_code: int
     screen: Screen
     token: str
 
@@ -80,6 +85,13 @@ class PictureTold(BaseModel):
     width_mm: float
 
 
+class EndingTold(BaseModel):
+    """What somebody is given who has finished: a completion code, and where to go back to."""
+
+    code: str | None
+    return_url: str | None
+
+
 class SittingTold(BaseModel):
     """Where one participant is. Trials and pictures are there once they have consented.
 
@@ -94,6 +106,7 @@ class SittingTold(BaseModel):
     screen_flags: list[str]
     refused: bool
     finished: bool
+    ending: EndingTold | None
     answered: int
     groups_notes: list[Words]
     trials: list[TrialTold]

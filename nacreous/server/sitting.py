@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nacreous.server.facts import words
-from nacreous.server.responses import PictureTold, SittingTold, TrialTold
+from nacreous.server.responses import EndingTold, PictureTold, SittingTold, TrialTold
 from nacreous.server.service import Service
 from nacreous.study.plan import Trial
 from nacreous.study.running.plans import shown
@@ -17,6 +17,7 @@ def sitting_of(service: Service, session: Session) -> SittingTold:
     running = service.running
     consented = session.consented_at is not None
     trials = running.plan(session) if consented else ()
+    ending = running.ending(session)
     return SittingTold(
         sitting=session.id,
         number=session.number,
@@ -26,6 +27,7 @@ def sitting_of(service: Service, session: Session) -> SittingTold:
         screen_flags=list(running.screen_flags(session)),
         refused=running.refused(session),
         finished=session.finished_at is not None,
+        ending=None if ending is None else EndingTold(**vars(ending)),
         answered=running.answered(session),
         groups_notes=[words(note) for note in running.notes(session)],
         trials=_trials(service, trials),

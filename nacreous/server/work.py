@@ -23,7 +23,7 @@ def work_for(line: Connection, folder: Path, place: str) -> None:
 
     The study and the store are opened anew and only read.
     """
-    import scipy.stats  # noqa: F401 (takes a second; now, and not when answers come in)
+    import nacreous.scaling.report.analysis  # noqa: F401 (takes a second; now, not later)
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C on a terminal is for the server
     if sys.platform != "win32":

@@ -49,18 +49,18 @@ test("a browser that keeps nothing is no obstacle, and the address holds the tok
     },
   } as unknown as IDBFactory;
   const kept = await Kept.open();
-  await kept.keepToken("a study", "token-of-22-characters");
+  await kept.keepToken(["a study"], "token-of-22-characters");
   expect(location.hash).toBe("#token-of-22-characters");
   expect(await kept.token("a study")).toBeNull();
   expect(kept.log("a sitting").lasting).toBe(false);
-  await kept.forgetToken("a study");
+  await kept.forgetToken(["a study"]);
   expect(location.hash).toBe("");
 });
 
 test("a token is kept by study and leaves the address", async () => {
   location.hash = "#token-of-22-characters";
   const kept = await Kept.open();
-  await kept.keepToken("a study", "token-of-22-characters");
+  await kept.keepToken(["a study"], "token-of-22-characters");
   expect(location.hash).toBe("");
   expect(await (await Kept.open()).token("a study")).toBe("token-of-22-characters");
   expect(await kept.token("another")).toBeNull();

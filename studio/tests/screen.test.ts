@@ -4,7 +4,7 @@ import { stepsOf } from "../src/participant/screen/check";
 import { code, confusedWith } from "../src/participant/screen/confusion";
 import { agent } from "../src/participant/screen/content";
 import { codeOf, CONTRASTS } from "../src/participant/screen/contrast";
-import { distance_mm, median, wideEnough } from "../src/participant/screen/distance";
+import { distance_mm, median, plausible, wideEnough } from "../src/participant/screen/distance";
 import { gammaOf } from "../src/participant/screen/levels";
 import { LEVEL, platesOf, SHARES, SPREAD } from "../src/participant/screen/plates";
 
@@ -20,22 +20,32 @@ test("the blind spot 144 mm from the line of sight means 60 cm", () => {
   expect(median([600, 700])).toBe(650);
 });
 
+test("a distance is doubted outside the study's limits alone", () => {
+  const limits = { least_distance_mm: 200, most_distance_mm: 2000 };
+  const found = [0, 199.9, 200, 600, 2000, 2000.1, NaN].map((mm) => plausible(mm, limits));
+  expect(found).toEqual([false, false, true, true, true, false, false]);
+});
+
 test("a telephone held upright is too narrow for the blind spot, a laptop is not", () => {
   expect(wideEnough(390, 6)).toBe(false);
   expect(wideEnough(1280, 4.2)).toBe(true);
 });
 
-test("on a narrow window the card is held upright", () => {
-  expect([across_mm(390), across_mm(1280)]).toEqual([CARD_MM.height, CARD_MM.width]);
+test("on a narrow or a low window the card is held upright", () => {
+  const { width, height } = CARD_MM;
+  expect([across_mm(390, 844), across_mm(1280, 800)]).toEqual([height, width]);
+  expect(across_mm(844, 390)).toBe(height); // a telephone on its side is low
 });
 
 test("rings are darker than the surround by their contrast, and never as bright", () => {
-  for (const gamma of [1.6, 2.2, 2.8]) {
-    const codes = CONTRASTS.map((contrast) => codeOf(contrast, gamma));
-    expect(Math.max(...codes)).toBeLessThan(119);
-    expect(codes).toEqual([...codes].sort((one, other) => one - other));
+  for (const grey of [60, 119, 255]) {
+    for (const gamma of [1.6, 2.2, 2.8]) {
+      const codes = CONTRASTS.map((contrast) => codeOf(contrast, gamma, grey));
+      expect(Math.max(...codes)).toBeLessThan(grey);
+      expect(codes).toEqual([...codes].sort((one, other) => one - other));
+    }
+    expect((codeOf(0.5, 2.2, grey) / grey) ** 2.2).toBeCloseTo(0.5, 1);
   }
-  expect((codeOf(0.5, 2.2) / 119) ** 2.2).toBeCloseTo(0.5, 1);
 });
 
 /** Viénot, Brettel and Mollon 1999, written anew. */

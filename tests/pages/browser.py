@@ -27,8 +27,14 @@ consent = { en = "Taking part is voluntary.", ja = "参加は任意です。" }
 instructions = { en = "Choose one by touch, click or key.", ja = "一つを選んでください。" }
 stimuli = [{ pearl = "paper", scene = "paper", cut = "seven-crops" }]
 display = { size_px = 512, samples = 1, width_mm = 40 }
-sitting = { training = 2, break_every = 15, minimum_viewing_ms = 120, ties = true }
-screen = { vision = ["contrast", "colour"] }
+screen = { vision = ["contrast", "colour"], least_distance_mm = 100 }
+
+[sitting]
+training = 2
+break_every = 15
+adaptation_s = 1
+minimum_viewing_ms = 120
+ties = true
 
 [[questions]]
 id = "pearl-like"
@@ -58,7 +64,7 @@ languages = ["en"]
 seed = 5
 questions = [{ id = "deeper", text = { en = "Which is deeper?" } }]
 display = { size_px = 64, samples = 1 }
-sitting = { training = 0, minimum_viewing_ms = 0 }
+sitting = { training = 0, minimum_viewing_ms = 0, adaptation_s = 0 }
 screen = { card = false, distance = false, levels = false, full_screen = false }
 
 [[stimuli]]

@@ -160,6 +160,61 @@ def test_a_screen_that_is_refused_may_be_checked_again(browser, tmp_path):
     assert stored(folder)[0].screen["flags"] == []
 
 
+BACK = """
+[entry]
+parameters = ["PROLIFIC_PID"]
+
+[completion]
+own_code = true
+return_url = "https://platform.example/done?cc={CODE}&id={PROLIFIC_PID}"
+"""
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_who_has_finished_is_given_the_code_and_the_way_back_and_nobody_before(
+    browser, tmp_path, language
+):
+    study = PLAIN.replace('["en"]', '["en", "ja"]').replace(
+        '"Which is deeper?"', '"Which is deeper?", ja = "どちらが深い?"'
+    )
+    folder = frozen(study + BACK, tmp_path / "study")
+    with served(folder) as server, guarded(browser, server.url) as guard:
+        person = guard.open("/?PROLIFIC_PID=5f%2F0&utm_source=mail")
+        person.agree(language)
+        person.go("instructions")
+        first, _ = stored(folder)
+        assert first.parameters == {"PROLIFIC_PID": "5f/0"}
+        assert first.completion_code not in person.page.content()
+        person.trials(lambda trial: "left")
+        for _ in range(2):
+            person.at("thanks")
+            assert_kind(person)
+            assert person.page.inner_text(".completion") == first.completion_code
+            address = f"https://platform.example/done?cc={first.completion_code}&id=5f%2F0"
+            assert person.page.get_attribute("a.button", "href") == address
+            assert person.page.query_selector_all(".actions button") == []
+            person.page.reload()
+        other = guard.open("/?PROLIFIC_PID=other")  # at the same computer
+        person.page.close()
+        other.page.reload()
+        other.agree(language)
+        other.at("instructions")
+    second, _ = stored(folder)
+    assert (second.number, second.parameters) == (first.number + 1, {"PROLIFIC_PID": "other"})
+
+
+def test_an_address_that_cannot_be_kept_is_said_to_be_no_good(browser, tmp_path):
+    folder = frozen(PLAIN + BACK, tmp_path / "study")
+    with (
+        served(folder) as server,
+        guarded(browser, server.url, expected="Failed to load resource") as guard,
+    ):
+        person = guard.open(f"/?PROLIFIC_PID={'7' * 201}")
+        person.agree()
+        person.at("unknown")
+        assert_kind(person)
+
+
 def test_another_person_may_begin_at_the_same_computer(plain):
     with plain.visited() as guard:
         person = guard.open()

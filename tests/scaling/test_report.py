@@ -144,7 +144,7 @@ def test_every_text_is_used():
     code = "".join(path.read_text() for path in Path(report.__file__).parent.rglob("*.py"))
     # Texts of which the code makes the last words of the key from what it found.
     made = re.compile(
-        r"(count|list|short|fit|neighbours)\.|method\.(probit|logit|data)|groups\.method"
+        r"(count|list|short|fit|neighbours)\.|method\.(probit|logit|data)|groups\.(method|few|unplaced)"
         r"|consistency\.side|scale\.(unit|doubt|average|unplaced)|.*\.title$"
     )
     unused = [key for key in texts("en") if not made.match(key) and key not in code]

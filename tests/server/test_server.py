@@ -30,6 +30,7 @@ def test_a_whole_sitting(server: httpx.Client, service: Service) -> None:
         receipt = person.answer(trial["trial"]).json()
         assert (receipt["trial"], receipt["again"]) == (trial["trial"], False)
     assert person.sitting()["answered"] == len(sitting["trials"]) == 5
+    assert person.sitting()["ending"] == {"code": None, "return_url": None}
     assert person.post("finish").status_code == 204
     assert person.sitting()["finished"]
     store, study = service.store, service.running.study
@@ -37,6 +38,18 @@ def test_a_whole_sitting(server: httpx.Client, service: Service) -> None:
     assert (found.finished, found.answers) == (1, 5)
     kinds = [row["kind"] for row in store.answers(study)]
     assert sorted(kinds) == ["catch", "pair", "pair", "pair", "training"]
+
+
+def test_a_parameter_that_is_not_kept_stands_in_no_log(
+    server: httpx.Client, service: Service
+) -> None:
+    for value in ("Kokichi", "Kokichi" * 40, "Kokichi\x1b"):
+        told = Person.new(server).enter(parameters={"PROLIFIC_PID": value})
+        assert (told.status_code, told.json()["kind"]) == (400, "input")
+        assert "PROLIFIC_PID" in told.json()["problem"]
+    events = service.store.events(service.running.study)
+    assert sum(event.what == "refused" for event in events) == 3
+    assert "Kokichi" not in str(events)
 
 
 def test_a_screen_check_is_refused_by_quantity_and_kept_whole(

@@ -48,6 +48,8 @@ WHOLE: dict[str, Any] = {
     ],
     "sitting": {"ties": True},
     "screen": {"vision": ["contrast", "colour"], "if_vision": "refuse", "card": False},
+    "entry": {"parameters": ["PROLIFIC_PID"]},
+    "completion": {"code": "C1X9", "return_url": "https://platform.example/?cc={CODE}"},
 }
 KEYS = list(every_key(Design))
 LEAVES = [key for key in KEYS if not sections_in(key.field.annotation)]

@@ -1,6 +1,7 @@
 """The schema and the steps that lead to it."""
 
 from concurrent.futures import ThreadPoolExecutor
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -33,18 +34,18 @@ OLD = {
 }
 
 
-def make_old(place: str) -> None:
-    """A store of the first schema."""
+def make_old(place: str, newest: str = "0001", **session: str) -> None:
+    """A store of an older schema, the first unless another is named; session: more of its row."""
     config, script = _script()
     engine = writing(engine_of(place))
 
     def steps(revision, _context):
-        return script._upgrade_revs("0001", revision)
+        return script._upgrade_revs(newest, revision)
 
     with engine.begin() as connection, EnvironmentContext(config, script, fn=steps) as environment:
         environment.configure(connection=connection)
         environment.run_migrations()
-        for table, row in OLD.items():
+        for table, row in {**OLD, "sessions": {**OLD["sessions"], **session}}.items():
             names = ", ".join(f'"{name}"' for name in row)
             values = ", ".join(f":{name}" for name in row)
             connection.execute(sa.text(f"INSERT INTO {table} ({names}) VALUES ({values})"), row)
@@ -72,6 +73,19 @@ def test_an_old_store_is_brought_up_to_date_and_keeps_all_it_had(place: str) -> 
             store.enter(STUDY, "en", {})
         store.set_registration(STUDY, "open", "lab")
         assert store.enter(STUDY, "en", {})[0].number == 1
+
+
+@pytest.mark.parametrize("trials", [1, 2])
+def test_whoever_answered_all_before_the_server_told_the_end_has_finished(
+    place: str, trials: int
+) -> None:
+    make_old(place, "0002", plan=str([{}] * trials))
+    with Store.open(place) as store:
+        [session] = store.sessions(STUDY)
+    assert session.slot == session.number
+    assert (session.finished_at is None) == (trials > 1)
+    if session.finished_at is not None:
+        assert session.finished_at == datetime.fromisoformat(AT)
 
 
 def test_an_old_backup_is_brought_up_to_date(place: str, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nacreous.study.results import report
 from nacreous.study.store import Store
 from tests.support.documentation import COMMAND
 from tests.support.gathering import by_scale, frozen_study, opened, take_part
@@ -68,3 +69,22 @@ def test_a_folder_without_answers_is_not_given_any(folder: Path, tmp_path: Path)
     done = told(folder, "-o", tmp_path / "report.html", "--store", tmp_path / "none.sqlite")
     assert done.returncode == 2
     assert not (tmp_path / "none.sqlite").exists()
+
+
+def test_one_person_alone_in_a_group_stops_neither_the_report_nor_the_other_groups(
+    tmp_path: Path,
+) -> None:
+    asked = {"en": "Where?", "ja": "どこで?"}
+    labs = ["kobe", "osaka", "tokyo"]
+    groups = [{"name": "lab", "how": "recorded", "question": asked, "values": labs}]
+    frozen = frozen_study(tmp_path, "abc", groups=groups)
+    random = np.random.default_rng(8)
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        for lab in [*["osaka", "tokyo"] * 8, "kobe"]:
+            take_part(running, by_scale({"a": 0.5, "b": 0.0, "c": -0.5}, random), {"lab": lab})
+        for group in (None, "lab"):
+            page = report(running, "deeper", group=group)
+            assert "Not compared" in page
+            assert '<b class="name">kobe</b>: 1 person' in page
+            assert "the groups" in page.split('id="groups"')[1]

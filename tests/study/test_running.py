@@ -184,10 +184,10 @@ def test_the_end_comes_after_the_last_answer(running: Running) -> None:
         running.hand_in(session, trial.number, Response("left")).result()
     with pytest.raises(OutOfTurn, match=f"{len(plan) - 1} trials are answered; wanted: all"):
         running.finish(session)
+    assert running.session_of(token).finished_at is None
     running.hand_in(session, len(plan) - 1, Response("left")).result()
-    running.finish(session)
-    running.finish(session)
     assert running.session_of(token).finished_at is not None
+    running.finish(session)
 
 
 def test_pictures_are_due_once_consented_and_never_to_others(

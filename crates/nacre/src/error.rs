@@ -4,7 +4,7 @@ use crate::MAX_LAYERS;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NacreError {
     /// A quantity lies outside its range.
-    #[error("{quantity} is {value}; allowed: {allowed}")]
+    #[error("{quantity} is {}; allowed: {allowed}", said(*.value))]
     OutOfRange {
         /// The quantity, by its public name.
         quantity: String,
@@ -73,6 +73,18 @@ pub enum NacreError {
         /// With what its index changes.
         fault: &'static str,
     },
+}
+
+/// A number as messages give it: very large and very small ones by their power of ten.
+///
+/// ```
+/// use nacreous_nacre::said;
+/// assert_eq!([said(-2.0), said(0.25), said(1e-320)], ["-2", "0.25", "1e-320"]);
+/// ```
+#[must_use]
+pub fn said(value: f64) -> String {
+    let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The one check of a number from outside: inside `range`, or an error that says what is `allowed`.

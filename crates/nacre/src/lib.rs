@@ -17,7 +17,7 @@ mod pigment;
 mod season;
 mod stack;
 
-pub use error::NacreError;
+pub use error::{NacreError, said};
 pub use growth::{Deposit, Diary, Growth};
 pub use index::Index;
 pub use medium::{Medium, Principal};

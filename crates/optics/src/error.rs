@@ -5,7 +5,7 @@ pub enum OpticsError {
     #[error(transparent)]
     Medium(#[from] nacreous_nacre::NacreError),
     /// A quantity lies outside its range.
-    #[error("{quantity} is {value}; allowed: {allowed}")]
+    #[error("{quantity} is {}; allowed: {allowed}", nacreous_nacre::said(*.value))]
     OutOfRange {
         /// The quantity, by its public name.
         quantity: &'static str,

@@ -12,6 +12,7 @@ import numpy as np
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.distribution import chi2
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.value import value_class
 
@@ -72,8 +73,6 @@ def agreement(data: Any) -> Agreement:
 
 
 def _between_answers(counts: Comparisons, ties: float) -> Agreement:
-    from scipy.stats import chi2
-
     total = counts.left_wins + counts.right_wins
     used = total >= 2
     if not used.any():

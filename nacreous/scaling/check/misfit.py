@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.check.cells import WORTH, Cells, cells_of
 from nacreous.scaling.check.pearson import x2_p_value
+from nacreous.scaling.distribution import chi2, norm
 from nacreous.scaling.fit.uncertainty import level_of
 from nacreous.value import value_class
 
@@ -144,8 +145,6 @@ def _most_likely(fit: Scale) -> bool:
 
 
 def _p_value(statistic: float | None, df: int) -> float | None:
-    from scipy.stats import chi2
-
     return None if statistic is None or df == 0 else float(chi2.sf(statistic, df))
 
 
@@ -161,7 +160,6 @@ def _mosteller(cells: Cells) -> float:
 def _free(fit: Scale, cells: Cells) -> NDArray[np.float64] | None:
     """[row], the share of each residual's variance that the fit leaves, 1 less its leverage."""
     from scipy.linalg import pinvh
-    from scipy.stats import norm
 
     count = len(cells.stimuli)
     if count > MOST_ADJUSTED:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nacreous.scaling.check.cells import Cells
+from nacreous.scaling.distribution import chi2, poisson
 
 #: Of a row with fewer expected answers against its likeliest outcome, the squared residual is next
 #: to nothing or huge. W. G. Cochran (1954) allows no smaller expectation.
@@ -38,8 +39,6 @@ def x2_p_value(cells: Cells) -> float | None:
 
 
 def _scaled(cells: Cells) -> float:
-    from scipy.stats import chi2
-
     mean, variance = cells.x2_moments
     scale = max(variance, 1e-9) / (2 * mean)
     return float(chi2.sf(cells.x2 / scale, mean / scale))
@@ -47,8 +46,6 @@ def _scaled(cells: Cells) -> float:
 
 def _bounded(cells: Cells) -> float:
     """No smaller than chi-squared's own, where the scaled one would crowd at 0."""
-    from scipy.stats import chi2
-
     mean, variance = cells.x2_moments
     if variance <= _MOST_VARIANCE * 2 * mean:
         return _scaled(cells)
@@ -57,8 +54,6 @@ def _bounded(cells: Cells) -> float:
 
 def _reversals(cells: Cells) -> float:
     """Chance of so many answers against the likeliest outcomes, or more."""
-    from scipy.stats import poisson
-
     rows, likeliest = np.arange(len(cells.first)), cells.expected.argmax(axis=1)
     found = float(np.sum(cells.total - cells.observed[rows, likeliest]))
     # Ties by halves: rounded down, so that the test errs towards the model.

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous.number import number_of, row_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.rank import rank_correlation
 from nacreous.value import value_class
 
 #: Nobody sees two pictures, compares them and presses a key in less: simple reactions to light
@@ -99,15 +100,12 @@ def _relation(
     seconds: NDArray[np.float64],
     scale: ArrayLike | None,
 ) -> tuple[float | None, float | None]:
-    from scipy.stats import spearmanr
-
     if scale is None:
         return None, None
     values = row_of("scale", scale)
     if len(values) != len(answers.stimuli) or not np.all(np.isfinite(values)):
         raise InputError(f"scale has {len(values)} values; allowed: {len(answers.stimuli)}, finite")
     distance = np.abs(values[answers.left] - values[answers.right])[timed]
-    if np.ptp(seconds) == 0 or np.ptp(distance) == 0:
+    if len(seconds) < 3 or np.ptp(seconds) == 0 or np.ptp(distance) == 0:
         return None, None
-    found = spearmanr(distance, seconds)
-    return float(found.statistic), float(found.pvalue)
+    return rank_correlation(distance, seconds)

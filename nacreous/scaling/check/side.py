@@ -11,6 +11,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.share import Share
 from nacreous.scaling.check.ways_round import WaysRound, ways_round
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.distribution import binom
 from nacreous.scaling.fit.uncertainty import holm, level_of
 from nacreous.value import value_class
 
@@ -85,8 +86,6 @@ def side_bias(answers: Answers, level: float = 0.95) -> SideBias:
 
 def _exact(lefts: NDArray[np.int64], totals: NDArray[np.int64]) -> NDArray[np.float64]:
     """Two-sided exact binomial tests against 1/2, twice the smaller tail."""
-    from scipy.stats import binom
-
     fewer = np.minimum(lefts, totals - lefts)
     return np.asarray(np.minimum(1.0, 2 * binom.cdf(fewer, totals, 0.5)), np.float64)
 

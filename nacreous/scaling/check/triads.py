@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from nacreous.scaling.check.circle import count_open
 from nacreous.scaling.check.tournament import Shares, shares_of
 from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.scaling.distribution import chi2
 from nacreous.value import value_class
 
 #: Up to so many stimuli chance is counted out exactly.
@@ -114,8 +115,6 @@ def chance(count: int, circular: float, tied: int = 0) -> float:
     >>> round(chance(7, 1) * 2**21)
     13440
     """
-    from scipy.stats import chi2
-
     if count <= 4 or (count <= MOST_EXACT and tied == 0):  # the approximation needs five
         few = sum(number for triads, number in _ways(count).items() if triads <= circular)
         return few / float(2 ** comb(count, 2))

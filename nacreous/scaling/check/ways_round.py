@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.distribution import chi2
 from nacreous.value import value_class
 
 
@@ -46,8 +47,6 @@ class WaysRound:
     @property
     def p_value(self) -> float | None:
         """Mantel and Haenszel's test, corrected for continuity; None where no pair tells."""
-        from scipy.stats import chi2
-
         count, first = self.shown.sum(axis=1), self.chosen.sum(axis=1)
         expected = self.shown[:, 0] * first / count
         spread = self.shown[:, 0] * self.shown[:, 1] * first * (count - first)

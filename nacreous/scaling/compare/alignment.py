@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.scaling.distribution import chi2, t
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.value import value_class
 
@@ -56,8 +57,6 @@ class Shifts:
 
 def align(x: Array, y: Array, joint: Array, level: float) -> Alignment:
     """The slope of y over x, three stimuli or more."""
-    from scipy.stats import chi2
-
     line = _Line(x, y, joint, np.arange(len(x)))
     heights = np.array([line.misfit(angle) for angle in _ANGLES])
     best = int(np.argmin(heights))
@@ -84,8 +83,6 @@ def shifts(x: Array, y: Array, joint: Array, slope: float, level: float, freedom
     moved, no more than 1 - level of studies name one; the standard errors contain both scales' and
     the line's. slope: that of all stimuli, near which the others' lines are looked for.
     """
-    from scipy.stats import t
-
     moved = np.zeros(len(x), bool)
     while True:
         value, se = _offsets(x, y, joint, moved, slope)

@@ -13,6 +13,7 @@ from nacreous.scaling.compare.attribute_errors import WeightErrors
 from nacreous.scaling.compare.attribute_table import AttributeTable, products
 from nacreous.scaling.compare.estimate import Estimate
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.distribution import t
 from nacreous.scaling.fit.scale import Scale
 from nacreous.value import value_class
 
@@ -132,8 +133,6 @@ class Line:
 
     def predict(self, stimulus: Mapping[str, float], level: float) -> Prediction:
         """Where a stimulus with these attributes would stand."""
-        from scipy.stats import t
-
         row = self._row(stimulus)
         standard = ((row - self.centre) / self.step)[np.newaxis]
         away = products(standard, self.table.names, self.parts)[0] - self.columns.mean(axis=0)

@@ -24,6 +24,7 @@ from nacreous.scaling.compare.attribute_line import Line, Prediction
 from nacreous.scaling.compare.attribute_table import AttributeTable, check_columns
 from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotelling
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.distribution import chi2, t
 from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
@@ -206,8 +207,6 @@ def _held(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | N
 
 
 def _weights(names: tuple[str, ...], line: Line, level: float) -> tuple[AttributeWeight, ...]:
-    from scipy.stats import t
-
     se = np.sqrt(np.diag(line.crossed))
     reach = t.ppf((1 + level) / 2, line.freedoms) * se
     p_values = 2 * t.sf(np.abs(line.coefficients) / se, line.freedoms)
@@ -259,8 +258,6 @@ def _nested(larger: AttributeFit, smaller: AttributeFit) -> AttributeTest:
 
 
 def _ratio(small: float, large: float, df: int) -> AttributeTest:
-    from scipy.stats import chi2
-
     statistic = max(0.0, 2 * (large - small))
     return AttributeTest("likelihood-ratio", statistic, df, float(chi2.sf(statistic, df)))
 

@@ -12,6 +12,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.distribution import chi2, f
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.clustering import personal
@@ -143,8 +144,6 @@ def hotelling(off: Array, covariance: Array, freedom: float) -> tuple[float, flo
 
     freedom: of the covariance; infinite makes it Wald's chi-squared.
     """
-    from scipy.stats import chi2, f
-
     size = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
     off, covariance = off / size, covariance / np.outer(size, size)  # units cost no digits
     df = len(off)

@@ -40,6 +40,7 @@ from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.distribution import chi2, t
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model
@@ -188,8 +189,6 @@ def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _likelihood_ratio(found: dict[str, Estimate], shared: Scale) -> GroupTest:
-    from scipy.stats import chi2
-
     apart = sum(one.fit.log_likelihood for one in found.values())
     statistic = max(0.0, 2 * (apart - shared.log_likelihood))
     df = (len(found) - 1) * shared.free_parameters
@@ -217,8 +216,6 @@ def _robust_wald(found: dict[str, Estimate], joint: Array, freedom: float) -> li
 def _differences(
     found: dict[str, Estimate], joint: Array, freedom: float, level: float
 ) -> tuple[GroupDifference, ...]:
-    from scipy.stats import t
-
     names = list(found)
     stimuli = found[names[0]].fit.stimuli
     size = len(stimuli)

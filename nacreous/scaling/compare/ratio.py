@@ -26,6 +26,7 @@ from nacreous.scaling.compare.estimate import (
 )
 from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.label import label_of
+from nacreous.scaling.distribution import norm, t
 from nacreous.value import value_class
 
 __all__ = ["ClusterRatio", "RatioChange", "cluster_ratio", "compare_ratios"]
@@ -168,8 +169,6 @@ def _change(
     ratios: list[ClusterRatio], parts: list[_Squares], joint: Array, level: float
 ) -> RatioChange:
     """d2^2 s1^2 - change^2 d1^2 s2^2 is 0 on average at the true change."""
-    from scipy.stats import norm
-
     (d1, s1), (d2, s2) = (part.value for part in parts)
     slopes = np.array([[0.0, d2, s1, 0.0], [s2, 0.0, 0.0, d1]])
     covariance = slopes @ joint @ slopes.T
@@ -190,8 +189,6 @@ def _change(
 def _ratio_of(
     one: Estimate, first: Sequence[object], second: Sequence[object], level: float
 ) -> ClusterRatio:
-    from scipy.stats import t
-
     squares = _squares(one, *_clusters(one, first, second))
     reach = float(t.ppf((1 + level) / 2, one.freedom))
     # distance^2 - ratio^2 spread^2 is 0 on average at the true ratio.

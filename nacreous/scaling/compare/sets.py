@@ -20,6 +20,7 @@ from nacreous.scaling.compare.estimate import estimates, firm_spread_over, share
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
+from nacreous.scaling.rank import ranks
 from nacreous.value import value_class
 
 __all__ = ["Coefficient", "Move", "SetComparison", "compare_sets"]
@@ -246,9 +247,7 @@ def _kendall(one: Array, two: Array) -> Array:
 def _spearman(one: Array, two: Array) -> Array:
     """Correlation of ranks, along the last axis; equal values share their mean rank."""
     if one.ndim == 1:
-        from scipy.stats import rankdata
-
-        return _pearson(rankdata(one), rankdata(two))
+        return _pearson(ranks(one), ranks(two))
     return _pearson(_places(one).astype(float), _places(two).astype(float))
 
 

@@ -22,6 +22,7 @@ from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.label import label_of
+from nacreous.scaling.distribution import t
 from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.planning.forecast import Needed, Power, Precision
 from nacreous.scaling.planning.simulation import Pairs, simulate, truth_of
@@ -134,8 +135,6 @@ class Plan:
         progress: Progress | None = None,
     ) -> Precision:
         """How far each value is off, and how wide its interval is."""
-        from scipy.stats import t
-
         within("level", level, 0.5, 0.9999)
         target = self.expected_scale
         off, half = [], []

@@ -7,6 +7,7 @@ from math import ceil
 from typing import Protocol
 
 from nacreous.problem import InputError
+from nacreous.scaling.distribution import norm
 
 __all__ = ["people_for"]
 
@@ -70,8 +71,6 @@ def people_for(
 
 def _rate(found: _Tried, people: int, alpha: float) -> tuple[float, float]:
     """Standard errors of difference per root of a person, and how sure that is."""
-    from scipy.stats import norm
-
     power = min(max(found.power, found.se), 1 - found.se)
     lead = float(norm.ppf(power) + norm.ppf(1 - alpha / 2))
     # The other tail is left out: below 1e-3 of the power from 10 % on.
@@ -80,6 +79,4 @@ def _rate(found: _Tried, people: int, alpha: float) -> tuple[float, float]:
 
 
 def _people(rate: float, target: float, alpha: float) -> float:
-    from scipy.stats import norm
-
     return (float(norm.ppf(target) + norm.ppf(1 - alpha / 2)) / rate) ** 2

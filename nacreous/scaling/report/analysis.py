@@ -15,7 +15,6 @@ from nacreous.deprecation import keep_former_names
 from nacreous.problem import InputError
 from nacreous.scaling.check.checkup import Consistency, consistency
 from nacreous.scaling.check.misfit import Goodness, goodness
-from nacreous.scaling.compare.groups import GroupComparison, compare_groups
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
@@ -23,6 +22,7 @@ from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, ends_apart, neighbours_of, pairs_of
+from nacreous.scaling.report.groups import Groups, groups_of
 from nacreous.scaling.report.people import People, people_of
 from nacreous.scaling.report.settings import MODELS, Settings
 from nacreous.value import value_class
@@ -58,7 +58,7 @@ class Analysis:
     goodness: Goodness
     consistency: Consistency
     people: People | None
-    groups: GroupComparison | None
+    groups: Groups | None
     example: bool
 
     @property
@@ -184,7 +184,9 @@ def analyse(
     doubt = doubt_of(fit, wanted, watch)
     rest = None if progress is None else lambda share: show(_RESAMPLING + share * _DEALING)
     people = people_of(answers, wanted, rest)
-    groups = _groups(answers, wanted, fit.tie_threshold is not None)
+    groups = None
+    if wanted.group is not None and answers is not None:
+        groups = groups_of(answers, wanted, fit.tie_threshold is not None)
     show(1.0)
     return Analysis(
         settings=wanted,
@@ -214,27 +216,6 @@ def _fitted(data: Any, wanted: Settings) -> Scale:
     return fitted(
         data, method=wanted.method, ties=wanted.ties, order=wanted.order, prior=wanted.prior
     )
-
-
-def _groups(answers: Answers | None, wanted: Settings, with_ties: bool) -> GroupComparison | None:
-    if wanted.group is None or answers is None:
-        return None
-    parts = answers.split(wanted.group)
-    return compare_groups(
-        parts,
-        wanted.model,
-        ties=with_ties,
-        order=wanted.order,
-        same_people=None if _apart(parts) else True,
-        level=wanted.level,
-        seed=wanted.seed,
-    )
-
-
-def _apart(parts: dict[str, Answers]) -> bool:
-    """Whether nobody is in two groups. Within one file a label is one person."""
-    people = [label for part in parts.values() for label in part.people]
-    return len(people) == len(set(people))
 
 
 keep_former_names(__name__, {"Study": "Analysis", "study": "analyse"}, "nacreous.scaling")

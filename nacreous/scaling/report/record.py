@@ -127,10 +127,14 @@ def _people(analysis: Analysis) -> Any:
 
 
 def _groups(analysis: Analysis) -> Any:
-    groups = analysis.groups
-    if groups is None:
+    if analysis.groups is None:
         return None
+    groups = analysis.groups.found
+    left_out = {one.name: one.reason for one in analysis.groups.left_out}
+    if groups is None:
+        return {"not_compared": left_out}
     return {
+        "not_compared": left_out,
         "tests": groups.tests,
         "scales": {name: fit.to(analysis.fit.unit).scale for name, fit in groups.fits.items()},
         "differences_in_own_unit": groups.differences,

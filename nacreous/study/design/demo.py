@@ -9,8 +9,8 @@ CONSENT = {
     "研究には使用されません。ページを閉じれば、いつでも終了できます。",
 }
 INSTRUCTIONS = {
-    "en": "You will see two pictures side by side. Choose one by touching or clicking it, or with "
-    "the left and right arrow keys. There is no right or wrong answer.",
-    "ja": "二つの画像が並んで表示されます。画像に触れるかクリックするか、"
-    "左右の矢印キーで一つを選んでください。正解や不正解はありません。",
+    "en": "You will see two pictures side by side. Choose the one that answers the question. "
+    "There is no right or wrong answer.",
+    "ja": "二つの画像が並んで表示されます。質問に合うほうを一つ選んでください。"
+    "正解や不正解はありません。",
 }

@@ -14,7 +14,9 @@ from nacreous.spec.key import key, quantity, section
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.texts import NAME, Name
 from nacreous.study.design import demo
+from nacreous.study.design.completion import Completion
 from nacreous.study.design.display import Display
+from nacreous.study.design.entry import Entry
 from nacreous.study.design.group import Group
 from nacreous.study.design.multilingual import WORDS, Language, Words
 from nacreous.study.design.question import Question
@@ -30,6 +32,9 @@ from nacreous.study.task.pair.pairs import Pairs
 MOST_STIMULI = 64
 #: The most combinations of groups that are drawn by lot: half a block of the allocation.
 MOST_CELLS = 200
+#: The darkest grey on which a ring of the least contrast, 4 %, is a code darker: at a gamma of 2.2
+#: that is 1.8 % of the code.
+DARKEST_FOR_RINGS = 60
 
 
 class Design(SpecFile):
@@ -101,8 +106,10 @@ class Design(SpecFile):
         strict=False,
     )
     sitting: Sitting = section("How one participant goes through the study.")
-    display: Display = section("How large stimuli are.")
+    display: Display = section("How large stimuli are, and on which grey.")
     screen: Screen = section("What is asked of the participant's screen.")
+    entry: Entry = section("How people come to the study.")
+    completion: Completion = section("What whoever has finished is given.")
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -130,6 +137,7 @@ class Design(SpecFile):
             yield Contradiction("languages", f"are {shown(self.languages)}; allowed: each once")
         yield from self._twice()
         yield from self._counts()
+        yield from self._rings()
         ids = [question.id for question in self.questions]
         for place, catch in enumerate(self.catches):
             yield from catch.unknown(f"catches.{place}", list(self.labels), ids)
@@ -139,6 +147,7 @@ class Design(SpecFile):
             yield from question.text.missing(f"questions.{place}.text", self.languages)
         for place, group in enumerate(self.groups):
             yield from group.missing(f"groups.{place}", self.languages)
+        yield from self.completion.unknown(self.entry.parameters)
 
     def _twice(self) -> Iterator[Contradiction]:
         named = {
@@ -155,6 +164,15 @@ class Design(SpecFile):
                     verdict = f"is {shown(name)}, {alike} {{other}}; allowed: a name of its own"
                     yield Contradiction(path.format(place), verdict, path.format(first[shape]))
                 first.setdefault(shape, place)
+
+    def _rings(self) -> Iterator[Contradiction]:
+        code = self.display.background_code
+        if "contrast" in self.screen.vision and code < DARKEST_FOR_RINGS:
+            verdict = (
+                f"has contrast while {{other}} is {code}; allowed: from {DARKEST_FOR_RINGS} on, "
+                "for on darker greys no code is faint enough"
+            )
+            yield Contradiction("screen.vision", verdict, "display.background_code")
 
     def _counts(self) -> Iterator[Contradiction]:
         count = len(self.labels)

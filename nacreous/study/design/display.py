@@ -11,7 +11,7 @@ from nacreous.spec.section import Section
 
 
 class Display(Section):
-    """How large stimuli are."""
+    """How large stimuli are, and on which grey."""
 
     width_mm: float = quantity(
         60.0,
@@ -34,6 +34,15 @@ class Display(Section):
         least=1,
         most=1024,
         source="**(ours)**",
+    )
+
+    background_code: int = quantity(
+        119,
+        "The grey of all pages, around the pictures and between them, as the code of an sRGB "
+        "grey; 119 has 18 % of white's luminance.",
+        least=0,
+        most=255,
+        source="**(ours)**, the grey card of photography",
     )
 
     def contradictions(self) -> Iterator[Contradiction]:

@@ -104,10 +104,16 @@ def open_frozen(path: str | Path) -> Frozen:
         raise InputError(f"{where}: has been changed since it was frozen; wanted: as it was made")
     for stimulus in stimuli:
         _check(Path(path), stimulus)
-    design = Design.check(manifest["design"], where, Path())
+    design = Design.check(_as_frozen(manifest["design"]), where, Path())
     return Frozen(
         Path(path), design, manifest["design_hash"], manifest["study_hash"], tuple(stimuli)
     )
+
+
+def _as_frozen(design: dict[str, Any]) -> dict[str, Any]:
+    """A design with what it was frozen under: one of before `adaptation_s` asked for none."""
+    sitting = {"adaptation_s": 0.0, **design.get("sitting", {})}
+    return {**design, "sitting": sitting}
 
 
 def _refuse_link(path: Path) -> None:

@@ -57,7 +57,23 @@ class Screen(Section):
     distance: bool = _check(
         "Whether the viewing distance is asked for: by the blind spot, or typed in."
     )
-    if_no_distance: Rule = _rule("Where the viewing distance is not known")
+    least_distance_mm: float = quantity(
+        200.0,
+        "The least viewing distance that passes.",
+        least=50,
+        most=10_000,
+        unit="mm",
+        source="**(ours)**; nearer than this few adults see sharply (Duane 1922)",
+    )
+    most_distance_mm: float = quantity(
+        2000.0,
+        "The greatest viewing distance that passes.",
+        least=50,
+        most=10_000,
+        unit="mm",
+        source="**(ours)**; farther away nobody reaches keys or mouse",
+    )
+    if_no_distance: Rule = _rule("Where the viewing distance is not known or does not pass")
     levels: bool = _check("Whether gamma and the darkest step that can be seen are found by eye.")
     least_gamma: float = quantity(
         1.6, "The least gamma that passes.", least=0.5, most=5, source="**(ours)**"
@@ -103,6 +119,9 @@ class Screen(Section):
         if self.least_gamma >= self.most_gamma:
             verdict = f"is {shown(self.least_gamma)}, not below {{other}}; allowed: less"
             yield Contradiction("least_gamma", verdict, "most_gamma")
+        if self.least_distance_mm >= self.most_distance_mm:
+            verdict = f"is {shown(self.least_distance_mm)}, not below {{other}}; allowed: less"
+            yield Contradiction("least_distance_mm", verdict, "most_distance_mm")
         for rule, check in (
             ("if_not_full_screen", "full_screen"),
             ("if_no_card", "card"),

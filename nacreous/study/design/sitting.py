@@ -23,6 +23,15 @@ class Sitting(Section):
         most=1000,
         source="**(ours)**",
     )
+    adaptation_s: float = quantity(
+        60.0,
+        "How long a plain page of the pictures' grey is looked at after a break and on coming "
+        "back, before the next pair; 0 for not at all.",
+        least=0,
+        most=600,
+        unit="s",
+        source="Fairchild and Reniff 1995, 90 % of chromatic adaptation within 60 s",
+    )
     minimum_viewing_ms: int = quantity(
         500,
         "How long a pair is on the screen before an answer is taken.",

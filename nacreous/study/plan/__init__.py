@@ -1,7 +1,7 @@
 """What one participant sees, in which order and on which side; and the groups drawn by lot.
 
-Everything follows from the study's design and the participant's number, 0, 1, 2, ... in the order
-of entry: whoever comes back goes on where they were.
+Everything follows from the study's design and the number of the participant's slot, 0, 1, 2, ...:
+whoever comes back goes on where they were. The store gives slots (`nacreous.study.store.slots`).
 
 >>> from nacreous.study.design import Design
 >>> design = Design.load("paper")

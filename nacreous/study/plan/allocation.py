@@ -11,9 +11,9 @@ __all__ = ["drawn_groups"]
 
 
 def drawn_groups(design: Design, number: int) -> dict[str, str]:
-    """The value of each randomised factor for participant `number`, by the factor's name.
+    """The value of each randomised factor in slot `number`, by the factor's name.
 
-    Permuted blocks: with n combinations of values, each 2n participants in a row have every
+    Permuted blocks: with n combinations of values, each 2n slots in a row have every
     combination twice, once among the even numbers and once among the odd ones, whose sides are
     mirrored. So groups never differ by more than two, and sides are balanced in each.
 

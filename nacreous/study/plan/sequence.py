@@ -18,7 +18,7 @@ __all__ = ["trials"]
 
 
 def trials(design: Design, number: int, so_far: SoFar | None = None) -> list[Trial]:
-    """The trials of participant `number`: training, then one question after the other.
+    """The trials of slot `number`: training, then one question after the other.
 
     - Under each question every pair of the participant comes once, and the pairs chosen for that
       once more with the sides exchanged.
@@ -27,7 +27,7 @@ def trials(design: Design, number: int, so_far: SoFar | None = None) -> list[Tri
       catches aside. Numbers 2k and 2k + 1 have the same pairs, mirrored, in different orders,
       unless pairs are adaptive.
     - Catches are spread evenly over their question. Questions begin with another one for every two
-      participants.
+      slots.
 
     so_far: of a study with adaptive pairs, the counts of the answers so far, by question; a
     question without any gets pairs by lot. Other studies do not look at it.

@@ -12,6 +12,7 @@ from nacreous.study.store.codebook import group_column
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
+    from nacreous.scaling.report.settings import Settings
     from nacreous.study.running import Running
 
 __all__ = ["report"]
@@ -28,8 +29,8 @@ def report(
     """A page in a language, "en" or "ja", that reads without statistics.
 
     Groups are compared by the factor `group`; unless it is given, by the first of the study's
-    factors by which they can be. Raises `InputError` for what there is not, and while there is no
-    scale (`scale_so_far` says why).
+    factors by which they can be; what cannot be compared the report names. Raises `InputError` for
+    what there is not, and while there is no scale (`scale_so_far` says why).
     """
     from nacreous.scaling import analyse
     from nacreous.scaling.report.page import html
@@ -43,24 +44,19 @@ def report(
     text = asked.text.in_language(language) or asked.text.in_language(
         "en" if language == "ja" else "ja"
     )
-    column = None if group is None else group_column(group).name
-    if group is None:
-        column = _comparable(answers, [group_column(name).name for name in known])
+    factors = known if group is None else [group]
+    column = _told_most(answers, [group_column(name).name for name in factors], running.settings)
     wanted = replace(running.settings, question=text, group=column, simulated=simulated)
     return html(analyse(answers, wanted, progress=progress), language)
 
 
-def _comparable(answers: Answers, columns: list[str]) -> str | None:
-    """The first column whose groups each have a scale with its errors, so that they compare."""
-    from nacreous.scaling.compare.estimate import estimates
+def _told_most(answers: Answers, columns: list[str], settings: Settings) -> str | None:
+    """The first column of which groups can be compared; else the first of which any are known."""
+    from nacreous.scaling.report.groups import left_out_of
 
-    for column in columns:
-        parts = answers.split(column) if column in answers.groups else {}
-        if len(parts) < 2:
-            continue
-        try:
-            estimates(parts, "probit")
-        except InputError:  # the report says what can be said without them
-            continue
-        return column
-    return None
+    known = {column: answers.split(column) for column in columns if column in answers.groups}
+    for column, parts in known.items():
+        # Whether ties are fitted changes nothing for which groups have a scale of their own.
+        if len(parts) - len(left_out_of(parts, settings, with_ties=False)) > 1:
+            return column
+    return next((column for column, parts in known.items() if parts), None)

@@ -10,6 +10,8 @@ from nacreous.problem import InputError
 from nacreous.study.design import Frozen
 from nacreous.study.design.multilingual import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
+from nacreous.study.running.ending import Ending
+from nacreous.study.running.entering import check_groups, check_language, check_parameters
 from nacreous.study.running.plans import Plans, plain, shown, trials_of
 from nacreous.study.running.screen_check import ScreenCheck
 from nacreous.study.running.screening import ScreenFlag, flags_of, is_refused
@@ -24,6 +26,7 @@ from nacreous.study.store import (
     UnknownToken,
 )
 from nacreous.study.store.people import WITHDREW
+from nacreous.study.store.tokens import draw_code
 from nacreous.study.task.counting import counts
 from nacreous.study.task.task import SoFar
 from nacreous.study.task.tasks import TASKS
@@ -75,15 +78,32 @@ class Running:
         self._asked = frozen.design.asked
         self._plans = Plans()
 
-    def enter(self, token: str, language: str, recorded: Mapping[str, str]) -> Session:
+    def enter(
+        self,
+        token: str,
+        language: str,
+        recorded: Mapping[str, str],
+        parameters: Mapping[str, str] | None = None,
+    ) -> Session:
         """Take in a participant, draw the groups and settle the plan.
 
         token: drawn beforehand, or an invitation's; the same again gives the same session.
-        language: one of the study's. recorded: the value of each recorded group.
+        language: one of the study's. recorded: the value of each recorded group. parameters: of the
+        address by which the person came, such as the study keeps.
         """
-        self._check_language(language)
-        self._check_groups(recorded)
-        session, _ = self.store.enter(self.study, language, recorded, token)
+        design = self.frozen.design
+        check_language(design, language)
+        check_groups(design, recorded)
+        check_parameters(design, parameters or {})
+        session, _ = self.store.enter(
+            self.study,
+            language,
+            recorded,
+            token,
+            parameters=parameters,
+            completion_code=draw_code() if design.completion.own_code else None,
+            idle_hours=design.entry.idle_hours,
+        )
         self._settled(session)
         return self.store.session(session.id)  # as settled, whoever did it
 
@@ -154,14 +174,23 @@ class Running:
         self.task.check(self._asked, response.given)
         asked = plan[trial]
         answer = Answer(trial, asked.question, shown(asked, self.task), response, asked.kind)
-        return self.store.hand_in(session.id, answer, in_turn=True)
+        last = trial == len(plan) - 1
+        return self.store.hand_in(session.id, answer, in_turn=True, last=last)
 
     def finish(self, session: Session) -> None:
-        """Note that a participant saw the last page; every trial must be answered."""
+        """Note that a participant has answered every trial, where the last answer did not."""
         count, wanted = self.answered(session), len(self.plan(session))
         if count < wanted:
             raise OutOfTurn(f"{count} trials are answered; wanted: all {wanted} before the end")
         self.store.finish(session.id)
+
+    def ending(self, session: Session) -> Ending | None:
+        """What a participant is given at the end; None before it, and of an erased one."""
+        if session.finished_at is None or session.erased_at is not None:
+            return None
+        completion = self.frozen.design.completion
+        code = completion.code or session.completion_code
+        return Ending(code, completion.filled(session.parameters, code))
 
     def _barred(self, session: Session) -> NotAllowed | None:
         """Why a participant may not go on, if anything stands against it."""
@@ -177,13 +206,13 @@ class Running:
 
     def _settled(self, session: Session) -> Session:
         """The session with its groups and its plan, made now where a crash left it without."""
-        if self._plans.get(session.id) is not None or session.erased_at is not None:
+        if self._plans.get(session.id) is not None:
             return session
-        if self._kept(session) is not None:
+        if self._kept(session) is not None or session.slot is None:
             return session
         design = self.frozen.design
-        groups = {**session.groups, **drawn_groups(design, session.number)}
-        plan = trials(design, session.number, self._so_far())
+        groups = {**session.groups, **drawn_groups(design, session.slot)}
+        plan = trials(design, session.slot, self._so_far())
         self.store.settle(session.id, groups, plain(plan, self.task))
         self._kept(session)
         return self.store.session(session.id)
@@ -210,26 +239,6 @@ class Running:
         made = trials_of(plan, self.task)
         self._plans.put(session.id, made)
         return made
-
-    def _check_language(self, language: object) -> None:
-        known = self.frozen.design.languages
-        if language not in known:
-            raise InputError(f"language is {ascii(language)[:40]}; allowed: {', '.join(known)}")
-
-    def _check_groups(self, recorded: Mapping[str, str]) -> None:
-        asked = {
-            group.name: group.values
-            for group in self.frozen.design.groups
-            if group.how == "recorded"
-        }
-        for name in recorded:
-            if name not in asked:
-                named = ", ".join(asked) or "none"
-                raise InputError(f"group {ascii(name)[:60]} is not asked for; allowed: {named}")
-        for name, values in asked.items():
-            if recorded.get(name) not in values:
-                said = ascii(recorded[name])[:60] if name in recorded else "missing"
-                raise InputError(f"group {name} is {said}; allowed: {', '.join(values)}")
 
 
 def _withheld(session: Session) -> NotAllowed | None:

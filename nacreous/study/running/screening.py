@@ -15,6 +15,7 @@ ScreenFlag = Literal[
     "not-full-screen",
     "no-card",
     "no-distance",
+    "distance",
     "no-levels",
     "gamma",
     "darkest-step",
@@ -29,6 +30,7 @@ _RULES: Mapping[str, str] = {
     "not-full-screen": "if_not_full_screen",
     "no-card": "if_no_card",
     "no-distance": "if_no_distance",
+    "distance": "if_no_distance",
     "no-levels": "if_levels",
     "gamma": "if_levels",
     "darkest-step": "if_levels",
@@ -67,8 +69,8 @@ def _flags(screen: Screen, check: ScreenCheck) -> Iterator[ScreenFlag]:
         yield "not-full-screen"
     if screen.card and check.card is None:
         yield "no-card"
-    if screen.distance and check.distance_mm is None:
-        yield "no-distance"
+    if screen.distance:
+        yield from _distance(screen, check.distance_mm)
     if screen.levels:
         yield from _levels(screen, check)
     if check.gamut == "less":
@@ -83,6 +85,13 @@ def _flags(screen: Screen, check: ScreenCheck) -> Iterator[ScreenFlag]:
 def _large_enough(window: Window, screen: Screen) -> bool:
     wide = window.width_px >= screen.least_width_px
     return wide and window.height_px >= screen.least_height_px
+
+
+def _distance(screen: Screen, found_mm: float | None) -> Iterator[ScreenFlag]:
+    if found_mm is None:
+        yield "no-distance"
+    elif not screen.least_distance_mm <= found_mm <= screen.most_distance_mm:
+        yield "distance"
 
 
 def _levels(screen: Screen, check: ScreenCheck) -> Iterator[ScreenFlag]:

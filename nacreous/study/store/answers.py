@@ -44,12 +44,20 @@ _WITH_TURN = people.LIVING.add_columns(
 )
 
 
-def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_turn: bool) -> Receipt:
+def put(
+    connection: sa.Connection,
+    at: str,
+    session: str,
+    answer: Answer,
+    in_turn: bool,
+    last: bool = False,
+) -> Receipt:
     """Store an answer, or find that it is stored; refuse another under the same key.
 
     What was refused is kept in the audit log, whole, up to `MOST_REFUSED` of a session. `in_turn`:
     from the participant, whose token is not revoked, who did not withdraw, and who has answered all
-    trials before it.
+    trials before it. `last`: with this one, all of the plan are answered, and the person has
+    finished, whatever becomes of their page.
     """
     if in_turn:
         person = people.living(connection, session, _WITH_TURN, trial=answer.trial)
@@ -62,6 +70,8 @@ def put(connection: sa.Connection, at: str, session: str, answer: Answer, in_tur
     insert = _INSERT[connection.dialect.name]
     stored = connection.execute(insert, {**row, "digest": answer.digest}).scalar_one_or_none()
     if stored is not None:
+        if last:
+            people.set_once(connection, at, session, "finished_at", people.FINISHED)
         return _receipt(session, answer, at, again=False)
     kept = connection.execute(
         sa.select(answers.c.digest, answers.c.received_at).where(

@@ -7,10 +7,13 @@ from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from typing import Any
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 #: The longest label, question or reason, in characters.
 LONGEST_TEXT = 1000
+#: The longest parameter of an address, in characters.
+LONGEST_PARAMETER = 200
 #: The largest flags, groups or screen check, as JSON in bytes; of a plan or a manifest: 64 MiB.
 LARGEST_JSON = 65_536
 LARGEST_PLAN = 64 * 2**20
@@ -69,6 +72,21 @@ def levels(groups: Mapping[str, str]) -> str:
         text("group's name", name, 100)
         text(f"group {name}", level)
     return canonical("groups", groups)
+
+
+def parameters(given: Mapping[str, str]) -> str:
+    """Parameters of an address, as JSON: each one line of 1 to 200 characters.
+
+    >>> parameters({"PROLIFIC_PID": "5f0c"})
+    '{"PROLIFIC_PID":"5f0c"}'
+    """
+    for name, value in given.items():
+        text("parameter's name", name, 40)
+        # The value, which may identify somebody, stands in no message: messages are logged.
+        if isinstance(value, str) and printable(value) != value:
+            raise InputError(f"parameter {name} has control characters; allowed: none")
+        text(f"parameter {name}", value, LONGEST_PARAMETER)
+    return canonical("parameters", given)
 
 
 def canonical_list(name: str, value: Any, largest: int) -> str:

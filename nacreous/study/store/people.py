@@ -10,13 +10,15 @@ from typing import Any
 import sqlalchemy as sa
 
 from nacreous.problem import InputError
-from nacreous.study.store import check, invitations, journal, studies, tokens
+from nacreous.study.store import check, invitations, journal, slots, studies, tokens
 from nacreous.study.store.record import Session
 from nacreous.study.store.refusal import NotAllowed
 from nacreous.study.store.schema import answers, screens, sessions
 
 #: Why a person is left out who no longer consents.
 WITHDREW = "withdrew"
+#: What the log says of whoever has answered all.
+FINISHED = "finished"
 #: Screen checks of one session. Somebody tries again a few times; more only a program that would
 #: fill the disk.
 MOST_SCREENS = 100
@@ -41,11 +43,12 @@ LIVING = (
 
 
 def enter(
-    connection: sa.Connection, at: str, study: str, hashed: str, row: Mapping[str, Any]
+    connection: sa.Connection, at: str, study: str, hashed: str, row: Mapping[str, Any], since: str
 ) -> str:
     """Add a session, or find the one that has this token; give its id.
 
-    The study's row is locked first, so that the same token given twice at once enters once.
+    The study's row is locked first, so that the same token given twice at once enters once, and a
+    slot is given once. since: who did nothing after it fills no slot (`slots.next_free`).
     """
     registration = studies.registration(connection, study, hold=True)
     theirs = sa.select(sessions.c.id, sessions.c.study).where(sessions.c.token_hash == hashed)
@@ -58,7 +61,9 @@ def enter(
     if invitation is None and registration != "open":
         raise NotAllowed(f"study {study[:12]} is for invited people only; wanted: an invitation")
     number = studies.take_number(connection, study)
-    new = {**row, "study": study, "number": number, "started_at": at, "token_hash": hashed}
+    slot = slots.next_free(connection, study, since)
+    new = {**row, "study": study, "number": number, "slot": slot, "started_at": at}
+    new["token_hash"] = hashed
     connection.execute(sa.insert(sessions).values(new))
     if invitation is not None:
         invitations.use(connection, invitation, row["id"])
@@ -224,6 +229,9 @@ def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
             finished_at=check.day(row.finished_at),
             excluded_reason=None,
             plan=None,
+            slot=None,
+            parameters=None,
+            completion_code=None,
             erased_at=check.day(at),
         )
     )
@@ -276,4 +284,7 @@ def _session(row: sa.RowMapping) -> Session:
         finished_at=check.read(row["finished_at"]),
         excluded_reason=row["excluded_reason"],
         erased_at=check.read(row["erased_at"]),
+        slot=row["slot"],
+        parameters=json.loads(row["parameters"] or "{}"),
+        completion_code=row["completion_code"],
     )

@@ -26,7 +26,10 @@ _TIME = "by the server's clock, UTC, ISO 8601; empty of an erased person"
 PERSON = (
     Column("entered_at", f"When the person entered, {_TIME}."),
     Column("consented_at", f"When the person consented, {_TIME}."),
-    Column("finished_at", f"When the person saw the last page, {_TIME}, and of who did not."),
+    Column(
+        "finished_at",
+        f"When the person's last answer was stored, {_TIME}, and of who did not finish.",
+    ),
     Column("browser", "The browser's family, without its version; empty where unknown."),
     Column(
         "screen_checks",

@@ -86,7 +86,14 @@ class Receipt:
 
 @dataclass(frozen=True)
 class Session:
-    """One participant in one study; `number` counts from 0 in order of entry and seeds the plan."""
+    """One participant in one study; `number` counts from 0 in order of entry.
+
+    - `slot`: what the plan follows from; two people may have the same one, where one dropped out
+    - `parameters`: of the address by which the person came, as the study declares them
+    - `completion_code`: of the person's own, to be told at the end
+
+    Of an erased person these are empty.
+    """
 
     id: str
     study: str
@@ -99,6 +106,9 @@ class Session:
     finished_at: datetime | None
     excluded_reason: str | None
     erased_at: datetime | None
+    slot: int | None
+    parameters: Mapping[str, str]
+    completion_code: str | None
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,8 @@ metadata = sa.MetaData(
 
 #: The longest text that is kept of what was answered, in characters.
 LONGEST_GIVEN = 5
+#: The longest completion code of a person's own, in characters.
+LONGEST_CODE = 20
 #: Counts up and never gives a number twice, on SQLite too (`sqlite_autoincrement`).
 _SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
@@ -53,6 +55,9 @@ sessions = sa.Table(
     sa.Column("excluded_reason", sa.Text),
     sa.Column("erased_at", sa.String(27)),
     sa.Column("plan", sa.Text),
+    sa.Column("slot", sa.Integer),
+    sa.Column("parameters", sa.Text),
+    sa.Column("completion_code", sa.String(LONGEST_CODE)),
     sa.UniqueConstraint("study", "number"),
 )
 

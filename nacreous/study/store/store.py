@@ -5,6 +5,7 @@ from __future__ import annotations
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future
+from datetime import timedelta
 from functools import partial
 from typing import Any
 
@@ -84,24 +85,55 @@ class Store(Lab):
         self._set_state(study, "closed", who)
 
     def enter(
-        self, study: str, language: str, groups: Mapping[str, str], token: str | None = None
+        self,
+        study: str,
+        language: str,
+        groups: Mapping[str, str],
+        token: str | None = None,
+        *,
+        parameters: Mapping[str, str] | None = None,
+        completion_code: str | None = None,
+        idle_hours: float = 1.0,
     ) -> tuple[Session, str]:
-        """Take in a participant: the session, with its number, and the token.
+        """Take in a participant: the session, with its number and slot, and the token.
 
         token: drawn beforehand (`nacreous.study.store.tokens.draw`), or an invitation's, which is
         used by that. The same token again gives the same session, whatever became of the study and
         whatever else is said; so who did not hear of having entered asks again. None: a new one is
         drawn, and told only here. Raises `NotAllowed` where the study is not open, or for invited
         people only and the token no invitation.
+
+        parameters: of the address, each one line of up to 200 characters. completion_code: of the
+        person's own, to be told at the end. idle_hours: who has not finished, and did nothing for
+        longer, dropped out; their slot is given again (`nacreous.study.store.slots`).
+
+        >>> from tempfile import TemporaryDirectory
+        >>> with TemporaryDirectory() as folder, Store.open(folder) as store:
+        ...     study = store.add_study({"design_hash": "ab" * 32})
+        ...     store.set_registration(study, "open", "lab")
+        ...     first, second = (store.enter(study, "en", {})[0] for _ in range(2))
+        ...     store.exclude(first.id, "left the room", "lab")
+        ...     third, _ = store.enter(study, "en", {})
+        ...     second.slot, third.number, third.slot
+        (1, 2, 0)
         """
         token = tokens.draw() if token is None else tokens.fresh(token)
         row = {
             "id": str(uuid.uuid4()),
             "language": check.text("language", language, 35),
             "groups": check.levels(groups),
+            "parameters": check.parameters(parameters or {}),
+            "completion_code": completion_code,
         }
-        hashed = tokens.hash_of(token)
-        work = partial(people.enter, at=self._at(), study=study, hashed=hashed, row=row)
+        now = self._clock()
+        work = partial(
+            people.enter,
+            at=check.written("clock", now),
+            study=study,
+            hashed=tokens.hash_of(token),
+            row=row,
+            since=check.written("clock", now - timedelta(hours=idle_hours)),
+        )
         return self.session(self._do(work)), token
 
     def settle(self, session: str, groups: Mapping[str, str], plan: list[dict[str, Any]]) -> None:
@@ -147,8 +179,8 @@ class Store(Lab):
         self._set_once(session, "consented_at", "consented")
 
     def finish(self, session: str) -> None:
-        """Note that a participant saw the last page."""
-        self._set_once(session, "finished_at", "finished")
+        """Note that a participant has answered everything, where the last answer did not."""
+        self._set_once(session, "finished_at", people.FINISHED)
 
     def screen(self, session: str, content: Mapping[str, Any]) -> None:
         """Keep a screen check."""
@@ -163,14 +195,16 @@ class Store(Lab):
         """
         return self.hand_in(session, answer).result()
 
-    def hand_in(self, session: str, answer: Answer, in_turn: bool = False) -> Future[Receipt]:
+    def hand_in(
+        self, session: str, answer: Answer, in_turn: bool = False, last: bool = False
+    ) -> Future[Receipt]:
         """As `answer`, without waiting; for an event loop, by `asyncio.wrap_future`.
 
-        in_turn: an answer to a trial before which others are open raises `OutOfTurn`.
+        in_turn: an answer to a trial before which others are open raises `OutOfTurn`. last: of the
+        plan; who has answered it has finished, which is stored with it.
         """
-        at = self._at()
-        work = partial(answering.put, at=at, session=session, answer=answer, in_turn=in_turn)
-        return self._writer.submit(work)
+        work = partial(answering.put, at=self._at(), session=session, answer=answer)
+        return self._writer.submit(partial(work, in_turn=in_turn, last=last))
 
     def answers(self, study: str, session: str | None = None) -> list[Row]:
         """Every answer of a study (or of one session) as a row, in the order of arrival.

@@ -10,6 +10,8 @@ from nacreous.study.store.refusal import UnknownToken
 
 #: 256 bits, as `draw` makes them.
 _FRESH = re.compile("[A-Za-z0-9_-]{43}")
+#: Capitals and digits that nobody takes for another.
+_PLAIN = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789"
 
 
 def draw() -> str:
@@ -19,6 +21,15 @@ def draw() -> str:
     (43, False)
     """
     return secrets.token_urlsafe(32)
+
+
+def draw_code() -> str:
+    """A completion code of a person's own, 48 random bits, without letters that look alike.
+
+    >>> len(draw_code()), draw_code() == draw_code()
+    (10, False)
+    """
+    return "".join(secrets.choice(_PLAIN) for _ in range(10))
 
 
 def fresh(token: object) -> str:

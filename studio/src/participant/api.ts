@@ -7,6 +7,7 @@ import type { Answering, Routes, ScreenTold, SittingTold, StudyTold } from "../s
 import type { ScreenContent } from "./screen/content";
 
 export type {
+  EndingTold as Ending,
   GroupTold as Factor,
   PictureTold as Picture,
   Screen as ScreenRules,
@@ -27,8 +28,12 @@ export const study = (): Promise<StudyTold> => ask("GET /api/study", undefined);
 export class Api {
   constructor(readonly token: string) {}
 
-  enter(language: Language, groups: Record<string, string>): Promise<SittingTold> {
-    return this.ask("POST /api/enter", { language, groups });
+  enter(
+    language: Language,
+    groups: Record<string, string>,
+    parameters: Record<string, string>,
+  ): Promise<SittingTold> {
+    return this.ask("POST /api/enter", { language, groups, parameters });
   }
 
   sitting(): Promise<SittingTold> {

@@ -18,6 +18,7 @@ export class Entering {
     private readonly api: Api,
     private readonly reach: <T>(request: () => Promise<T>) => Promise<T>,
     private readonly speak: (language: Language) => void,
+    private readonly parameters: Record<string, string>,
   ) {}
 
   /** Let somebody in who was not here before. `keep` keeps the token before it is first used. */
@@ -28,7 +29,7 @@ export class Entering {
     const groups =
       factors.length > 0 ? await this.stage.show(groupsPage(words, language, factors)) : {};
     await keep();
-    await this.reach(() => this.api.enter(language, groups));
+    await this.reach(() => this.api.enter(language, groups, this.parameters));
     return this.consented();
   }
 

@@ -5,12 +5,12 @@ import "./participant.css";
 import { element } from "../shared/dom";
 import { Problem } from "../shared/http";
 import { preferred } from "../shared/language";
+import { paint } from "./grey";
 import { Sitting, studyTold } from "./sitting";
 import { Kept } from "./storage/kept";
 import { claim } from "./storage/tabs";
 import { Notice } from "./notice";
-import { Ended, endOf, endPage } from "./pages/ends";
-import type { End } from "./pages/ends";
+import { Ended, endOf, endPage, pays } from "./pages/ends";
 import { Stage } from "./stage";
 import type { Simulation } from "./stage";
 import { WORDS } from "./words/words";
@@ -25,26 +25,29 @@ async function main(): Promise<void> {
   const words = WORDS[preferred(["en", "ja"], navigator.languages)];
   const stage = new Stage(root, simulation());
   const study = await studyTold((yes) => (yes ? notice.hide() : notice.show(words.unreachable)));
+  paint(study.background_code);
   const kept = await Kept.open();
   const sitting = new Sitting(stage, notice, kept, study);
-  const end = (await claim(study.name)) ? await ended(sitting) : "tabs";
-  const another = end === "thanks" && study.registration === "open";
-  if ((await stage.show(endPage(sitting.words, end, another))) === "next") {
-    await kept.forgetToken(study.name);
+  const { end, ending } = (await claim(study.name)) ? await ended(sitting) : new Ended("tabs");
+  // Whoever comes by an address of their own is not followed by another person by the same.
+  const own = Object.keys(sitting.parameters).length > 0 || pays(ending);
+  const another = end === "thanks" && study.registration === "open" && !own;
+  if ((await stage.show(endPage(sitting.words, end, another, ending))) === "next") {
+    await sitting.forget();
   }
   location.reload();
 }
 
 /** How a sitting ends. */
-async function ended(sitting: Sitting): Promise<End> {
+async function ended(sitting: Sitting): Promise<Ended> {
   try {
     await sitting.run();
-    return "thanks";
+    return new Ended("thanks");
   } catch (reason) {
-    if (reason instanceof Ended) return reason.end;
-    if (reason instanceof Problem) return endOf(reason);
+    if (reason instanceof Ended) return reason;
+    if (reason instanceof Problem) return new Ended(endOf(reason));
     console.error(reason);
-    return "broken";
+    return new Ended("broken");
   }
 }
 

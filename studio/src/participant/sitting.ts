@@ -3,6 +3,8 @@
 import { Problem } from "../shared/http";
 import { fill, preferred, said } from "../shared/language";
 import type { Language } from "../shared/language";
+import { parametersOf, placesOf } from "./address";
+import type { Places } from "./address";
 import { Answers } from "./answers";
 import { Api, study as studyOf } from "./api";
 import type { SittingTold, Study, Trial } from "./api";
@@ -11,6 +13,7 @@ import { barred, Entering, sittingOf } from "./entering";
 import { linked } from "./storage/kept";
 import type { Kept } from "./storage/kept";
 import type { Notice } from "./notice";
+import { adaptPage } from "./pages/adapt";
 import {
   breakPage,
   instructionsPage,
@@ -32,7 +35,10 @@ import { WORDS } from "./words/words";
 import type { Words } from "./words/words";
 
 export class Sitting {
+  /** Of the page's address, those that the study keeps. */
+  readonly parameters: Record<string, string>;
   private language: Language = "en";
+  private readonly places: Places;
 
   constructor(
     private readonly stage: Stage,
@@ -40,6 +46,8 @@ export class Sitting {
     private readonly kept: Kept,
     private readonly study: Study,
   ) {
+    this.parameters = parametersOf(location.search, study.parameters);
+    this.places = placesOf(study.name, this.parameters);
     this.speak(preferred(study.languages, navigator.languages));
   }
 
@@ -49,18 +57,24 @@ export class Sitting {
 
   /** Go through all of it; throws `Ended` or `Problem` where it ends before its end. */
   async run(): Promise<void> {
-    const own = linked(location.hash) ?? (await this.kept.token(this.study.name));
+    const own = linked(location.hash) ?? (await this.kept.token(this.places[0]));
     let api = new Api(own ?? this.study.token);
     const found = own === null ? null : await this.reach(() => sittingOf(api));
     const left = found === null && linked(location.hash) === null; // by another study, perhaps
     if (left && this.study.registration === "open") api = new Api(this.study.token);
     void this.sendLeftBehind(api.token);
     let sitting = await this.entered(api, found, own !== null);
-    if (sitting.finished) throw new Ended("thanks");
+    if (sitting.finished) throw new Ended("thanks", sitting.ending);
     const screen = await this.screened(api, sitting);
     if (sitting.trials.length === 0) sitting = await this.reach(() => api.sitting());
     await this.answered(api, sitting, screen);
-    throw new Ended("thanks");
+    sitting = await this.reach(() => api.sitting());
+    throw new Ended("thanks", sitting.ending);
+  }
+
+  /** Forget whose sitting it is, so that another person can begin. */
+  forget(): Promise<void> {
+    return this.kept.forgetToken(this.places);
   }
 
   /** Send what others, who left this browser without a network, have answered. */
@@ -91,8 +105,9 @@ export class Sitting {
 
   private async entered(api: Api, found: SittingTold | null, own: boolean): Promise<SittingTold> {
     const speak = (language: Language) => this.speak(language);
-    const keep = () => this.kept.keepToken(this.study.name, api.token);
-    const entering = new Entering(this.stage, this.study, api, this.reach, speak);
+    const keep = () => this.kept.keepToken(this.places, api.token);
+    const { stage, study, parameters } = this;
+    const entering = new Entering(stage, study, api, this.reach, speak, parameters);
     if (found === null) {
       const bar = barred(this.study, own);
       if (bar !== null) throw new Ended(bar);
@@ -105,9 +120,10 @@ export class Sitting {
 
   /** Why somebody was not let in: the study was paused meanwhile, or the link is no good. */
   private async barredNow(reason: unknown): Promise<never> {
-    if (!(reason instanceof Problem && ["not-allowed", "token"].includes(reason.kind)))
-      throw reason;
-    await this.kept.forgetToken(this.study.name);
+    const bad = Object.keys(this.parameters).length > 0 ? ["input"] : []; // cut off, say
+    const kinds = ["not-allowed", "token", ...bad];
+    if (!(reason instanceof Problem && kinds.includes(reason.kind))) throw reason;
+    await this.forget();
     const { state } = await this.reach(studyOf);
     throw new Ended(state === "open" ? "unknown" : state);
   }
@@ -123,7 +139,7 @@ export class Sitting {
       await stage.show(reading("notes", words.notes_title, notes, [["go", words.go_on]]));
     }
     const pictures = Object.values(sitting.pictures);
-    const check = new ScreenCheck(stage, words, this.study.screen, sitting.number, pictures);
+    const check = new ScreenCheck(stage, words, this.study, sitting.number, pictures);
     const content = await check.run();
     const found = await this.reach(() => api.screen(content));
     await this.kept.keepScreen(api.token, content).catch(() => undefined);
@@ -179,7 +195,10 @@ export class Sitting {
     const asked =
       previous?.question === first.question ? null : said(question?.text ?? {}, this.language);
     const page = resumed
-      ? resumedPage(words, fill(words.resumed, { n: first.trial + 1, all: sitting.trials.length }))
+      ? resumedPage(
+          words,
+          fill(first.training ? words.resumed_training : words.resumed, { n, all }),
+        )
       : first.trial === 0
         ? instructionsPage(words, this.instructions(first), study.sitting.training)
         : previous?.training
@@ -187,6 +206,14 @@ export class Sitting {
           : breakPage(words, n - 1, all, asked);
     while ((await stage.show(page)) === "stop") await this.stop(api);
     if (resumed && study.screen.full_screen && stage.simulation === null) await fillScreen();
+    if (page.name === "resumed" || page.name === "break") await this.adapted();
+  }
+
+  /** Eyes that looked away get used to the grey again; simulated ones need not. */
+  private async adapted(): Promise<void> {
+    const { adaptation_s } = this.study.sitting;
+    if (adaptation_s === 0 || this.stage.simulation !== null) return;
+    await this.stage.show(adaptPage(this.words, adaptation_s));
   }
 
   /** What the study says, then how its first trial is answered. */

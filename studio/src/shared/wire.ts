@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * af2c6bcd63bb8da1a61bef26361e88575248480e08ab381c75f651c208fe82af
+ * 9bda4fd981fa07f09f4ca42bb91c1ccaf2b1494430122289f7dc7bcb3763d7e8
  */
 
 export type JsonValue = unknown;
@@ -172,11 +172,23 @@ export interface Words {
   ja?: string;
 }
 /**
+ * What somebody is given who has finished: a completion code, and where to go back to.
+ */
+export interface EndingTold {
+  code: string | null;
+  return_url: string | null;
+}
+/**
  * Who comes: the language of the pages, and what was asked of each recorded group.
+ *
+ * parameters: of the address by which they came, those that the study keeps.
  */
 export interface Entering {
   language: string;
   groups: {
+    [k: string]: string;
+  };
+  parameters?: {
     [k: string]: string;
   };
 }
@@ -404,7 +416,15 @@ export interface Screen {
    */
   distance: boolean;
   /**
-   * Where the viewing distance is not known: keep the answers with a mark, or do not begin. Allowed: "flag" or "refuse". Source: **(ours)**.
+   * The least viewing distance that passes. Allowed: 50 to 10000 mm. Source: **(ours)**; nearer than this few adults see sharply (Duane 1922).
+   */
+  least_distance_mm: number;
+  /**
+   * The greatest viewing distance that passes. Allowed: 50 to 10000 mm. Source: **(ours)**; farther away nobody reaches keys or mouse.
+   */
+  most_distance_mm: number;
+  /**
+   * Where the viewing distance is not known or does not pass: keep the answers with a mark, or do not begin. Allowed: "flag" or "refuse". Source: **(ours)**.
    */
   if_no_distance: "flag" | "refuse";
   /**
@@ -453,6 +473,7 @@ export interface ScreenTold {
     | "not-full-screen"
     | "no-card"
     | "no-distance"
+    | "distance"
     | "no-levels"
     | "gamma"
     | "darkest-step"
@@ -474,6 +495,10 @@ export interface Sitting {
    * After how many trials there is a break; 0 for none. Allowed: 0 to 1000. Source: **(ours)**.
    */
   break_every: number;
+  /**
+   * How long a plain page of the pictures' grey is looked at after a break and on coming back, before the next pair; 0 for not at all. Allowed: 0 to 600 s. Source: Fairchild and Reniff 1995, 90 % of chromatic adaptation within 60 s.
+   */
+  adaptation_s: number;
   /**
    * How long a pair is on the screen before an answer is taken. Allowed: 0 to 60000 ms. Source: **(ours)**.
    */
@@ -497,6 +522,7 @@ export interface SittingTold {
   screen_flags: string[];
   refused: boolean;
   finished: boolean;
+  ending: EndingTold | null;
   answered: number;
   groups_notes: Words[];
   trials: TrialTold[];
@@ -517,6 +543,8 @@ export interface TrialTold {
 }
 /**
  * A study to somebody who has not entered. `token` is fresh: it becomes theirs by entering.
+ *
+ * parameters: of the page's address, which are kept with whoever comes by it.
  */
 export interface StudyTold {
   name: string;
@@ -528,7 +556,9 @@ export interface StudyTold {
   instructions: Words;
   questions: QuestionTold[];
   groups: GroupTold[];
+  parameters: string[];
   sitting: Sitting;
+  background_code: number;
   screen: Screen;
   token: string;
 }
@@ -592,7 +622,7 @@ export interface Routes {
     told: ScreenTold;
   };
   /**
-   * The participant saw the last page; every trial is answered.
+   * Every trial is answered, which the server knows by the last answer; twice does no harm.
    */
   "POST /api/finish": {
     body: undefined;

@@ -7,6 +7,7 @@ from nacreous.scaling.figure import interval_plot, scale_plot
 from nacreous.scaling.fit.unit import factor
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.scale import MOST_ROWS
+from nacreous.scaling.report.groups import Groups
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
 from nacreous.scaling.report.translation import Html, Words, chance, number
@@ -16,33 +17,47 @@ __all__ = ["chapter"]
 #: As many as the drawing has marks for.
 _MOST_COLOURS = 6
 _MOST_DIFFERENCES = 30
+_MOST_SIZES = 30
 
 
 def chapter(analysis: Analysis, words: Words) -> Html:
     """Verdict, who is in which group, the scales below each other, what stands differently."""
-    groups = analysis.groups
-    if groups is None:
+    if analysis.groups is None:
         return Html("")
-    differ = groups.p_value < 1 - analysis.settings.level
+    found, level = analysis.groups.found, analysis.settings.level
+    left_out = _left_out(analysis.groups, words)
+    if found is None:
+        return Html(words.paragraph("groups.untold") + _sizes(analysis, words) + left_out)
+    key = "groups.differ" if analysis.groups.differ(level) else "groups.alike"
     verdict = words.sentences(
-        words(
-            "groups.differ" if differ else "groups.alike", p=words.equals(chance(groups.p_value))
-        ),
-        words(f"groups.method.{groups.tests[0].name}"),
+        words(key, p=words.equals(chance(found.p_value))),
+        words(f"groups.method.{found.tests[0].name}"),
     )
     return Html(
         f"<p>{verdict}</p>\n"
         + _sizes(analysis, words)
-        + _plots(analysis, groups, words)
-        + _differences(analysis, groups, words)
+        + left_out
+        + _plots(analysis, found, words)
+        + _differences(analysis, found, words)
     )
+
+
+def _left_out(groups: Groups, words: Words) -> Html:
+    """A sentence for each reason why groups could not be compared."""
+    said = Html("")
+    for reason in ("few", "unplaced"):
+        names = [one.name for one in groups.left_out if one.reason == reason]
+        if names:
+            said = Html(said + words.paragraph(f"groups.{reason}", names=words.names(names)))
+    return said
 
 
 def _sizes(analysis: Analysis, words: Words) -> Html:
     if analysis.answers is None or analysis.settings.group is None:
         return Html("")
     items = ""
-    for name, part in analysis.answers.split(analysis.settings.group).items():
+    parts = analysis.answers.split(analysis.settings.group)
+    for name, part in list(parts.items())[:_MOST_SIZES]:
         key = "groups.size" if part.people else "groups.size_answers"
         said = words(
             key,
@@ -51,6 +66,8 @@ def _sizes(analysis: Analysis, words: Words) -> Html:
             answers=words.count("answer", len(part)),
         )
         items += f"<li>{said}</li>\n"
+    if len(parts) > _MOST_SIZES:
+        items += f"<li>{words('list.more', n=len(parts) - _MOST_SIZES)}</li>\n"
     return Html(f"<ul>\n{items}</ul>\n")
 
 

@@ -20,9 +20,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
     if analysis.groups is not None:
-        differ = analysis.groups.p_value < 1 - analysis.settings.level
-        key = "short.groups_differ" if differ else "short.groups_alike"
-        found.append(words(key, column=words.name(analysis.settings.group)))
+        differ = analysis.groups.differ(analysis.settings.level)
+        key = {True: "groups_differ", False: "groups_alike", None: "groups_untold"}[differ]
+        found.append(words(f"short.{key}", column=words.name(analysis.settings.group)))
     items = "".join(f"<li>{sentence}</li>\n" for sentence in found)
     return Html(f'<ul class="short">\n{items}</ul>\n')
 

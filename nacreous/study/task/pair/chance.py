@@ -7,6 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.scaling.distribution import binom
+
 __all__ = ["at_least", "circles_by_chance", "one_sided"]
 
 #: Simulated sets of answers by which circles are judged; always the same ones.
@@ -34,8 +36,6 @@ def one_sided(lefts: int, total: int) -> float:
     >>> one_sided(10, 10) == 2 / 2**10
     True
     """
-    from scipy.stats import binom
-
     return float(min(1.0, 2 * binom.cdf(min(lefts, total - lefts), total, 0.5)))
 
 

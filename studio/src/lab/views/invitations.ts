@@ -7,6 +7,7 @@ import { askBefore } from "../dialog";
 import type { Desk, View } from "../desk";
 import { codeButton } from "./code";
 import { copyButton } from "./copy";
+import { boxed, head, row } from "./table";
 
 const MOST = 1000;
 
@@ -115,23 +116,16 @@ function listed(desk: Desk, found: Invitation[]): HTMLElement {
   const words = desk.speech.words.invitations;
   if (found.length === 0) return element("p", { class: "soft" }, words.none);
   const heads = [words.for, words.made_at, words.made_by, words.used, words.actions];
-  return element(
-    "div",
-    { class: "scroll", role: "region", "aria-label": words.title, tabindex: 0 },
-    element(
-      "table",
-      {},
-      element(
-        "thead",
-        {},
-        element("tr", {}, ...heads.map((one) => element("th", { scope: "col" }, one))),
-      ),
-      element("tbody", {}, ...found.map((one) => row(desk, one)).reverse()),
-    ),
-  );
+  const rows = found.map((one) => row(heads, cells(desk, one), classOf(one))).reverse();
+  const body = element("tbody", { role: "rowgroup" }, ...rows);
+  return boxed(words.title, element("table", {}, head(heads), body));
 }
 
-function row(desk: Desk, one: Invitation): HTMLTableRowElement {
+function classOf(one: Invitation): Record<string, string> {
+  return { class: one.revoked_at === null ? "" : "excluded" };
+}
+
+function cells(desk: Desk, one: Invitation): HTMLTableCellElement[] {
   const { speech } = desk;
   const words = speech.words.invitations;
   const time = speech.moment(one.made_at);
@@ -154,15 +148,13 @@ function row(desk: Desk, one: Invitation): HTMLTableRowElement {
     },
   );
   const open = one.number === null && one.revoked_at === null;
-  return element(
-    "tr",
-    { class: one.revoked_at === null ? "" : "excluded" },
+  return [
     element("th", { scope: "row" }, one.label),
     element("td", { class: "nowrap" }, time),
     element("td", {}, one.made_by),
     element("td", {}, state(desk, one)),
     element("td", { class: "actions" }, open ? revoke : ""),
-  );
+  ];
 }
 
 function state(desk: Desk, one: Invitation): string {

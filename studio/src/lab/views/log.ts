@@ -3,6 +3,7 @@
 import { element } from "../../shared/dom";
 import type { Event } from "../api";
 import type { Desk, View } from "../desk";
+import { boxed, head, row } from "./table";
 
 export function log(desk: Desk): View {
   const words = desk.speech.words.log;
@@ -36,30 +37,16 @@ function table(desk: Desk, events: Event[]): HTMLElement {
   const rows = [...events]
     .reverse()
     .map((event) =>
-      element(
-        "tr",
-        {},
+      row(heads, [
         element("td", { class: "nowrap" }, speech.moment(event.at)),
         element("td", { class: "nowrap" }, words.people[event.who] ?? event.who),
         element("td", {}, words.events[event.what] ?? event.what),
         element("td", {}, event.number === null ? "" : String(event.number)),
         element("td", { class: "detail" }, detail(event.detail)),
-      ),
+      ]),
     );
-  return element(
-    "div",
-    { class: "scroll", role: "region", "aria-label": words.title, tabindex: 0 },
-    element(
-      "table",
-      { class: "log" },
-      element(
-        "thead",
-        {},
-        element("tr", {}, ...heads.map((one) => element("th", { scope: "col" }, one))),
-      ),
-      element("tbody", {}, ...rows),
-    ),
-  );
+  const body = element("tbody", { role: "rowgroup" }, ...rows);
+  return boxed(words.title, element("table", { class: "log" }, head(heads), body));
 }
 
 function detail(given: Record<string, unknown>): string {

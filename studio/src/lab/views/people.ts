@@ -4,21 +4,18 @@ import { element } from "../../shared/dom";
 import { fill } from "../../shared/language";
 import type { Person, Progress } from "../api";
 import type { Desk, Kept, View } from "../desk";
-import { explanation, rowOf } from "./person";
+import { columns, explanation, rowOf } from "./person";
+import { boxed, head } from "./table";
 
 const CHOICES = ["everyone", "people", "simulated", "flagged"] as const;
 
 export function people(desk: Desk): View {
   const words = desk.speech.words.people;
   const choice = element("select", { id: "shown" });
-  const body = element("tbody");
+  const body = element("tbody", { role: "rowgroup" });
   const empty = element("p", { class: "soft" }, words.none);
-  const table = element("table", { class: "people" }, head(desk), body);
-  const scroll = element(
-    "div",
-    { class: "scroll", role: "region", "aria-label": words.title, tabindex: 0 },
-    table,
-  );
+  const table = element("table", { class: "people" }, head(columns(desk)), body);
+  const scroll = boxed(words.title, table);
   const note = element("p", { class: "soft" });
   const node = element(
     "div",
@@ -49,21 +46,6 @@ export function people(desk: Desk): View {
     if (last !== null) show(last);
   });
   return { node, update: show };
-}
-
-function head(desk: Desk): HTMLTableSectionElement {
-  const words = desk.speech.words.people;
-  const names = [
-    words.number,
-    words.group,
-    words.answers,
-    words.seen,
-    words.time,
-    words.flags,
-    words.actions,
-  ];
-  const cells = names.map((name) => element("th", { scope: "col" }, name));
-  return element("thead", {}, element("tr", {}, ...cells));
 }
 
 function isShown(person: Person, shown: Kept["shown"]): boolean {

@@ -5,6 +5,14 @@ import { fill } from "../../shared/language";
 import type { Flag, Person } from "../api";
 import { askBefore } from "../dialog";
 import type { Desk } from "../desk";
+import { row } from "./table";
+
+/** The names of the columns. */
+export function columns({ speech }: Desk): string[] {
+  const words = speech.words.people;
+  const { number, group, answers, seen, time, flags } = words;
+  return [number, group, answers, seen, time, flags, words.actions];
+}
 
 export function rowOf(
   desk: Desk,
@@ -19,9 +27,7 @@ export function rowOf(
     person.simulated ? "simulated" : "",
     person.erased ? "erased" : "",
   ].filter((one) => one !== "");
-  return element(
-    "tr",
-    { class: classes.join(" ") },
+  const cells = [
     element("th", { scope: "row" }, String(person.number)),
     element("td", {}, ...marks(desk, person)),
     element("td", {}, ...answered(desk, person)),
@@ -43,7 +49,8 @@ export function rowOf(
       { class: "actions" },
       ...(person.erased ? [words.erased] : actions(desk, person)),
     ),
-  );
+  ];
+  return row(columns(desk), cells, { class: classes.join(" ") });
 }
 
 /** Whether somebody is left out at their own wish, which no experimenter takes back. */
@@ -105,7 +112,7 @@ export function explanation(desk: Desk, person: Person): HTMLTableRowElement {
   });
   const label = fill(words.flags_of, { number: person.number });
   const list = element("ul", { "aria-label": label }, ...items);
-  return element("tr", { class: "why" }, element("td", { colspan: 7 }, list));
+  return row([label], [element("td", { colspan: 7 }, list)], { class: "why" });
 }
 
 function told(desk: Desk, flag: Flag): { name: string; why: string } {

@@ -6,6 +6,7 @@ import { fill, said } from "../../shared/language";
 import type { Scale } from "../api";
 import type { Desk, View } from "../desk";
 import { chart, numeral } from "./chart";
+import { boxed, head, row } from "./table";
 
 export function scale(desk: Desk): View {
   const { words } = desk.speech;
@@ -169,26 +170,16 @@ function verdict(found: Scale, words: ScaleWords): string {
 function table(found: Scale, words: ScaleWords): HTMLElement {
   const heads = [words.stimulus, words.value, words.low, words.high];
   const rows = found.stimuli.map((one) =>
-    element(
-      "tr",
-      {},
+    row(heads, [
       element("th", { scope: "row" }, one.label),
       ...[one.value, one.low, one.high].map((value) => element("td", {}, numeral(value))),
-    ),
+    ]),
   );
+  const body = element("tbody", { role: "rowgroup" }, ...rows);
   return element(
     "details",
     {},
     element("summary", {}, words.table),
-    element(
-      "table",
-      { class: "numbers" },
-      element(
-        "thead",
-        {},
-        element("tr", {}, ...heads.map((one) => element("th", { scope: "col" }, one))),
-      ),
-      element("tbody", {}, ...rows),
-    ),
+    boxed(words.table, element("table", { class: "numbers" }, head(heads), body)),
   );
 }

@@ -169,6 +169,7 @@ export const en = {
     "not-full-screen": "not full screen",
     "no-card": "screen not measured",
     "no-distance": "distance unknown",
+    distance: "impossible distance",
     "no-levels": "levels not checked",
     gamma: "unusual gamma",
     "darkest-step": "dark steps invisible",

@@ -1,6 +1,7 @@
 /** The size of a CSS pixel, by a bank card held against the screen. */
 
 import { button, element } from "../../shared/dom";
+import { mayHaveKeys } from "../keyboard";
 import { press, sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
@@ -12,12 +13,14 @@ export const CARD_MM = { width: 85.6, height: 53.98 };
 const LEAST_PX_PER_MM = 1.5;
 const MOST_PX_PER_MM = 12;
 
-/** Where the window is narrower, the card is held upright. */
+/** Where the window is narrower or lower, the card is held upright: so it fits a telephone. */
 const NARROW_PX = 640;
+const LOW_PX = 500;
 
 /** Which side of the card lies across. */
-export function across_mm(window_px: number): number {
-  return window_px < NARROW_PX ? CARD_MM.height : CARD_MM.width;
+export function across_mm(width_px: number, height_px: number): number {
+  const small = width_px < NARROW_PX || height_px < LOW_PX;
+  return small ? CARD_MM.height : CARD_MM.width;
 }
 
 /** The size of a pixel, or null without a card. */
@@ -25,15 +28,16 @@ export function cardPage(words: Words, step: string): Page<number | null> {
   return {
     name: "card",
     draw(into, done) {
-      const wide_mm = across_mm(innerWidth);
-      const drawing = new Drawing(words, wide_mm);
+      const upright = element("p", {}, words.card_upright);
+      const drawing = new Drawing(words, upright);
       const finish = () => done(drawing.px_per_mm);
       const measured = button(words.card_done, finish, { class: "main" });
       const none = button(words.card_none, () => done(null), { class: "quiet" });
-      const upright = wide_mm === CARD_MM.height ? [element("p", {}, words.card_upright)] : [];
-      const body = [element("p", {}, words.card), ...upright, drawing.slider, drawing.place];
+      const text = element("p", {}, mayHaveKeys() ? words.card : words.card_touch);
+      const body = [text, upright, drawing.place, drawing.slider];
       sheet(into, words.card_title, body, [measured, none], [step]);
-      drawing.slider.focus();
+      drawing.slider.focus({ preventScroll: true });
+      return drawing.fit();
     },
     play: (into) => press(into, "button.main"),
   };
@@ -43,38 +47,48 @@ export function cardPage(words: Words, step: string): Page<number | null> {
 class Drawing {
   readonly slider: HTMLInputElement;
   readonly place: HTMLElement;
+  px_per_mm = 96 / 25.4;
   private readonly card = element("div", { class: "card" });
+  private wide_mm = CARD_MM.width;
 
   constructor(
     words: Words,
-    private readonly wide_mm: number,
+    private readonly upright: HTMLElement,
   ) {
-    const most_px = Math.min(innerWidth - 48, wide_mm * MOST_PX_PER_MM);
-    this.slider = element("input", {
-      type: "range",
-      "aria-label": words.card_slider,
-      min: wide_mm * LEAST_PX_PER_MM,
-      max: most_px,
-      step: 0.5,
-    });
-    this.slider.value = String((wide_mm * 96) / 25.4);
-    this.slider.addEventListener("input", () => this.draw());
+    this.slider = element("input", { type: "range", "aria-label": words.card_slider, step: 0.5 });
+    this.slider.addEventListener("input", () => this.measure());
     const handle = element("span", { class: "handle", "aria-hidden": "true" });
     handle.addEventListener("pointerdown", (event) => this.drag(event, handle));
     this.card.append(element("span", { class: "chip" }), handle);
     this.place = element("div", { class: "card-place" }, this.card);
-    this.draw();
   }
 
-  get px_per_mm(): number {
-    return Number(this.slider.value) / this.wide_mm;
+  /** Follow the room that there is for the drawing; what it returns ends that. */
+  fit(): () => void {
+    const turn = () => {
+      this.wide_mm = across_mm(innerWidth, innerHeight);
+      this.upright.hidden = this.wide_mm === CARD_MM.width;
+      const most_px = Math.min(this.place.clientWidth - 24, this.wide_mm * MOST_PX_PER_MM);
+      this.slider.min = String(this.wide_mm * LEAST_PX_PER_MM);
+      this.slider.max = String(most_px);
+      this.slider.value = String(this.wide_mm * this.px_per_mm);
+      this.measure();
+    };
+    const room = new ResizeObserver(turn);
+    room.observe(this.place);
+    turn();
+    return () => room.disconnect();
   }
 
-  private draw(): void {
+  private measure(): void {
+    this.px_per_mm = Number(this.slider.value) / this.wide_mm;
     const high_mm = CARD_MM.width + CARD_MM.height - this.wide_mm;
     this.card.style.width = `${this.px_per_mm * this.wide_mm}px`;
     this.card.style.height = `${this.px_per_mm * high_mm}px`;
     this.card.style.borderRadius = `${this.px_per_mm * 3.18}px`;
+    // Of a card that is higher than the room, the upper end is out of sight, never the corner.
+    const cut = this.card.offsetHeight + 24 > this.place.clientHeight;
+    this.place.classList.toggle("cut", cut);
   }
 
   private drag(down: PointerEvent, handle: HTMLElement): void {
@@ -83,7 +97,7 @@ class Drawing {
     const from_px = Number(this.slider.value);
     const move = (event: PointerEvent) => {
       this.slider.value = String(from_px + event.clientX - down.clientX);
-      this.draw();
+      this.measure();
     };
     handle.addEventListener("pointermove", move);
     const end = () => handle.removeEventListener("pointermove", move);

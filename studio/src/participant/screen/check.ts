@@ -1,7 +1,7 @@
 /** The screen check, from the window to the eyes, as the study's rules want it. */
 
 import { fill } from "../../shared/language";
-import type { Picture, ScreenRules } from "../api";
+import type { Picture, ScreenRules, Study } from "../api";
 import { reading } from "../sheet";
 import type { Stage } from "../stage";
 import type { Words } from "../words/words";
@@ -36,15 +36,19 @@ export function stepsOf(
 
 export class ScreenCheck {
   private readonly steps: Step[];
+  private readonly rules: ScreenRules;
+  private readonly grey: number;
 
   constructor(
     private readonly stage: Stage,
     private readonly words: Words,
-    private readonly rules: ScreenRules,
+    study: Pick<Study, "screen" | "background_code">,
     private readonly seed: number,
     private readonly pictures: readonly Picture[],
   ) {
-    this.steps = stepsOf(rules, canFill());
+    this.rules = study.screen;
+    this.grey = study.background_code;
+    this.steps = stepsOf(this.rules, canFill());
   }
 
   /** Go through all steps. */
@@ -79,10 +83,12 @@ export class ScreenCheck {
   private async distance(px_per_mm: number | null): Promise<Distance> {
     const title = this.title("distance");
     if (px_per_mm !== null && wideEnough(innerWidth, px_per_mm)) {
-      const tries_mm = await this.stage.show(blindSpotPage(this.words, title, px_per_mm));
+      const tries_mm = await this.stage.show(
+        blindSpotPage(this.words, title, px_per_mm, this.rules),
+      );
       if (tries_mm !== null) return { distance_mm: median(tries_mm), by: "blind-spot", tries_mm };
     }
-    const typed_mm = await this.stage.show(typedPage(this.words, title));
+    const typed_mm = await this.stage.show(typedPage(this.words, title, this.rules));
     return { distance_mm: typed_mm, by: typed_mm === null ? "none" : "typed", tries_mm: [] };
   }
 
@@ -97,7 +103,8 @@ export class ScreenCheck {
     const { stage, words, seed } = this;
     const found: ScreenContent["vision"] = {};
     if (this.asks("contrast")) {
-      found.contrast = await stage.show(contrastPage(words, this.title("contrast"), seed, gamma));
+      const title = this.title("contrast");
+      found.contrast = await stage.show(contrastPage(words, title, seed, gamma, this.grey));
     }
     if (this.asks("colour")) {
       found.colour = await stage.show(colourPage(words, this.title("colour"), seed));

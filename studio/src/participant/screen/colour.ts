@@ -2,6 +2,7 @@
 
 import { button, element } from "../../shared/dom";
 import { fill } from "../../shared/language";
+import { mayHaveKeys } from "../keyboard";
 import { sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
@@ -23,7 +24,7 @@ export function colourPage(words: Words, step: string, seed: number): Page<Share
       const none = button(words.colour_none, () => take(null), { class: "none" });
       const choices = element("div", { class: "digits" }, ...digits, none);
       const body = [
-        element("p", {}, words.colour),
+        element("p", {}, mayHaveKeys() ? words.colour : words.colour_touch),
         element("p", { class: "soft" }, words.no_medical),
         element("div", { class: "plates" }, place, choices),
         count,

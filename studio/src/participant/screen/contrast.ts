@@ -2,6 +2,7 @@
 
 import { button, element } from "../../shared/dom";
 import { fill } from "../../shared/language";
+import { mayHaveKeys } from "../keyboard";
 import { sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
@@ -12,7 +13,6 @@ import { listen, Series } from "./series";
 /** How much darker than the grey around it a ring is, as a share of its luminance (Weber). */
 export const CONTRASTS = [0.5, 0.25, 0.25, 0.12, 0.12, 0.06, 0.06, 0.04, 0.04, 0.04] as const;
 
-const SURROUND = 119;
 const SIDE_PX = 220;
 /** Landolt's proportions: stroke and gap are a fifth of the ring. */
 const STROKE = 1 / 5;
@@ -26,13 +26,19 @@ const KEYS: Record<string, Gap> = {
   ArrowLeft: "left",
 };
 
-/** The grey code of a ring, on a screen that is the power `gamma`; at least one step off. */
-export function codeOf(contrast: number, gamma: number): number {
-  const code = SURROUND * (1 - contrast) ** (1 / gamma);
-  return Math.min(SURROUND - 1, Math.round(code));
+/** The grey code of a ring on `grey`, on a screen that is the power `gamma`; at least one off. */
+export function codeOf(contrast: number, gamma: number, grey: number): number {
+  const code = grey * (1 - contrast) ** (1 / gamma);
+  return Math.min(grey - 1, Math.round(code));
 }
 
-export function contrastPage(words: Words, step: string, seed: number, gamma: number): Page<Share> {
+export function contrastPage(
+  words: Words,
+  step: string,
+  seed: number,
+  gamma: number,
+  grey: number,
+): Page<Share> {
   const next = chance(seed);
   const gaps = CONTRASTS.map(() => oneOf(GAPS, next));
   return {
@@ -44,14 +50,14 @@ export function contrastPage(words: Words, step: string, seed: number, gamma: nu
       const take = (gap: Gap) => rings.take(gap);
       const choices = GAPS.map((gap) => button(words[gap], () => take(gap), { class: gap }));
       const body = [
-        element("p", {}, words.contrast),
+        element("p", {}, mayHaveKeys() ? words.contrast : words.contrast_touch),
         element("p", { class: "soft" }, words.no_medical),
         element("div", { class: "rings" }, canvas, ...choices),
         count,
       ];
       sheet(into, words.contrast_title, body, [], [step]);
       const show = (at: number) => {
-        draw(canvas, gaps[at] ?? "up", codeOf(CONTRASTS[at] ?? 1, gamma));
+        draw(canvas, gaps[at] ?? "up", codeOf(CONTRASTS[at] ?? 1, gamma, grey), grey);
         count.textContent = fill(words.contrast_of, { n: at + 1, all: gaps.length });
       };
       const rings = new Series(gaps, show, done);
@@ -63,12 +69,12 @@ export function contrastPage(words: Words, step: string, seed: number, gamma: nu
   };
 }
 
-function draw(canvas: HTMLCanvasElement, gap: Gap, code: number): void {
+function draw(canvas: HTMLCanvasElement, gap: Gap, code: number, grey: number): void {
   const side = Math.round(SIDE_PX * devicePixelRatio);
   canvas.width = canvas.height = side;
   const pen = canvas.getContext("2d");
   if (pen === null) return;
-  pen.fillStyle = `rgb(${SURROUND} ${SURROUND} ${SURROUND})`;
+  pen.fillStyle = `rgb(${grey} ${grey} ${grey})`;
   pen.fillRect(0, 0, side, side);
   const outer = side * 0.42;
   const stroke = 2 * outer * STROKE;

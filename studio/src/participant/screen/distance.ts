@@ -2,6 +2,8 @@
 
 import { button, element } from "../../shared/dom";
 import { fill } from "../../shared/language";
+import type { ScreenRules } from "../api";
+import { mayHaveKeys } from "../keyboard";
 import { press, sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
@@ -38,19 +40,30 @@ export function wideEnough(window_px: number, px_per_mm: number): boolean {
   return distance_mm((window_px - 2 * MARGIN_PX) / px_per_mm) > NEAREST_MM;
 }
 
+type Limits = Pick<ScreenRules, "least_distance_mm" | "most_distance_mm">;
+
+/** Whether somebody can sit so far away, by the study's rules; where not, they are asked again. */
+export function plausible(found_mm: number, limits: Limits): boolean {
+  return limits.least_distance_mm <= found_mm && found_mm <= limits.most_distance_mm;
+}
+
 /** The test; ends with null where somebody would rather type. */
 export function blindSpotPage(
   words: Words,
   step: string,
   px_per_mm: number,
+  limits: Limits,
 ): Page<number[] | null> {
   return {
     name: "blind-spot",
     draw(into, done) {
       const tries_mm: number[] = [];
+      let doubted = false;
       const count = element("p", { class: "now", role: "status" });
       const tell = (told: string) => {
-        count.textContent = fill(told, { n: tries_mm.length + 1, all: TRIES });
+        const cm = Math.round(median(tries_mm) / 10);
+        if (told === words.distance_again) tries_mm.length = 0;
+        count.textContent = fill(told, { n: tries_mm.length + 1, all: TRIES, cm });
         go.textContent = words.distance_start;
       };
       const track = new Track(px_per_mm, () => tell(words.distance_missed));
@@ -61,12 +74,15 @@ export function blindSpotPage(
           return;
         }
         tries_mm.push(distance_mm(track.stop()));
-        if (tries_mm.length === TRIES) done(tries_mm);
-        else tell(words.distance_try);
+        if (tries_mm.length < TRIES) return tell(words.distance_try);
+        if (doubted || plausible(median(tries_mm), limits)) return done(tries_mm);
+        doubted = true;
+        tell(words.distance_again);
       };
       const go = button("", next, { class: "main" });
       const typed = button(words.distance_type, () => done(null), { class: "quiet" });
-      const body = [element("p", {}, words.distance), track.root, count];
+      const text = mayHaveKeys() ? words.distance : words.distance_touch;
+      const body = [element("p", {}, text), track.root, count];
       sheet(into, words.distance_title, body, [go, typed], [step]);
       tell(words.distance_try);
       go.focus();
@@ -76,7 +92,7 @@ export function blindSpotPage(
   };
 }
 
-export function typedPage(words: Words, step: string): Page<number | null> {
+export function typedPage(words: Words, step: string, limits: Limits): Page<number | null> {
   return {
     name: "distance",
     draw(into, done) {
@@ -89,10 +105,16 @@ export function typedPage(words: Words, step: string): Page<number | null> {
         "aria-describedby": "missing",
       });
       const missing = element("p", { class: "missing", id: "missing", role: "alert" });
+      let doubted_cm = NaN;
       const take = () => {
         const typed_cm = field.valueAsNumber;
-        if (typed_cm >= 10 && typed_cm <= 300) return done(typed_cm * 10);
-        missing.textContent = words.distance_range;
+        const possible = typed_cm >= 10 && typed_cm <= 300;
+        const sure = typed_cm === doubted_cm || plausible(10 * typed_cm, limits);
+        if (possible && sure) return done(typed_cm * 10);
+        doubted_cm = typed_cm;
+        missing.textContent = fill(possible ? words.distance_sure : words.distance_range, {
+          cm: typed_cm,
+        });
         field.focus();
       };
       field.addEventListener("keydown", (event) => event.key === "Enter" && take());

@@ -1,6 +1,7 @@
 /** Full screen, which a browser enters only by a participant's own press. */
 
 import { button, element } from "../../shared/dom";
+import { mayHaveKeys } from "../keyboard";
 import { press, sheet } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
@@ -23,7 +24,10 @@ export function fullPage(words: Words, step: string): Page<null> {
         class: "main",
       });
       const without = button(words.full_without, () => done(null), { class: "quiet" });
-      const text = [element("p", {}, words.full), element("p", {}, words.full_leave)];
+      const text = [
+        element("p", {}, words.full),
+        element("p", {}, mayHaveKeys() ? words.full_leave : words.full_leave_touch),
+      ];
       sheet(into, words.full_title, text, [enter, without], [step]);
     },
     play: (into) => press(into, "button.quiet"),

@@ -19,9 +19,10 @@ export class Kept {
     return new Kept(await openDatabase().catch(() => null));
   }
 
-  async token(study: string): Promise<string | null> {
+  /** The token that was kept under a name (`placesOf`). */
+  async token(place: string): Promise<string | null> {
     if (this.database === null) return null;
-    const token: unknown = await read(this.database, "tokens", (store) => store.get(study));
+    const token: unknown = await read(this.database, "tokens", (store) => store.get(place));
     return typeof token === "string" ? token : null;
   }
 
@@ -29,17 +30,21 @@ export class Kept {
    * Keep the token before it is used, and take it out of the address: an address is shown, saved
    * and sent on. Where nothing is kept, the address is the only place that a reload can find.
    */
-  async keepToken(study: string, token: string): Promise<void> {
+  async keepToken(places: string[], token: string): Promise<void> {
     const { database } = this;
-    if (database !== null) await write(database, "tokens", (store) => store.put(token, study));
+    for (const one of places) {
+      if (database !== null) await write(database, "tokens", (store) => store.put(token, one));
+    }
     const place = location.pathname + location.search;
     history.replaceState(null, "", database === null ? `${place}#${token}` : place);
   }
 
   /** Forget it, so that another person can begin here; the answers given so far stay. */
-  async forgetToken(study: string): Promise<void> {
+  async forgetToken(places: string[]): Promise<void> {
     const { database } = this;
-    if (database !== null) await write(database, "tokens", (store) => store.delete(study));
+    for (const one of places) {
+      if (database !== null) await write(database, "tokens", (store) => store.delete(one));
+    }
     history.replaceState(null, "", location.pathname + location.search);
   }
 

@@ -44,6 +44,7 @@ export const en = {
   full_title: "Full screen",
   full: "The pictures are best seen with nothing around them.",
   full_leave: "The key Esc brings you back at any time.",
+  full_leave_touch: "You can leave it at any time; your browser shows how.",
   full_enter: "Go to full screen",
   full_without: "Go on without",
 
@@ -51,7 +52,10 @@ export const en = {
   card:
     "Hold a bank card, or any card of that size, against the screen. Make the drawing exactly as " +
     "large: drag its corner, move the slider, or use the arrow keys.",
-  card_upright: "Hold the card upright.",
+  card_touch:
+    "Hold a bank card, or any card of that size, against the screen. Make the drawing exactly as " +
+    "large: drag its corner or move the slider.",
+  card_upright: "Hold the card upright, its lower corner on that of the drawing.",
   card_slider: "Size of the drawing",
   card_done: "It is as large as the card",
   card_none: "I have no card at hand",
@@ -61,6 +65,15 @@ export const en = {
     "Close your right eye, or cover it with your hand. With the left eye look at the square " +
     "all the time. A dot moves away from it to the left; at some place it vanishes. Press the button or the " +
     "space bar at the moment it does.",
+  distance_touch:
+    "Close your right eye, or cover it with your hand. With the left eye look at the square " +
+    "all the time. A dot moves away from it to the left; at some place it vanishes. Touch the button " +
+    "at the moment it does.",
+  distance_again:
+    "That would be {cm} cm from your eyes to the screen, which can hardly be. Please do it once more, " +
+    "with the left eye on the square all the time. Try {n} of {all}",
+  distance_sure:
+    "{cm} cm can hardly be. Please change it, or press the button again if it is right.",
   distance_try: "Try {n} of {all}",
   distance_start: "Start the dot",
   distance_gone: "It vanished now",
@@ -89,6 +102,9 @@ export const en = {
   contrast:
     "You will see a ring with a gap, fainter each time. Say where the gap is: press an arrow key or a " +
     "button. If you cannot see it, guess.",
+  contrast_touch:
+    "You will see a ring with a gap, fainter each time. Say where the gap is by a button. " +
+    "If you cannot see it, guess.",
   no_medical: "This is no medical test. It says nothing certain about your eyes.",
   contrast_question: "Where is the gap?",
   contrast_of: "Ring {n} of {all}",
@@ -101,19 +117,29 @@ export const en = {
   colour:
     "You will see discs made of dots. In some there is a digit in another colour. Say which: press " +
     "its key or a button. If you see none, say so.",
+  colour_touch:
+    "You will see discs made of dots. In some there is a digit in another colour. Say which by a " +
+    "button. If you see none, say so.",
   colour_question: "Which digit do you see?",
   colour_of: "Disc {n} of {all}",
   colour_none: "None",
 
   instructions_title: "What to do",
-  instructions_keys: "Keys: ← for the left picture, → for the right picture.",
-  instructions_ties: "↓ or = where you see no difference.",
+  instructions_keys:
+    "Click the picture that you choose, or press ← for the left one and → for the right one.",
+  instructions_ties: "Where you see no difference, press ↓ or =, or the button below the pictures.",
+  instructions_touch: "Touch the picture that you choose.",
+  instructions_touch_ties: "Touch “{tie}” below the pictures where you see none.",
   instructions_training: "First come {n} pairs for practice.",
   instructions_begin: "Begin practice",
   training_over_title: "That was the practice",
   training_over: "Now it begins. From here on your answers count: {n} pairs.",
   resumed_title: "Welcome back",
   resumed: "Your answers so far are kept. You go on with pair {n} of {all}.",
+  resumed_training:
+    "Your answers so far are kept. You go on with the practice, pair {n} of {all} there.",
+  adapt_text: "Please look at this grey until the next pair comes.",
+  adapt_left: "{n} s",
 
   left_picture: "Left picture",
   right_picture: "Right picture",
@@ -143,6 +169,12 @@ export const en = {
   sending: "{n} answers are still on their way. Please leave this page open.",
   thanks_title: "Thank you",
   thanks: "All answers are stored. You can close this page.",
+  thanks_stored: "All answers are stored.",
+  thanks_return: "Back to where you came from",
+  thanks_return_use:
+    "Please press the button below, so that the site from which you came knows that you have finished.",
+  thanks_code: "Give this completion code where you signed up for the study:",
+  thanks_code_too: "If it asks for a completion code, it is this one:",
   thanks_next: "Another person at this computer",
   refused_title: "This screen does not suit the study",
   refused:

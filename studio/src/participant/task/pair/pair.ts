@@ -3,6 +3,7 @@
 import "./pair.css";
 import { fill, said } from "../../../shared/language";
 import type { Trial } from "../../api";
+import { mayHaveKeys } from "../../keyboard";
 import { drawn, pxPerMm, shrinkage } from "../../sizes";
 import type { Room } from "../../sizes";
 import type { Place, Setting, Task } from "../task";
@@ -16,10 +17,14 @@ export const pair: Task = {
     css_classes: ["trial-page", "pair-page"],
     ...shown(setting, trial, place),
   }),
-  instructions: (words, rules) => [
-    words.instructions_keys,
-    ...(rules.ties ? [words.instructions_ties] : []),
-  ],
+  instructions(words, rules) {
+    const keys = mayHaveKeys();
+    const tie = keys ? words.instructions_ties : fill(words.instructions_touch_ties, words);
+    return [
+      keys ? words.instructions_keys : words.instructions_touch,
+      ...(rules.ties ? [tie] : []),
+    ];
+  },
 };
 
 function shown(setting: Setting, trial: Trial, place: Place): Pair {
@@ -48,11 +53,6 @@ function wordsOf({ study, words, language }: Setting, trial: Trial, place: Place
     early: words.pair_early,
     keys: !mayHaveKeys() ? "" : study.sitting.ties ? words.pair_keys_tie : words.pair_keys,
   };
-}
-
-/** Whether there may be a keyboard. */
-function mayHaveKeys(): boolean {
-  return matchMedia("(any-hover: hover)").matches;
 }
 
 function sizes({ scale, pictures }: Setting, trial: Trial, room: Room): Sizes {

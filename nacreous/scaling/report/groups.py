@@ -1,0 +1,92 @@
+"""The groups of people that can be compared, and by name those that cannot."""
+
+from __future__ import annotations
+
+from nacreous.problem import InputError
+from nacreous.scaling.compare.estimate import estimate
+from nacreous.scaling.compare.groups import GroupComparison, compare_groups
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.clustering import require_people
+from nacreous.scaling.report.settings import Settings
+from nacreous.value import value_class
+
+__all__ = ["Groups", "LeftOut", "groups_of", "left_out_of"]
+
+
+@value_class
+class LeftOut:
+    """A group that cannot be compared.
+
+    reason: "few", of some stimulus fewer than 3 of its people judged; "unplaced", its own answers
+    do not hold every stimulus in place.
+    """
+
+    name: str
+    reason: str
+
+
+@value_class
+class Groups:
+    """What a column of groups told.
+
+    `found` is None where fewer than two groups can be compared. A group that cannot be is in
+    `left_out`, and stops neither the comparison of the others nor the rest of the report.
+    """
+
+    found: GroupComparison | None
+    left_out: tuple[LeftOut, ...]
+
+    def differ(self, level: float) -> bool | None:
+        """Whether groups were found not to share one scale; None where none were compared."""
+        return None if self.found is None else self.found.p_value < 1 - level
+
+
+def groups_of(answers: Answers, settings: Settings, with_ties: bool) -> Groups:
+    """Compare the groups of `settings.group`, a column of the answers.
+
+    with_ties: as the scale of all was fitted. Raises `InputError` where there is no such column.
+    """
+    parts = answers.split(settings.group or "")
+    left_out = left_out_of(parts, settings, with_ties)
+    unheld = {one.name for one in left_out}
+    compared = {name: part for name, part in parts.items() if name not in unheld}
+    if len(compared) < 2:
+        return Groups(None, left_out)
+    found = compare_groups(
+        compared,
+        settings.model,
+        ties=with_ties,
+        order=settings.order,
+        same_people=None if _apart(compared) else True,
+        level=settings.level,
+        seed=settings.seed,
+    )
+    return Groups(found, left_out)
+
+
+def left_out_of(
+    parts: dict[str, Answers], settings: Settings, with_ties: bool
+) -> tuple[LeftOut, ...]:
+    """Those of some groups that cannot be compared."""
+    reasons = {name: _reason(part, settings, with_ties) for name, part in parts.items()}
+    return tuple(LeftOut(name, why) for name, why in reasons.items() if why is not None)
+
+
+def _reason(part: Answers, settings: Settings, with_ties: bool) -> str | None:
+    """Why a group cannot be compared; None where it can."""
+    try:
+        if part.person is not None:
+            require_people(part)
+    except InputError:
+        return "few"
+    try:
+        estimate(part, settings.model, ties=with_ties, order=settings.order)
+    except InputError:
+        return "unplaced"
+    return None
+
+
+def _apart(parts: dict[str, Answers]) -> bool:
+    """Whether nobody is in two groups. Within one file a label is one person."""
+    people = [label for part in parts.values() for label in part.people]
+    return len(people) == len(set(people))

@@ -1,0 +1,194 @@
+"""A telephone in the hand: the card's corner in sight, and no word of keys that are not there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.pages.browser import WHOLE, Participant, frozen, guarded, stored
+from tests.pages.page_pictures import screen
+from tests.support.server_process import Served, served
+
+KEYS = re.compile(r"\b(keys?|Esc|space bar|arrows?)\b|キー|Esc|[←→↓]")
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    study = WHOLE.replace(', ja = "一つを選んでください。"', ', ja = "一つを選びます。"')
+    study = study.replace("Choose one by touch, click or key.", "Choose one.")
+    with served(frozen(study, tmp_path_factory.mktemp("phone") / "study")) as made:
+        yield made
+
+
+def phone(width: int, height: int) -> dict[str, Any]:
+    view = {"width": width, "height": height}
+    return {"viewport": view, "has_touch": True, "is_mobile": True}
+
+
+def to_the_screen(person: Participant, language: str) -> None:
+    person.agree(language)
+    person.at("groups")
+    person.page.click("label >> nth=0")
+    person.go("groups")
+    person.go("notes")
+
+
+def to_the_card(person: Participant, language: str) -> None:
+    to_the_screen(person, language)
+    person.go("screen")
+    person.at("full")
+    person.page.click("button.quiet")
+    person.until(".page-window, .page-card")
+    if person.page.query_selector(".page-window"):
+        person.page.click(".actions button")
+    person.at("card")
+
+
+SIZES = [(390, 844), (360, 640), (844, 390), (1280, 800)]
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_corner_of_the_card_and_its_controls_are_in_sight_at_every_size(
+    browser: Browser, server: Served, language: str
+) -> None:
+    """Without scrolling, from the least drawing to the greatest, which a telephone's card needs."""
+    with guarded(browser, server.url, **phone(*SIZES[0])) as guard:
+        person = guard.open()
+        to_the_card(person, language)
+        for width, height in SIZES:
+            person.page.set_viewport_size({"width": width, "height": height})
+            person.page.wait_for_timeout(200)
+            assert person.page.evaluate("document.documentElement.scrollWidth") <= width
+            least, most = (
+                float(person.page.get_attribute("input", name) or 0) for name in ("min", "max")
+            )
+            for value in (least, (least + most) / 2, most):
+                slide(person, value)
+                assert_in_sight(person, width, height)
+            short_mm = 53.98 if width < 640 or height < 500 else 85.6
+            assert most / short_mm > 5.7  # CSS pixels a millimetre of most telephones
+
+
+def slide(person: Participant, value: float) -> None:
+    person.page.eval_on_selector(
+        "input[type=range]",
+        "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input')); }",
+        str(value),
+    )
+
+
+def assert_in_sight(person: Participant, width: int, height: int) -> None:
+    """Inside the window, and under nothing else."""
+    for part in (".handle", "input[type=range]", "button.main", "button.quiet"):
+        box = person.page.locator(part).bounding_box()
+        assert box is not None
+        inside = box["x"] >= 0 and box["x"] + box["width"] <= width + 0.5
+        inside = inside and box["y"] >= 0 and box["y"] + box["height"] <= height + 0.5
+        assert inside, f"{part} is at {box} in {width} x {height}"
+        middle = [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]
+        reached = "([x, y, at]) => document.elementFromPoint(x, y)?.closest(at) !== null"
+        assert person.page.evaluate(reached, [*middle, part]), f"{part} is covered"
+
+
+def test_the_card_keeps_its_size_when_the_telephone_is_turned(
+    browser: Browser, server: Served
+) -> None:
+    with guarded(browser, server.url, **phone(390, 844)) as guard:
+        person = guard.open()
+        to_the_card(person, "en")
+        slide(person, 324)
+        before = person.page.locator(".card").bounding_box()
+        person.page.set_viewport_size({"width": 844, "height": 390})
+        person.page.wait_for_timeout(200)
+        after = person.page.locator(".card").bounding_box()
+        assert before is not None
+        assert after is not None
+        assert after["width"] == pytest.approx(before["width"], abs=0.5)
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_no_page_speaks_of_keys_where_there_are_none(
+    browser: Browser, server: Served, language: str
+) -> None:
+    said: dict[str, list[str]] = {}
+    with guarded(browser, server.url, **phone(390, 844)) as guard:
+        person = guard.open()
+
+        def seen(name: str) -> None:
+            said[name] = [found[0] for found in KEYS.finditer(person.page.inner_text("main"))]
+            assert person.page.evaluate("document.documentElement.scrollWidth") <= 390, name
+
+        person.seen = seen
+        to_the_screen(person, language)
+        screen(person)
+        person.trials(lambda trial: "left")
+    assert {"full", "card", "blind-spot", "contrast", "colour", "pair"} <= set(said)
+    assert {name: words for name, words in said.items() if words} == {}
+
+
+def test_keys_are_spoken_of_where_they_may_be(browser: Browser, server: Served) -> None:
+    with guarded(browser, server.url) as guard:
+        person = guard.open()
+        to_the_screen(person, "en")
+        person.go("screen")
+        person.at("full")
+        assert "Esc" in person.page.inner_text("main")
+
+
+def follow(person: Participant, wait_ms: int) -> None:
+    for _ in range(3):
+        person.page.click("button.main")
+        person.page.wait_for_timeout(wait_ms)
+        person.page.click("button.main")
+
+
+@pytest.mark.parametrize("settled", [True, False])
+def test_a_distance_at_which_nobody_sits_is_asked_for_again_and_then_marked(
+    browser: Browser, tmp_path: Path, settled: bool
+) -> None:
+    """The dot stopped at once means 13 cm; somebody who does it again keeps the mark."""
+    study = WHOLE.replace(", least_distance_mm = 100", "").replace('["contrast", "colour"]', "[]")
+    folder = frozen(study, tmp_path / "study")
+    with served(folder) as server, guarded(browser, server.url) as guard:
+        person = guard.open()
+        to_the_screen(person, "en")
+        person.go("screen")
+        person.go("full")
+        person.go("card")
+        person.at("blind-spot")
+        follow(person, 100)
+        assert re.search(r"1\d cm .* can hardly be", person.page.inner_text(".now"))
+        assert person.page.query_selector(".page-blind-spot") is not None
+        follow(person, 1400 if settled else 100)
+        person.go("gamma")
+        person.at("dark")
+        person.page.click(".patches button >> nth=2")
+        person.at("instructions")
+    checked = stored(folder)[0].screen
+    assert checked is not None
+    assert ("distance" in checked["flags"]) is not settled
+    assert len(checked["distance_tries_mm"]) == 3
+
+
+def test_a_typed_distance_at_which_nobody_sits_is_asked_for_again(
+    browser: Browser, server: Served
+) -> None:
+    with guarded(browser, server.url) as guard:
+        person = guard.open()
+        to_the_screen(person, "en")
+        person.go("screen")
+        person.go("full")
+        person.go("card")
+        person.at("blind-spot")
+        person.page.click("button.quiet")
+        person.at("distance")
+        person.page.fill("#distance", "290")
+        person.page.click("button.main")
+        assert "290 cm can hardly be" in person.page.inner_text(".missing")
+        person.page.click("button.main")
+        person.at("gamma")
