@@ -23,7 +23,7 @@ from nacreous.study.store import Progress, export
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
 
-_ANSWERS = "answers.csv"
+_TABLE = "table.csv"
 _PIECE_BYTES = 2**18
 
 Question = Annotated[str, Query(max_length=40)]
@@ -100,19 +100,34 @@ async def report(
     responses={200: {"content": {"text/csv": {}}}},
     openapi_extra=READS,
 )
-async def answers(request: Request, _who: Who) -> Response:
-    """All answers, the excluded, simulated and erased ones marked."""
-    service = service_of(request)
-    folder = await run_in_threadpool(_exported, service)
-    named = _named(_ANSWERS)
+async def answers(request: Request, _who: Who, bom: bool = False) -> Response:
+    """All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it."""
+    return await _csv(service_of(request), "answers", bom)
+
+
+@router.get(
+    "/people.csv",
+    response_class=Response,
+    responses={200: {"content": {"text/csv": {}}}},
+    openapi_extra=READS,
+)
+async def people(request: Request, _who: Who, bom: bool = False) -> Response:
+    """Everyone who has entered, with their flags, also who never answered."""
+    return await _csv(service_of(request), "people", bom)
+
+
+async def _csv(service: Service, table: str, bom: bool) -> Response:
+    folder = await run_in_threadpool(_exported, service, table, bom)
+    named = _named(f"{table}.csv")
     return StreamingResponse(_pieces(folder), media_type="text/csv", headers=named)
 
 
-def _exported(service: Service) -> TemporaryDirectory[str]:
-    """A folder with all answers, whole before the first byte is sent."""
+def _exported(service: Service, table: str, bom: bool) -> TemporaryDirectory[str]:
+    """A folder with the table, whole before the first byte is sent."""
     folder = TemporaryDirectory()
     try:
-        export(service.store, service.running.study, Path(folder.name) / _ANSWERS)
+        path = Path(folder.name) / _TABLE
+        export(service.store, service.running.study, path, table=table, bom=bom)
     except BaseException:
         folder.cleanup()
         raise
@@ -121,7 +136,7 @@ def _exported(service: Service) -> TemporaryDirectory[str]:
 
 def _pieces(folder: TemporaryDirectory[str]) -> Iterator[bytes]:
     """The file piece by piece; then the folder goes, also where nobody takes the rest."""
-    with folder, (Path(folder.name) / _ANSWERS).open("rb") as stream:
+    with folder, (Path(folder.name) / _TABLE).open("rb") as stream:
         while piece := stream.read(_PIECE_BYTES):
             yield piece
 

@@ -12,11 +12,16 @@ from nacreous.study.store import PersonProgress, Progress
 
 
 class People:
-    """Makes lines of the experimenters' table; `trials`: how many each sitting of the study has."""
+    """Makes lines of the experimenters' table; `trials`: how many each sitting of the study has.
+
+    A person's line counts as their own pages do: without practice, which comes first.
+    """
 
     def __init__(self, running: Running) -> None:
         self._running = running
-        self.trials = len(trials(running.frozen.design, 0))
+        plan = trials(running.frozen.design, 0)
+        self.trials = len(plan)
+        self._practice = sum(trial.kind == "training" for trial in plan)
 
     def told(self, progress: Progress, flags: Mapping[int, Sequence[Any]]) -> list[PersonTold]:
         """A line for everyone who has entered. Reads the store: for threads alone."""
@@ -32,8 +37,8 @@ class People:
             number=session.number,
             language=session.language,
             groups=dict(session.groups),
-            answers=person.answers,
-            trials=0 if session.erased_at is not None else self.trials,
+            answers=max(0, person.answers - self._practice),
+            trials=0 if session.erased_at is not None else self.trials - self._practice,
             started_at=session.started_at,
             last_at=person.last_at,
             finished=session.finished_at is not None,

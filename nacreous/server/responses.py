@@ -143,7 +143,7 @@ class FlagTold(BaseModel):
 
 
 class PersonTold(BaseModel):
-    """How far one participant is. Of an erased one `trials` is 0."""
+    """How far one participant is, practice aside. Of an erased one `trials` is 0."""
 
     number: int
     language: Language | None

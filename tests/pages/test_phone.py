@@ -4,25 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
 
-from tests.pages.browser import WHOLE, Participant, frozen, guarded, stored
+from tests.pages.browser import PAIR, WHOLE, Participant, Site, frozen
 from tests.pages.page_pictures import screen
-from tests.support.server_process import Served, served
+from tests.support.server_process import served
 
 KEYS = re.compile(r"\b(keys?|Esc|space bar|arrows?)\b|キー|Esc|[←→↓]")
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    study = WHOLE.replace(', ja = "一つを選んでください。"', ', ja = "一つを選びます。"')
-    study = study.replace("Choose one by touch, click or key.", "Choose one.")
-    with served(frozen(study, tmp_path_factory.mktemp("phone") / "study")) as made:
-        yield made
+def site(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+    """The whole study; its own words say nothing of keys, and the usual distances pass."""
+    study = WHOLE.replace("Choose one by touch, click or key.", "Choose one.")
+    study = study.replace(", least_distance_mm = 100", "")
+    folder = frozen(study, tmp_path_factory.mktemp("phone") / "study")
+    with served(folder) as server:
+        yield Site(folder, server.url, browser)
 
 
 def phone(width: int, height: int) -> dict[str, Any]:
@@ -54,10 +55,10 @@ SIZES = [(390, 844), (360, 640), (844, 390), (1280, 800)]
 
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_the_corner_of_the_card_and_its_controls_are_in_sight_at_every_size(
-    browser: Browser, server: Served, language: str
+    site: Site, language: str
 ) -> None:
     """Without scrolling, from the least drawing to the greatest, which a telephone's card needs."""
-    with guarded(browser, server.url, **phone(*SIZES[0])) as guard:
+    with site.visited(**phone(*SIZES[0])) as guard:
         person = guard.open()
         to_the_card(person, language)
         for width, height in SIZES:
@@ -95,10 +96,8 @@ def assert_in_sight(person: Participant, width: int, height: int) -> None:
         assert person.page.evaluate(reached, [*middle, part]), f"{part} is covered"
 
 
-def test_the_card_keeps_its_size_when_the_telephone_is_turned(
-    browser: Browser, server: Served
-) -> None:
-    with guarded(browser, server.url, **phone(390, 844)) as guard:
+def test_the_card_keeps_its_size_when_the_telephone_is_turned(site: Site) -> None:
+    with site.visited(**phone(390, 844)) as guard:
         person = guard.open()
         to_the_card(person, "en")
         slide(person, 324)
@@ -112,11 +111,9 @@ def test_the_card_keeps_its_size_when_the_telephone_is_turned(
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])
-def test_no_page_speaks_of_keys_where_there_are_none(
-    browser: Browser, server: Served, language: str
-) -> None:
+def test_no_page_speaks_of_keys_where_there_are_none(site: Site, language: str) -> None:
     said: dict[str, list[str]] = {}
-    with guarded(browser, server.url, **phone(390, 844)) as guard:
+    with site.visited(**phone(390, 844)) as guard:
         person = guard.open()
 
         def seen(name: str) -> None:
@@ -126,13 +123,16 @@ def test_no_page_speaks_of_keys_where_there_are_none(
         person.seen = seen
         to_the_screen(person, language)
         screen(person)
-        person.trials(lambda trial: "left")
+        person.at("instructions")
+        person.go("instructions")
+        person.until(PAIR)
+        seen("pair")
     assert {"full", "card", "blind-spot", "contrast", "colour", "pair"} <= set(said)
     assert {name: words for name, words in said.items() if words} == {}
 
 
-def test_keys_are_spoken_of_where_they_may_be(browser: Browser, server: Served) -> None:
-    with guarded(browser, server.url) as guard:
+def test_keys_are_spoken_of_where_they_may_be(site: Site) -> None:
+    with site.visited() as guard:
         person = guard.open()
         to_the_screen(person, "en")
         person.go("screen")
@@ -149,12 +149,10 @@ def follow(person: Participant, wait_ms: int) -> None:
 
 @pytest.mark.parametrize("settled", [True, False])
 def test_a_distance_at_which_nobody_sits_is_asked_for_again_and_then_marked(
-    browser: Browser, tmp_path: Path, settled: bool
+    site: Site, settled: bool
 ) -> None:
     """The dot stopped at once means 13 cm; somebody who does it again keeps the mark."""
-    study = WHOLE.replace(", least_distance_mm = 100", "").replace('["contrast", "colour"]', "[]")
-    folder = frozen(study, tmp_path / "study")
-    with served(folder) as server, guarded(browser, server.url) as guard:
+    with site.visited() as guard:
         person = guard.open()
         to_the_screen(person, "en")
         person.go("screen")
@@ -168,17 +166,21 @@ def test_a_distance_at_which_nobody_sits_is_asked_for_again_and_then_marked(
         person.go("gamma")
         person.at("dark")
         person.page.click(".patches button >> nth=2")
+        person.at("contrast")
+        for _ in range(10):
+            person.page.click(".rings .up")
+        person.at("colour")
+        for _ in range(7):
+            person.page.click(".digits .none")
         person.at("instructions")
-    checked = stored(folder)[0].screen
+    checked = site.stored()[0].screen
     assert checked is not None
     assert ("distance" in checked["flags"]) is not settled
     assert len(checked["distance_tries_mm"]) == 3
 
 
-def test_a_typed_distance_at_which_nobody_sits_is_asked_for_again(
-    browser: Browser, server: Served
-) -> None:
-    with guarded(browser, server.url) as guard:
+def test_a_typed_distance_at_which_nobody_sits_is_asked_for_again(site: Site) -> None:
+    with site.visited() as guard:
         person = guard.open()
         to_the_screen(person, "en")
         person.go("screen")

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import subprocess
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
 
+from nacreous.scaling.report.translation import texts
 from nacreous.study.results import report
+from nacreous.study.running.screen_check import ScreenCheck
+from nacreous.study.running.screening import ScreenFlag
 from nacreous.study.store import Store
 from tests.support.documentation import COMMAND
 from tests.support.gathering import by_scale, frozen_study, opened, take_part
@@ -43,6 +47,36 @@ def test_the_page_is_in_the_language_and_says_that_it_is_simulated(
     page = output.read_text(encoding="utf-8")
     assert f'<html lang="{language}">' in page
     assert titled in page[: page.index("</title>")]
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("en", "viewing distance out of range (1 person)"), ("ja", "観察距離が範囲外（1人）")],
+)
+def test_the_page_says_what_fell_short_of_the_screens(
+    tmp_path: Path, language: str, said: str
+) -> None:
+    frozen = frozen_study(tmp_path, "abc", screen={"levels": False})
+    random = np.random.default_rng(8)
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        for _ in range(12):
+            take_part(running, by_scale({"a": 0.5, "b": 0.0, "c": -0.5}, random))
+        first, *_, excluded = store.sessions(running.study)
+        near = ScreenCheck(
+            window={"width_px": 1600, "height_px": 900},
+            full_screen=True,
+            card={"px_per_mm": 4.0},
+            distance_mm=90,
+        )
+        for session in (first, excluded):
+            running.screen(session, near)
+        running.store.exclude(excluded.id, "a test", "test")
+        page = report(running, "deeper", language)
+        assert said in page
+    assert set(get_args(ScreenFlag)) == {
+        key.removeprefix("screen.") for key in texts(language) if key.startswith("screen.")
+    }
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,8 @@ def test_a_good_screen_has_no_flag() -> None:
         ({"full_screen": None}, ["not-full-screen"]),
         ({"card": None}, ["no-card"]),
         ({"distance_mm": None, "distance_by": "none"}, ["no-distance"]),
+        ({"distance_mm": 199.9}, ["distance"]),
+        ({"distance_mm": 2000.1, "distance_by": "typed"}, ["distance"]),
         ({"gamma": None}, ["no-levels"]),
         ({"gamma": 1.5, "darkest_step": 17}, ["gamma", "darkest-step"]),
         ({"gamma": 2.81, "darkest_step": None}, ["no-levels", "gamma"]),
@@ -106,7 +108,7 @@ def test_keys_of_other_versions_are_kept_as_they_came() -> None:
         ("if_smaller", ["small-window"]),
         ("if_not_full_screen", ["not-full-screen"]),
         ("if_no_card", ["no-card"]),
-        ("if_no_distance", ["no-distance"]),
+        ("if_no_distance", ["no-distance", "distance"]),
         ("if_small_gamut", ["small-gamut"]),
         ("if_levels", ["no-levels", "gamma", "darkest-step"]),
         ("if_vision", ["contrast-vision", "colour-vision"]),
@@ -114,7 +116,7 @@ def test_keys_of_other_versions_are_kept_as_they_came() -> None:
 )
 def test_a_rule_refuses_its_own_flags_and_no_others(rule: str, flags: list[str]) -> None:
     every = ["small-window", "no-card", "no-levels", "gamma", "darkest-step", "contrast-vision"]
-    every += ["colour-vision", "not-full-screen", "no-distance", "small-gamut"]
+    every += ["colour-vision", "not-full-screen", "no-distance", "distance", "small-gamut"]
     every += ["of a newer version"]
     screen = Screen(vision=("contrast", "colour"), **{rule: "refuse"})
     assert [flag for flag in every if is_refused(screen, [flag])] == flags

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -35,8 +35,11 @@ _CHAPTERS: dict[str, Callable[[Analysis, Words], Html]] = {
 }
 
 
-def html(analysis: Analysis, language: str = "en") -> str:
-    """The page in a language, "en" or "ja". Same analysis, same text."""
+def html(analysis: Analysis, language: str = "en", screens: Mapping[str, int] | None = None) -> str:
+    """The page in a language, "en" or "ja". Same analysis, same text.
+
+    screens: how many of the people have each mark of a screen check, where there were any.
+    """
     words = Words(language)
     column = words.name(analysis.settings.group) if analysis.settings.group else ""
     title = {key: words(f"{key}.title", column=column) for key in _CHAPTERS}
@@ -58,7 +61,7 @@ def html(analysis: Analysis, language: str = "en") -> str:
 <body>
 <header>
 <h1>{_title(analysis, words, words.quoted)}</h1>
-{_asked(analysis, words)}</header>
+{_asked(analysis, words)}{_screens(screens or {}, words)}</header>
 <main>
 <section id="short">
 <h2>{words("short.title")}</h2>
@@ -114,6 +117,21 @@ def _asked(analysis: Analysis, words: Words) -> Html:
     if analysis.example:
         shown += f'<p class="note">{words("head.paper")}</p>\n'
     return Html(shown)
+
+
+def _screens(marks: Mapping[str, int], words: Words) -> Html:
+    """What fell short of screens, and how many people's."""
+    if not marks:
+        return Html("")
+    found = [
+        words(
+            "head.screen",
+            mark=words(f"screen.{mark}"),
+            people=words.count("person", people),
+        )
+        for mark, people in marks.items()
+    ]
+    return words.paragraph("head.screens", marks=words.listed(found))
 
 
 def _left_out(analysis: Analysis, words: Words) -> list[Html]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Collection
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 from nacreous.problem import InputError
 from nacreous.study.results.scale import counted, question_of
+from nacreous.study.running.screening import ScreenFlag
 from nacreous.study.store.codebook import group_column
 
 if TYPE_CHECKING:
@@ -47,7 +49,19 @@ def report(
     factors = known if group is None else [group]
     column = _told_most(answers, [group_column(name).name for name in factors], running.settings)
     wanted = replace(running.settings, question=text, group=column, simulated=simulated)
-    return html(analyse(answers, wanted, progress=progress), language)
+    analysis = analyse(answers, wanted, progress=progress)
+    return html(analysis, language, screen_marks(running, answers.people))
+
+
+def screen_marks(running: Running, people: Collection[str]) -> dict[str, int]:
+    """How many of these people have each mark of their last screen check, in the marks' order."""
+    found = Counter(
+        mark
+        for session in running.store.sessions(running.study)
+        if not {str(session.number), f"simulated {session.number}"}.isdisjoint(people)
+        for mark in running.screen_flags(session)
+    )
+    return {mark: found[mark] for mark in get_args(ScreenFlag) if found[mark]}
 
 
 def _told_most(answers: Answers, columns: list[str], settings: Settings) -> str | None:

@@ -6,7 +6,6 @@ Excluded, simulated and erased rows are marked in files, never left out.
 from __future__ import annotations
 
 import codecs
-import copy
 import json
 import re
 from collections.abc import Iterator, Mapping
@@ -17,15 +16,15 @@ from typing import TYPE_CHECKING
 
 from nacreous import file, folder
 from nacreous.problem import InputError
-from nacreous.study.design.design import Design
 from nacreous.study.store import answers as answering
-from nacreous.study.store.answer_table import AnswerTable, levels_of
+from nacreous.study.store import check
 from nacreous.study.store.answers import ROWS
 from nacreous.study.store.codebook import description, group_column
 from nacreous.study.store.coded import Coded
 from nacreous.study.store.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
-from nacreous.study.task.tasks import TASKS, task_of
+from nacreous.study.store.tables import TABLES, Table, levels_of
+from nacreous.study.task.tasks import task_of
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -48,13 +47,15 @@ def export(
     study: str,
     output: str | PathLike[str],
     *,
+    table: str = "answers",
     bom: bool = False,
     identifying: bool = False,
 ) -> int:
-    """Write all answers of a study to .csv, .parquet or a Psych-DS folder; return how many.
+    """Write a table of a study to .csv or .parquet, or all to a Psych-DS folder; return its rows.
 
-    A name without an ending is a folder, which must not be there yet: `dataset_description.json`
-    describes every column, and `data/` holds the answers. A file or folder is whole or absent.
+    table: "answers", "people" (everyone who has entered) or "log". A name without an ending is a
+    folder, which must not be there yet: `dataset_description.json` describes every column, and
+    `data/` holds all three. A file or folder is whole or absent.
     bom: begin a .csv with a byte order mark, by which Excel knows UTF-8. In CSV texts that a
     spreadsheet would take for a formula are defused (`nacreous.study.store.spreadsheet`).
     identifying: with what may identify a person (`nacreous.study.store.person_columns`), readable
@@ -66,13 +67,15 @@ def export(
     if suffix:
         file.check_output(output, [".csv", ".parquet"])
         file.require_apart([output], [store.place])
-    chosen_by = _chosen_by(store, study)
-    with store.reading() as connection:
-        table = AnswerTable(connection, study, chosen_by, identifying=identifying)
-        if not suffix:
-            return _write_psych_ds(store, table, Path(output), private=identifying)
+    made = TABLES[check.one_of("table", table, TABLES)](store, study, identifying)
+    if suffix:
         with file.atomic(output, private=identifying) as temporary:
-            return _write(table, temporary, suffix, bom)
+            return _write(made, temporary, suffix, bom)
+    tables = {
+        name: made if name == table else make(store, study, identifying)
+        for name, make in TABLES.items()
+    }
+    return _write_psych_ds(store, study, tables, Path(output), private=identifying)[table]
 
 
 def answers_of(store: Store, study: str, question: str, *, simulated: bool = False) -> Answers:
@@ -112,19 +115,7 @@ def counts(store: Store, study: str, question: str, *, simulated: bool = False) 
     return answers_of(store, study, question, simulated=simulated).comparisons()
 
 
-def _chosen_by(store: Store, study: str) -> str | None:
-    """How the study chooses items by the answers so far; None where it does not."""
-    stored = store.manifest(study).get("design")
-    if not isinstance(stored, dict):
-        return None
-    try:
-        design = Design.check(copy.deepcopy(stored), f"study {study[:12]}", Path())
-    except InputError:  # of another version, say; what was collected is exported all the same
-        return None
-    return TASKS[design.task].chosen_by(design.asked)
-
-
-def _write(table: AnswerTable, path: Path, suffix: str, bom: bool = False) -> int:
+def _write(table: Table, path: Path, suffix: str, bom: bool = False) -> int:
     """Part by part, for what is known of a person is long, and stands in each row."""
     from pyarrow import csv, parquet
 
@@ -133,7 +124,7 @@ def _write(table: AnswerTable, path: Path, suffix: str, bom: bool = False) -> in
     rows = 0
     with path.open("wb") as stream:
         stream.write(codecs.BOM_UTF8 if bom else b"")
-        with make(stream, plain(table.empty()).schema) as writer:
+        with make(stream, plain(table.empty).schema) as writer:
             parts = (plain(part) for part in table.parts())
             for part in map(defused, parts) if csv_wanted else _larger(parts):
                 writer.write_table(part)
@@ -149,19 +140,27 @@ def _larger(parts: Iterator[pa.Table]) -> Iterator[pa.Table]:
         yield pa.concat_tables(some).combine_chunks()
 
 
-def _write_psych_ds(store: Store, table: AnswerTable, output: Path, *, private: bool) -> int:
+def _write_psych_ds(
+    store: Store, study: str, tables: Mapping[str, Table], output: Path, *, private: bool
+) -> dict[str, int]:
     if output.exists():
         raise InputError(f"{output}: is there already; wanted: a folder that is not")
-    study = table.study
     design = store.manifest(study).get("design")
     name = str(design.get("name", "")) if isinstance(design, Mapping) else ""
     word = re.sub("[^a-z0-9]", "", name.lower()) or study[:12]
-    told = description(name or f"study {study[:12]}", study, table.columns, table.progress())
+    first = {column.name: column for table in tables.values() for column in table.columns}
+    first.update({column.name: column for column in tables["answers"].columns})
+    told = description(
+        name or f"study {study[:12]}", study, list(first.values()), store.progress(study)
+    )
     with folder.whole(output, [_RECORD, "data"], _RECORD, _MAKER) as temporary:
         (temporary / "data").mkdir()
-        data = temporary / "data" / f"study-{word}_data.csv"
-        data.touch(0o600 if private else 0o666)
-        rows = _write(table, data, ".csv")
+        rows = {}
+        for called, table in tables.items():
+            kind = "" if called == "answers" else f"_description-{called}"
+            data = temporary / "data" / f"study-{word}{kind}_data.csv"
+            data.touch(0o600 if private else 0o666)
+            rows[called] = _write(table, data, ".csv")
         text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
         (temporary / _RECORD).write_text(text, encoding="utf-8", newline="\n")
     return rows

@@ -1,7 +1,8 @@
 """What is known of whoever gave an answer, as columns of an export: times, browser, screen checks.
 
 What may identify a person is left out unless it is asked for: the browser's full name, texts that a
-screen check holds beside its own words, and whom an invitation was for.
+screen check holds beside its own words, whom an invitation was for, the address's parameters, and a
+completion code of the person's own.
 """
 
 from __future__ import annotations
@@ -9,16 +10,15 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
-import sqlalchemy as sa
-
-from nacreous.study.store import check, invitations, people
+from nacreous.study.store import check
 from nacreous.study.store.record import Session
-from nacreous.study.store.schema import sessions
 from nacreous.study.task.column import Column
+from nacreous.study.task.flag import Flag
 
-__all__ = ["IDENTIFYING", "PERSON", "PersonColumns"]
+__all__ = ["IDENTIFYING", "PERSON", "Known", "PersonColumns"]
 
 _TIME = "by the server's clock, UTC, ISO 8601; empty of an erased person"
 
@@ -29,6 +29,14 @@ PERSON = (
     Column(
         "finished_at",
         f"When the person's last answer was stored, {_TIME}, and of who did not finish.",
+    ),
+    Column(
+        "person_flags",
+        "What is odd about the person's answers, as the laboratory's page shows it: a JSON list of "
+        "flag (catches, repeats, left, right, circles, fast, unwaited, pause, answer-NAME for what "
+        "the page noticed, screen-NAME for what the check of the screen found) and detail (2/3 is "
+        "two of three). It excludes nobody. Empty: nothing, an erased person, or a study of "
+        "another version.",
     ),
     Column("browser", "The browser's family, without its version; empty where unknown."),
     Column(
@@ -45,6 +53,12 @@ PERSON = (
 IDENTIFYING = (
     Column("browser_name", "The browser's name and version, as the page told it."),
     Column("invitation", "What the experimenter called the invitation by which the person came."),
+    Column(
+        "parameters",
+        "Of the address by which the person came, those that the study declares, as JSON; they may "
+        "identify somebody, as a recruiting platform's id does.",
+    ),
+    Column("completion_code", "The code of the person's own, told to who has finished."),
 )
 
 #: The keys of a screen check whose texts are words of ours, and not what somebody wrote.
@@ -52,24 +66,32 @@ _WORDS = frozenset(("flags", "distance_by", "gamut"))
 _AGENT = "agent"
 
 
+@dataclass(frozen=True)
+class Known:
+    """What a store knows of a study's people; checks, labels of invitations and flags by number."""
+
+    people: Sequence[Session]
+    checks: Mapping[int, Sequence[Mapping[str, Any]]]
+    labels: Mapping[int, str]
+    flags: Mapping[int, Sequence[Flag]]
+
+
 class PersonColumns:
-    """The columns of one study, each person's values put into words once.
+    """The columns of rows about people, each person's values put into words once."""
 
-    identifying: with those that may identify a person.
-    """
-
-    def __init__(self, connection: sa.Connection, study: str, *, identifying: bool) -> None:
+    def __init__(self, known: Known, *, identifying: bool) -> None:
         import pyarrow as pa
 
-        everyone = people.find(connection, sessions.c.study == study)
-        living = [one for one in everyone if one.erased_at is None]
+        people = [one for one in known.people if one.erased_at is None]
+        values = _values(known, people, identifying)
         self.columns = (*PERSON, *(IDENTIFYING if identifying else ()))
-        values = _values(connection, study, living, identifying)
-        self._place = {one.number: row for row, one in enumerate(living)}
-        self._values = {one: pa.array(values[one.name], pa.string()) for one in self.columns}
+        self._place = {one.number: row for row, one in enumerate(people)}
+        self._told = {
+            column.name: pa.array(values[column.name], pa.string()) for column in self.columns
+        }
 
     def of(self, numbers: Sequence[int | None]) -> dict[str, Any]:
-        """Each column, by name, for answers of the people of these numbers, as Arrow dictionaries.
+        """Each column, by name, for the people of these numbers, as dictionary-encoded Arrow text.
 
         None stands for an erased person, of whom nothing is told.
         """
@@ -77,27 +99,26 @@ class PersonColumns:
 
         rows = pa.array([None if n is None else self._place.get(n) for n in numbers], pa.int32())
         return {
-            column.name: pa.DictionaryArray.from_arrays(rows, told)
-            for column, told in self._values.items()
+            name: pa.DictionaryArray.from_arrays(rows, told) for name, told in self._told.items()
         }
 
 
 def _values(
-    connection: sa.Connection, study: str, living: Sequence[Session], identifying: bool
+    known: Known, people: Sequence[Session], identifying: bool
 ) -> dict[str, list[str | None]]:
     """By the column's name, a value a person."""
-    checks = people.screen_checks(connection, study)
-    invited = invitations.of_study(connection, study)
-    labels = {one.number: one.label for one in invited if one.number is not None}
-    agents = [str((one.screen or {}).get(_AGENT) or "") for one in living]
+    agents = [str((one.screen or {}).get(_AGENT) or "") for one in people]
     return {
-        "entered_at": [check.written("entered_at", one.started_at) for one in living],
-        "consented_at": [_written(one.consented_at) for one in living],
-        "finished_at": [_written(one.finished_at) for one in living],
+        "entered_at": [check.written("entered_at", one.started_at) for one in people],
+        "consented_at": [_written(one.consented_at) for one in people],
+        "finished_at": [_written(one.finished_at) for one in people],
         "browser": [_family(agent) for agent in agents],
-        "screen_checks": [_told(checks.get(one.number, []), identifying) for one in living],
+        "person_flags": [_marks(known.flags.get(one.number, ())) for one in people],
+        "screen_checks": [_told(known.checks.get(one.number, []), identifying) for one in people],
         "browser_name": [agent or None for agent in agents],
-        "invitation": [labels.get(one.number) for one in living],
+        "invitation": [known.labels.get(one.number) for one in people],
+        "parameters": [_json(one.parameters) if one.parameters else None for one in people],
+        "completion_code": [one.completion_code for one in people],
     }
 
 
@@ -119,8 +140,16 @@ def _told(checks: Sequence[Mapping[str, Any]], identifying: bool) -> str | None:
     """Checks as JSON."""
     if not checks:
         return None
-    told = [dict(one) if identifying else _without_texts(one) for one in checks]
-    return json.dumps(told, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return _json([dict(one) if identifying else _without_texts(one) for one in checks])
+
+
+def _marks(flags: Sequence[Flag]) -> str | None:
+    """Flags as JSON."""
+    return _json([{"flag": one.kind, "detail": one.detail} for one in flags]) if flags else None
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
 
 
 def _without_texts(value: Mapping[str, Any]) -> dict[str, Any]:

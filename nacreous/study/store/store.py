@@ -225,6 +225,11 @@ class Store(Lab):
         with self.reading() as connection:
             yield from answering.parts(connection, study, names)
 
+    def groups_of_answers(self, study: str) -> list[str]:
+        """The groups, as JSON, of all who have given an answer, each once."""
+        with self.reading() as connection:
+            return people.groups_of_answers(connection, study)
+
     def tally(self, study: str) -> list[Tallied]:
         """Equal answers counted, whether they count or not; far less than all answers.
 

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 9bda4fd981fa07f09f4ca42bb91c1ccaf2b1494430122289f7dc7bcb3763d7e8
+ * 9d1b66d3a27961092f125f37b75943a9bb2c1a8f8170ef7049251d8bcc64de46
  */
 
 export type JsonValue = unknown;
@@ -263,7 +263,7 @@ export interface Opening {
   state: "open" | "paused" | "closed";
 }
 /**
- * How far one participant is. Of an erased one `trials` is 0.
+ * How far one participant is, practice aside. Of an erased one `trials` is 0.
  */
 export interface PersonTold {
   number: number;
@@ -755,9 +755,16 @@ export interface Routes {
     told: Blob;
   };
   /**
-   * All answers, the excluded, simulated and erased ones marked.
+   * All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it.
    */
   "GET /lab/api/answers.csv": {
+    body: undefined;
+    told: Blob;
+  };
+  /**
+   * Everyone who has entered, with their flags, also who never answered.
+   */
+  "GET /lab/api/people.csv": {
     body: undefined;
     told: Blob;
   };

@@ -62,7 +62,7 @@ export const en = {
     title: "So far",
     entered: "people entered",
     finished: "finished",
-    answers: "answers",
+    answers: "answers, practice too",
     median: "median time",
     excluded: "excluded",
     erased: "erased",
@@ -81,7 +81,9 @@ export const en = {
     simulated_lead:
       "Answers that a program gave, to try the study out. They are never mixed with people’s.",
     answers: "All answers as a table (CSV)",
-    answers_note: "Excluded and simulated answers are in it, and say so.",
+    people: "Everyone who entered (CSV)",
+    answers_note: "Excluded and simulated answers are in them, and say so.",
+    bom: "For Excel (with a byte order mark)",
     making: "The report is being made …",
   },
 

@@ -64,7 +64,7 @@ export const ja: Words = {
     title: "現在の状況",
     entered: "参加",
     finished: "完了",
-    answers: "回答",
+    answers: "回答（練習を含む）",
     median: "所要時間の中央値",
     excluded: "除外",
     erased: "消去",
@@ -83,6 +83,8 @@ export const ja: Words = {
     simulated_lead:
       "調査の動作を確かめるためにプログラムが生成した回答です。人の回答と混ざることはありません。",
     answers: "すべての回答の表（CSV）",
+    people: "参加者の表（CSV）",
+    bom: "Excel用（BOM付き。文字化けを防ぎます）",
     answers_note: "除外した回答とシミュレーションの回答も、その旨を付けて含まれます。",
     making: "報告書を作成しています…",
   },
