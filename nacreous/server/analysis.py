@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Query, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
+from starlette.responses import StreamingResponse
 
 from nacreous.problem import InputError
 from nacreous.server.login import READS, Who
@@ -21,6 +22,9 @@ from nacreous.study import results
 from nacreous.study.store import Progress, export
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
+
+_TABLE = "table.csv"
+_PIECE_BYTES = 2**18
 
 Question = Annotated[str, Query(max_length=40)]
 
@@ -113,15 +117,28 @@ async def people(request: Request, _who: Who, bom: bool = False) -> Response:
 
 
 async def _csv(service: Service, table: str, bom: bool) -> Response:
-    content = await run_in_threadpool(_exported, service, table, bom)
-    return Response(content, media_type="text/csv", headers=_named(f"{table}.csv"))
+    folder = await run_in_threadpool(_exported, service, table, bom)
+    named = _named(f"{table}.csv")
+    return StreamingResponse(_pieces(folder), media_type="text/csv", headers=named)
 
 
-def _exported(service: Service, table: str, bom: bool) -> bytes:
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "table.csv"
+def _exported(service: Service, table: str, bom: bool) -> TemporaryDirectory[str]:
+    """A folder with the table, whole before the first byte is sent."""
+    folder = TemporaryDirectory()
+    try:
+        path = Path(folder.name) / _TABLE
         export(service.store, service.running.study, path, table=table, bom=bom)
-        return path.read_bytes()
+    except BaseException:
+        folder.cleanup()
+        raise
+    return folder
+
+
+def _pieces(folder: TemporaryDirectory[str]) -> Iterator[bytes]:
+    """The file piece by piece; then the folder goes, also where nobody takes the rest."""
+    with folder, (Path(folder.name) / _TABLE).open("rb") as stream:
+        while piece := stream.read(_PIECE_BYTES):
+            yield piece
 
 
 def _named(name: str) -> dict[str, str]:

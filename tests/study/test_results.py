@@ -21,8 +21,8 @@ from nacreous.study.running import Running
 from nacreous.study.store import Store, answers_of
 from nacreous.study.task.flag import RATE
 from nacreous.study.task.pair.chance import at_least, circles_by_chance, one_sided
-from nacreous.study.task.pair.consistent import consistency_flags
-from tests.support.gathering import by_scale, frozen_study, opened, take_part
+from nacreous.study.task.pair.pair import PAIR
+from tests.support.gathering import by_scale, frozen_study, opened, table_of, take_part
 
 SCALE = {"a": 1.2, "b": 0.6, "c": 0.0, "d": -0.6, "e": -1.2}
 KEYS = {
@@ -180,7 +180,7 @@ def test_honest_people_are_flagged_no_more_often_than_the_rate_says(spread):
             for number in range(people)
             for row in rows_of(design, truth, number, random, spread)
         ]
-        for flags in consistency_flags(rows, design.asked).values():
+        for flags in PAIR.flags(design.asked, table_of(rows)).values():
             counts.update(flag.kind for flag in flags)
     total = studies * people
     # Beyond so many, the rate would be broken by more than chance (one of 1000 times).

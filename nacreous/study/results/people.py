@@ -1,10 +1,10 @@
-"""Flags of all people of a study that runs."""
+"""Flags of all people: who did not look, who tossed coins, whose page was not as it should be."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nacreous.study.store.flags import flags_of_people
+from nacreous.study.store.flags import WATCHED, flags_of_people
 from nacreous.study.task.flag import Flag
 
 if TYPE_CHECKING:
@@ -15,6 +15,6 @@ __all__ = ["people_flags"]
 
 def people_flags(running: Running) -> dict[int, list[Flag]]:
     """The flags of every person who has entered, by number (`nacreous.study.store.flags`)."""
-    rows = running.store.answers(running.study)
+    parts = running.store.parts(running.study, WATCHED)
     people = running.store.sessions(running.study)
-    return flags_of_people(running.frozen.design, rows, people)
+    return flags_of_people(running.frozen.design, parts, people)

@@ -8,27 +8,37 @@ from __future__ import annotations
 import codecs
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import islice
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from nacreous import file, folder
 from nacreous.problem import InputError
+from nacreous.study.store import answers as answering
 from nacreous.study.store import check
-from nacreous.study.store.codebook import description
+from nacreous.study.store.answers import ROWS
+from nacreous.study.store.codebook import description, group_column
+from nacreous.study.store.coded import Coded
 from nacreous.study.store.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
-from nacreous.study.store.tables import TABLES, Table, groups_of
-from nacreous.study.task import counting
+from nacreous.study.store.tables import TABLES, Table, levels_of
 from nacreous.study.task.tasks import task_of
 
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from nacreous.scaling import Answers, Comparisons
 
 _RECORD = "dataset_description.json"
-#: Rows written at a time.
-_ROWS = 65_536
+#: Parts of a table that are one row group of Parquet: 65,536 rows.
+_ROW_GROUP = 65_536 // ROWS
+#: What a scale takes of an answer, and how it is held.
+_COUNTED = {
+    **dict.fromkeys(("left", "right", "chosen", "person", "groups"), "text"),
+    **{"trial": "int64", "response_ms": "float64"},
+}
 _MAKER = "nacreous study export"
 
 
@@ -60,14 +70,12 @@ def export(
     made = TABLES[check.one_of("table", table, TABLES)](store, study, identifying)
     if suffix:
         with file.atomic(output, private=identifying) as temporary:
-            _write(made.data, temporary, suffix, bom)
-    else:
-        tables = {
-            name: made if name == table else make(store, study, identifying)
-            for name, make in TABLES.items()
-        }
-        _write_psych_ds(store, study, tables, Path(output), private=identifying)
-    return int(made.data.num_rows)
+            return _write(made, temporary, suffix, bom)
+    tables = {
+        name: made if name == table else make(store, study, identifying)
+        for name, make in TABLES.items()
+    }
+    return _write_psych_ds(store, study, tables, Path(output), private=identifying)[table]
 
 
 def answers_of(store: Store, study: str, question: str, *, simulated: bool = False) -> Answers:
@@ -90,15 +98,16 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     ...     answers_of(store, study, "deeper")
     Answers(1 answers, 2 stimuli, 1 person)
     """
-    rows = [
-        row
-        for row in store.answers(study)
-        if row["question"] == question and counting.counts(row, simulated=simulated)
-    ]
-    if not rows:
+    columns = Coded(_COUNTED)
+    with store.reading() as connection:
+        for part in answering.counting_parts(connection, study, question, simulated=simulated):
+            columns.add(part)
+    table = columns.table()
+    if not table.num_rows:
         raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
-    groups = {column.name: levels for column, levels in groups_of(rows).items()}
-    return task_of(rows[0]).answers(rows, groups)
+    given = table["groups"].combine_chunks()
+    groups = {group_column(name).name: level for name, level in levels_of(given).items()}
+    return task_of({}).answers({name: table[name] for name in table.column_names}, groups)
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:
@@ -106,23 +115,34 @@ def counts(store: Store, study: str, question: str, *, simulated: bool = False) 
     return answers_of(store, study, question, simulated=simulated).comparisons()
 
 
-def _write(table: Any, path: Path, suffix: str, bom: bool = False) -> None:
+def _write(table: Table, path: Path, suffix: str, bom: bool = False) -> int:
+    """Part by part, for what is known of a person is long, and stands in each row."""
     from pyarrow import csv, parquet
 
-    schema = plain(table.slice(0, 0)).schema
+    csv_wanted = suffix == ".csv"
+    make = csv.CSVWriter if csv_wanted else parquet.ParquetWriter
+    rows = 0
     with path.open("wb") as stream:
         stream.write(codecs.BOM_UTF8 if bom else b"")
-        make = csv.CSVWriter if suffix == ".csv" else parquet.ParquetWriter
-        with make(stream, schema) as writer:
-            # In parts, for what is known of a person is long, and stands in each row.
-            for start in range(0, table.num_rows, _ROWS):
-                part = plain(table.slice(start, _ROWS))
-                writer.write_table(defused(part) if suffix == ".csv" else part)
+        with make(stream, plain(table.empty).schema) as writer:
+            parts = (plain(part) for part in table.parts())
+            for part in map(defused, parts) if csv_wanted else _larger(parts):
+                writer.write_table(part)
+                rows += part.num_rows
+    return rows
+
+
+def _larger(parts: Iterator[pa.Table]) -> Iterator[pa.Table]:
+    """Parts joined, so that each is a row group of Parquet worth reading."""
+    import pyarrow as pa
+
+    while some := list(islice(parts, _ROW_GROUP)):
+        yield pa.concat_tables(some).combine_chunks()
 
 
 def _write_psych_ds(
     store: Store, study: str, tables: Mapping[str, Table], output: Path, *, private: bool
-) -> None:
+) -> dict[str, int]:
     if output.exists():
         raise InputError(f"{output}: is there already; wanted: a folder that is not")
     design = store.manifest(study).get("design")
@@ -135,10 +155,12 @@ def _write_psych_ds(
     )
     with folder.whole(output, [_RECORD, "data"], _RECORD, _MAKER) as temporary:
         (temporary / "data").mkdir()
+        rows = {}
         for called, table in tables.items():
             kind = "" if called == "answers" else f"_description-{called}"
             data = temporary / "data" / f"study-{word}{kind}_data.csv"
             data.touch(0o600 if private else 0o666)
-            _write(table.data, data, ".csv")
+            rows[called] = _write(table, data, ".csv")
         text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
         (temporary / _RECORD).write_text(text, encoding="utf-8", newline="\n")
+    return rows

@@ -2,92 +2,64 @@
 
 from __future__ import annotations
 
-import json
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from datetime import datetime
-from itertools import pairwise
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
-from nacreous.scaling.check.response import MOST_FAST
 from nacreous.study.design.design import Design
+from nacreous.study.store.coded import Coded
 from nacreous.study.store.record import Session
+from nacreous.study.store.watch import Watch
 from nacreous.study.task.counting import is_data
-from nacreous.study.task.flag import LONGEST_PAUSE_S, Flag
-from nacreous.study.task.row import Row
-from nacreous.study.task.tasks import TASKS
+from nacreous.study.task.flag import Flag
+from nacreous.study.task.tasks import TASKS, columns_of_tasks
 
-__all__ = ["flags_of_people"]
+__all__ = ["WATCHED", "flags_of_people"]
 
-#: What our page notices with an answer. Another client may write what it likes.
-_NOTICED = ("away", "early", "not_kept", "resized", "shrunk")
-#: What everyone does now and then is a flag from more than this share of answers on: pressing
-#: before a pair may be answered, as with answers that are too fast.
-_OFTEN = {"early": MOST_FAST}
+#: What flags of what answers say of each other hang on, and how it is held.
+_KINDS = {
+    **{"number": "int64", "kind": "text", "question": "text", "response_ms": "float64"},
+    **{"simulated": "bool", "excluded": "text"},
+    **{column.name: "text" for column in columns_of_tasks()},
+}
+#: The columns of answers on which any flag hangs.
+WATCHED = (*_KINDS, "received_at", "flags")
 
 
 def flags_of_people(
-    design: Design, rows: Sequence[Row], people: Sequence[Session]
+    design: Design, parts: Iterable[Mapping[str, Sequence[Any]]], people: Sequence[Session]
 ) -> dict[int, list[Flag]]:
-    """The flags of each of these people by number; rows: all answers of the study.
+    """The flags of each of these people by number.
 
-    Excluded people have theirs too; erased ones, of whom nothing is known, have none.
+    parts: all answers of the study in the order of arrival, as `Store.parts` gives the columns
+    `WATCHED`. Excluded people have flags too; erased ones, of whom nothing is known, have none.
     """
-    by_person: dict[int, list[Row]] = {}
-    for row in rows:
-        if row["number"] is not None:
-            by_person.setdefault(row["number"], []).append(row)
+    task = TASKS[design.task]
+    watch = Watch(design.sitting.minimum_viewing_ms, partial(task.missed, design.asked))
+    data = Coded(_KINDS)
+    for part in parts:
+        living = _where([number is not None for number in part["number"]], part)
+        watch.add(living)
+        data.add(_where([is_data({"kind": kind}) for kind in living["kind"]], living))
     found: dict[int, list[Flag]] = {
         one.number: list(_screen(one.screen)) for one in people if one.erased_at is None
     }
-    for number, own in by_person.items():
-        found[number] += [*_catches(own, design), *_pauses(own), *_noticed(own)]
-        found[number] += _unwaited(own, design.sitting.minimum_viewing_ms)
-    data = [row for row in rows if row["number"] is not None and is_data(row)]
-    for number, flags in TASKS[design.task].flags(design.asked, data).items():
-        found[number] += flags
+    for number, flags in (*watch.flags(), *task.flags(design.asked, data.table()).items()):
+        found.get(number, []).extend(flags)  # of who entered or was erased meanwhile, none
     return found
+
+
+def _where(kept: Sequence[bool], part: Mapping[str, Sequence[Any]]) -> Mapping[str, Sequence[Any]]:
+    """Some rows of a part."""
+    if all(kept):
+        return part
+    return {
+        name: [value for value, keep in zip(values, kept, strict=True) if keep]
+        for name, values in part.items()
+    }
 
 
 def _screen(screen: Mapping[str, Any] | None) -> Iterator[Flag]:
     """What the last check of the screen found."""
     for name in (screen or {}).get("flags", ()):
         yield Flag(f"screen-{name}", "")
-
-
-def _catches(rows: Sequence[Row], design: Design) -> Iterator[Flag]:
-    """Trials whose answer is known and was not given."""
-    catches = [row for row in rows if row["kind"] == "catch"]
-    missed = sum(TASKS[design.task].missed(design.asked, row) for row in catches)
-    if missed:
-        yield Flag("catches", f"{missed}/{len(catches)}")
-
-
-def _pauses(rows: Sequence[Row]) -> Iterator[Flag]:
-    """The longest time between two answers, by the server's clock."""
-    times = [datetime.fromisoformat(row["received_at"]) for row in rows]
-    gaps_s = [(after - before).total_seconds() for before, after in pairwise(times)]
-    if gaps_s and max(gaps_s) >= LONGEST_PAUSE_S:
-        yield Flag("pause", f"{max(gaps_s):.0f} s")
-
-
-def _noticed(rows: Sequence[Row]) -> Iterator[Flag]:
-    """What the participant's page noticed while answers were given."""
-    counts = Counter(
-        name
-        for row in rows
-        if row["flags"] != "{}"  # as nearly all are
-        for name, value in json.loads(row["flags"]).items()
-        if value and name in _NOTICED
-    )
-    for name, count in sorted(counts.items()):
-        if name in _OFTEN and count <= _OFTEN[name] * len(rows):
-            continue
-        yield Flag(f"answer-{name}", f"{count}/{len(rows)}")
-
-
-def _unwaited(rows: Sequence[Row], minimum_ms: float) -> Iterator[Flag]:
-    """Answers by which a trial was there for a shorter time than our page lets anyone answer."""
-    sooner = sum((row["response_ms"] or minimum_ms) < minimum_ms for row in rows)
-    if sooner > MOST_FAST * len(rows):
-        yield Flag("unwaited", f"{sooner}/{len(rows)}")

@@ -18,7 +18,7 @@ from nacreous.study.store.record import Session
 from nacreous.study.task.column import Column
 from nacreous.study.task.flag import Flag
 
-__all__ = ["IDENTIFYING", "PERSON", "Known", "person_columns"]
+__all__ = ["IDENTIFYING", "PERSON", "Known", "PersonColumns"]
 
 _TIME = "by the server's clock, UTC, ISO 8601; empty of an erased person"
 
@@ -76,19 +76,39 @@ class Known:
     flags: Mapping[int, Sequence[Flag]]
 
 
-def person_columns(
-    known: Known, numbers: Sequence[int | None], *, identifying: bool
-) -> dict[Column, Any]:
-    """Each column for rows about the people of these numbers, as dictionary-encoded Arrow text.
+class PersonColumns:
+    """The columns of rows about people, each person's values put into words once."""
 
-    None stands for an erased person, of whom nothing is told.
-    """
-    import pyarrow as pa
+    def __init__(self, known: Known, *, identifying: bool) -> None:
+        import pyarrow as pa
 
-    people = [one for one in known.people if one.erased_at is None]
-    place = {one.number: row for row, one in enumerate(people)}
+        people = [one for one in known.people if one.erased_at is None]
+        values = _values(known, people, identifying)
+        self.columns = (*PERSON, *(IDENTIFYING if identifying else ()))
+        self._place = {one.number: row for row, one in enumerate(people)}
+        self._told = {
+            column.name: pa.array(values[column.name], pa.string()) for column in self.columns
+        }
+
+    def of(self, numbers: Sequence[int | None]) -> dict[str, Any]:
+        """Each column, by name, for the people of these numbers, as dictionary-encoded Arrow text.
+
+        None stands for an erased person, of whom nothing is told.
+        """
+        import pyarrow as pa
+
+        rows = pa.array([None if n is None else self._place.get(n) for n in numbers], pa.int32())
+        return {
+            name: pa.DictionaryArray.from_arrays(rows, told) for name, told in self._told.items()
+        }
+
+
+def _values(
+    known: Known, people: Sequence[Session], identifying: bool
+) -> dict[str, list[str | None]]:
+    """By the column's name, a value a person."""
     agents = [str((one.screen or {}).get(_AGENT) or "") for one in people]
-    values: dict[str, list[str | None]] = {
+    return {
         "entered_at": [check.written("entered_at", one.started_at) for one in people],
         "consented_at": [_written(one.consented_at) for one in people],
         "finished_at": [_written(one.finished_at) for one in people],
@@ -99,11 +119,6 @@ def person_columns(
         "invitation": [known.labels.get(one.number) for one in people],
         "parameters": [_json(one.parameters) if one.parameters else None for one in people],
         "completion_code": [one.completion_code for one in people],
-    }
-    rows = pa.array([None if n is None else place.get(n) for n in numbers], pa.int32())
-    return {
-        column: pa.DictionaryArray.from_arrays(rows, pa.array(values[column.name], pa.string()))
-        for column in (*PERSON, *(IDENTIFYING if identifying else ()))
     }
 
 

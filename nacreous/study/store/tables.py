@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,29 +21,50 @@ from nacreous.study.store.codebook import (
     PLAN,
     group_column,
 )
-from nacreous.study.store.flags import flags_of_people
-from nacreous.study.store.person_columns import Known, person_columns
+from nacreous.study.store.flags import WATCHED, flags_of_people
+from nacreous.study.store.person_columns import Known, PersonColumns
 from nacreous.study.task.column import Column
-from nacreous.study.task.row import Row, person_of
 from nacreous.study.task.tasks import TASKS, columns_of_tasks
 
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from nacreous.study.store.store import Store
 
-__all__ = ["TABLES", "Table", "groups_of"]
+__all__ = ["TABLES", "Table", "levels_of"]
 
 
 @dataclass(frozen=True)
 class Table:
-    """Columns, described, and an Arrow table of them in that order."""
+    """Columns, described, and Arrow tables of them in that order.
+
+    empty: the columns without a row. parts: the rows, some thousands at a time.
+    """
 
     columns: tuple[Column, ...]
-    data: Any
+    empty: pa.Table
+    parts: Callable[[], Iterator[pa.Table]]
 
 
-def groups_of(rows: Sequence[Row]) -> dict[Column, list[str | None]]:
-    """Each group's level by row."""
-    return _levels([json.loads(row["groups"] or "{}") for row in rows])
+def levels_of(groups: pa.DictionaryArray, names: Collection[str] | None = None) -> dict[str, Any]:
+    """Each group's level by row, as Arrow dictionaries, from everyone's groups as JSON.
+
+    names: of the groups; all that are there by default.
+
+    >>> import pyarrow as pa
+    >>> levels_of(pa.array(['{"sex":"f"}', None]).dictionary_encode())["sex"].to_pylist()
+    ['f', None]
+    """
+    import pyarrow as pa
+
+    given = [json.loads(one) for one in groups.dictionary.to_pylist()]
+    wanted = sorted({name for one in given for name in one}) if names is None else names
+    return {
+        name: pa.DictionaryArray.from_arrays(
+            groups.indices, pa.array([one.get(name) for one in given], pa.string())
+        )
+        for name in wanted
+    }
 
 
 def _levels(groups: Sequence[Mapping[str, str]]) -> dict[Column, list[str | None]]:
@@ -63,39 +84,53 @@ def _design_of(store: Store, study: str) -> Design | None:
 
 
 def _answers(store: Store, study: str, identifying: bool) -> Table:
-    import pyarrow as pa
-
-    rows = store.answers(study)
-    texts = (
-        *("kind", "question", "shown_at", "answered_at", "received_at"),
-        *("language", "excluded", "flags", *(column.name for column in columns_of_tasks())),
-    )
-    told: Sequence[Mapping[str, Any]] = rows
-    values: dict[str, Any] = {
-        name: pa.array([row[name] for row in told], pa.string()) for name in texts
-    }
-    values["sequence"] = pa.array([row["seq"] for row in rows], pa.int64())
-    values["person"] = pa.array([person_of(row) for row in rows], pa.string())
-    values["trial"] = pa.array([row["trial"] for row in rows], pa.int32())
-    values["response_ms"] = pa.array([row["response_ms"] for row in rows], pa.float64())
-    values["simulated"] = pa.array([row["simulated"] for row in rows], pa.bool_())
-    values["erased"] = pa.array([row["erased_as"] is not None for row in rows], pa.bool_())
     design = _design_of(store, study)
     chosen_by = None if design is None else TASKS[design.task].chosen_by(design.asked)
-    if chosen_by is not None:
-        values[CHOSEN_BY.name] = pa.array([chosen_by] * len(rows), pa.string())
-    groups = groups_of(rows)
-    for column, levels in groups.items():
-        values[column.name] = pa.array(levels, pa.string())
-    known = _known(store, study, design, rows)
-    numbers = [row["number"] for row in rows]
-    people = person_columns(known, numbers, identifying=identifying)
-    values.update({column.name: given for column, given in people.items()})
-    columns = (*COLUMNS, *([] if chosen_by is None else [CHOSEN_BY]), *people, *groups)
-    return _table(columns, values)
+    people = PersonColumns(_known(store, study, design), identifying=identifying)
+    given = [json.loads(one) for one in store.groups_of_answers(study)]
+    groups = {name: group_column(name) for name in sorted({name for one in given for name in one})}
+    chosen = [] if chosen_by is None else [CHOSEN_BY]
+    columns = (*COLUMNS, *chosen, *people.columns, *groups.values())
+
+    def made(part: Mapping[str, Sequence[Any]]) -> pa.Table:
+        import pyarrow as pa
+
+        values = {**_given(part), **people.of(part["number"])}
+        values[CHOSEN_BY.name] = pa.array([chosen_by] * len(part["seq"]), pa.string())
+        levels = levels_of(pa.array(part["groups"], pa.string()).dictionary_encode(), groups)
+        values.update({groups[name].name: level for name, level in levels.items()})
+        return pa.table({column.name: values[column.name] for column in columns})
+
+    names = (*_TEXTS, *_OTHERS)
+    empty = made(dict.fromkeys(names, ()))
+    return Table(columns, empty, lambda: map(made, store.parts(study, names)))
 
 
-def _known(store: Store, study: str, design: Design | None, rows: Sequence[Row]) -> Known:
+_TEXTS = (
+    *("kind", "question", "shown_at", "answered_at", "received_at"),
+    *("language", "excluded", "flags", *(column.name for column in columns_of_tasks())),
+)
+_OTHERS = (
+    *("seq", "trial", "response_ms", "simulated"),
+    *("erased_as", "number", "person", "groups"),
+)
+
+
+def _given(part: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+    """What is known of the answers themselves."""
+    import pyarrow as pa
+
+    return {
+        **{name: pa.array(part[name], pa.string()) for name in (*_TEXTS, "person")},
+        "sequence": pa.array(part["seq"], pa.int64()),
+        "trial": pa.array(part["trial"], pa.int32()),
+        "response_ms": pa.array(part["response_ms"], pa.float64()),
+        "simulated": pa.array(part["simulated"], pa.bool_()),
+        "erased": pa.array([erased is not None for erased in part["erased_as"]], pa.bool_()),
+    }
+
+
+def _known(store: Store, study: str, design: Design | None) -> Known:
     """What is known of everyone; without a design, and so without flags, the rest of it."""
     people = store.sessions(study)
     return Known(
@@ -104,7 +139,9 @@ def _known(store: Store, study: str, design: Design | None, rows: Sequence[Row])
         labels={
             one.number: one.label for one in store.invitations(study) if one.number is not None
         },
-        flags={} if design is None else flags_of_people(design, rows, people),
+        flags={}
+        if design is None
+        else flags_of_people(design, store.parts(study, WATCHED), people),
     )
 
 
@@ -132,10 +169,10 @@ def _people(store: Store, study: str, identifying: bool) -> Table:
     groups = _levels([one.groups for one in everyone])
     for column, levels in groups.items():
         values[column.name] = pa.array(levels, pa.string())
-    known = _known(store, study, _design_of(store, study), store.answers(study))
-    people = person_columns(known, numbers, identifying=identifying)
-    values.update({column.name: given for column, given in people.items()})
-    return _table((*PEOPLE, *people, PLAN, *groups), values)
+    known = _known(store, study, _design_of(store, study))
+    people = PersonColumns(known, identifying=identifying)
+    values.update(people.of(numbers))
+    return _table((*PEOPLE, *people.columns, PLAN, *groups), values)
 
 
 def _log(store: Store, study: str, identifying: bool) -> Table:
@@ -157,7 +194,7 @@ def _table(columns: Sequence[Column], values: Mapping[str, Any]) -> Table:
     import pyarrow as pa
 
     data = pa.table({column.name: values[column.name] for column in columns})
-    return Table(tuple(columns), data)
+    return Table(tuple(columns), data.slice(0, 0), lambda: iter([data]))
 
 
 def _json(value: Any) -> str:

@@ -124,6 +124,7 @@ export const en = {
     only_flagged: "with flags ({count})",
     flags_of: "Flags of person {number}",
     flags_note: "Flags inform. Nobody is excluded by a flag.",
+    flags_coming: "Flags are still being worked out.",
   },
 
   flags: {

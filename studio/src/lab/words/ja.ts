@@ -126,6 +126,7 @@ export const ja: Words = {
     only_flagged: "注意あり（{count}）",
     flags_of: "参加者{number}の注意点",
     flags_note: "注意は参考情報です。注意だけで除外されることはありません。",
+    flags_coming: "注意点は計算中です。",
   },
 
   flags: {
