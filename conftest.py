@@ -1,6 +1,9 @@
 """What holds for every test and every example in a docstring."""
 
+import os
+from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,3 +19,23 @@ def _arrays_print_as_numpy_prints_them() -> Iterator[None]:
     """colour-science, a peer in some tests, changes how NumPy prints when it is imported."""
     with np.printoptions(legacy=False):
         yield
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say how many tests were left out for want of what, with the line that installs it."""
+    reasons = Counter(
+        report.longrepr[2].removeprefix("Skipped: ")
+        for report in terminalreporter.stats.get("skipped", [])
+    )
+    lines = [
+        f"{count} {'test' if count == 1 else 'tests'}: {reason}"
+        for reason, count in reasons.most_common()
+    ]
+    if not lines:
+        return
+    terminalreporter.section("left out")
+    for line in lines:
+        terminalreporter.line(line)
+    if noted := os.environ.get("NACREOUS_LEFT_OUT"):  # by tests/every-part
+        with Path(noted).open("a", encoding="utf-8") as file:
+            file.writelines(f"{line}\n" for line in lines)

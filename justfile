@@ -6,6 +6,7 @@ set script-interpreter := ["sh", "-eu"]
 export VIRTUAL_ENV := justfile_directory() / ".venv"
 export PATH := VIRTUAL_ENV / "bin:" + justfile_directory() / ".tools/bin:" + env("PATH")
 export UV_PYTHON_DOWNLOADS := "never"
+export NODE_DISABLE_COMPILE_CACHE := "1" # npm would leave one in the temporary folder
 unexport CONDA_PREFIX
 unexport PYTHONHOME
 unexport PYTHONPATH
@@ -25,28 +26,29 @@ help:
 
 # Make pearl.png, the paper's pearl
 [group("look")]
-pearl: setup
+pearl: _program
     nacreous render paper -o pearl.png
 
 # Make every figure of the paper, in paper/
 [group("look")]
-figures: setup
+figures: _program
     nacreous paper paper
 
-# Run every test and every check
+# Run every test and every check; what fails or is left out is told at the end
 [group("trust")]
-test: _rust-tools check test-rust test-python _test-wasm _test-pages
+test:
+    tests/every-part check-rust check-python test-rust test-python _test-wasm _test-pages
 
 # Run the Rust tests, the examples in its documentation included
 [group("trust")]
 test-rust *options: setup
-    cargo test --workspace {{ options }}
+    tests/own-temporary-folder cargo test --workspace {{ options }}
 
 # Run the Python tests, the examples in docstrings, README, docs and examples/ included
 [group("trust")]
 test-python *options: setup
     @# Tests of servers and pages mostly wait; a file's tests stay together, for they share what they made.
-    pytest --numprocesses 2 --dist loadfile {{ options }}
+    tests/own-temporary-folder pytest --numprocesses 2 --dist loadfile {{ options }}
 
 # Check the pages' types and format, and run the tests that need no server
 [group("trust")]
@@ -58,16 +60,31 @@ test-pages: pages
 
 # Check format, lint, links, types, the compiled module's stub, and who imports whom
 [group("trust")]
-check: _rust-tools setup
-    cargo fmt --all --check
-    ruff format --check
-    ruff check
-    cargo clippy --workspace --all-targets -- -D warnings
-    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
-    mypy
-    @# PyO3 lists every name in __all__; the stub says the same by having them.
-    echo nacreous._core.__all__ | stubtest nacreous._core --allowlist /dev/stdin
-    lint-imports --no-logo
+check:
+    tests/every-part check-rust check-python
+
+# Check the Rust code's format, lint, and links in its documentation
+[group("trust")]
+[script]
+check-rust: _rust-tools setup
+    failed=
+    cargo fmt --all --check || failed="$failed format"
+    cargo clippy --workspace --all-targets -- -D warnings || failed="$failed lint"
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet || failed="$failed documentation"
+    [ -z "$failed" ] || { echo "Rust:$failed failed" >&2; exit 1; }
+
+# Check the Python code's format, lint, types, the compiled module's stub, and who imports whom
+[group("trust")]
+[script]
+check-python: setup
+    failed=
+    ruff format --check || failed="$failed format"
+    ruff check || failed="$failed lint"
+    mypy || failed="$failed types"
+    # PyO3 lists every name in __all__; the stub says the same by having them.
+    echo nacreous._core.__all__ | stubtest nacreous._core --allowlist /dev/stdin || failed="$failed stub"
+    lint-imports --no-logo || failed="$failed imports"
+    [ -z "$failed" ] || { echo "Python:$failed failed" >&2; exit 1; }
 
 # Run the tests of optics as on other processors, by Debian's qemu-user and gcc-aarch64-linux-gnu, and the fingerprints by AVX2
 [group("trust")]
@@ -110,19 +127,39 @@ bench-wasm: _wasm-tools
     cargo bench --quiet --package nacreous-render --no-default-features --bench picture > target/picture.csv
     node benchmarks/picture.mjs target/picture.csv
 
-# Prepare .venv and build the compiled rooms and the pages into it; at once when nothing changed
+# Prepare .venv with all that tests need, and build the compiled rooms and the pages; at once when nothing changed
 [group("build")]
 [script]
-setup: _try-pages
+setup: _environment && _compiled
+    packages=$(cksum pyproject.toml requirements.lock | cksum)
+    if [ "$packages" != "$(cat .venv/tests-packages 2>/dev/null)" ]; then
+        rm -f .venv/built-from # sync removes what the lock does not name, our own package too
+        uv pip sync --require-hashes requirements.lock
+        echo "$packages" | tee .venv/tests-packages >.venv/program-packages
+    fi
+
+# What the program needs, without its tests and their tools: the lock file's versions, by their hashes.
+[script]
+_program: _environment && _compiled
+    packages=$(cksum pyproject.toml requirements.lock | cksum)
+    if [ "$packages" != "$(cat .venv/program-packages 2>/dev/null)" ]; then
+        uv pip install --constraints requirements.lock --requirements pyproject.toml --group build
+        echo "$packages" >.venv/program-packages
+    fi
+
+[script]
+_environment: _try-pages
     if ! "$PYO3_PYTHON" --version >/dev/null 2>&1; then
         uv venv --clear --relocatable --python .tools/bin/python .venv
     fi
+
+[script]
+_compiled:
     sources=$({
         echo "$VIRTUAL_ENV"
-        find Cargo.* pyproject.toml requirements.lock crates data -type f -exec cksum {} +
+        find Cargo.* pyproject.toml crates data -type f -exec cksum {} +
     } | sort | cksum)
     if [ "$sources" != "$(cat .venv/built-from 2>/dev/null)" ]; then
-        uv pip sync --require-hashes requirements.lock
         maturin develop --release --uv
         echo "$sources" >.venv/built-from
     fi
@@ -144,6 +181,14 @@ pages: _node-tools
         echo "$sources" >node_modules/built-from
     fi
 
+# Make a manylinux wheel with the pages, in dist/, and try it on every Python found, 3.11 to 3.14
+[group("build")]
+[script]
+wheel: pages _program
+    rm -rf dist
+    maturin build --release --compatibility pypi --out dist
+    tests/try-wheel dist/*.whl
+
 # Make again what the declarations of keys are copied to: ranges, complete presets, the pages' types
 [group("build")]
 types: _node-tools setup
@@ -157,7 +202,7 @@ wasm: _rust-tools _wasm-tools setup
     cargo xtask wasm
     python -m tests.wasm.native target/wasm-native
     nacreous presets --json > target/wasm-native/presets.json
-    node --test --test-reporter=spec tests/wasm/*.test.mjs
+    tests/own-temporary-folder node --test --test-reporter=spec tests/wasm/*.test.mjs
     cargo fmt --manifest-path xtask/Cargo.toml --check
     cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings
     cargo clippy --manifest-path xtask/Cargo.toml --target-dir target/xtask -- -D warnings
@@ -174,7 +219,7 @@ format: setup
 # Make requirements.lock again from pyproject.toml (with --upgrade: the newest of everything)
 [group("build")]
 lock *options:
-    uv pip compile pyproject.toml --group dev --all-extras --universal --python-version 3.11 \
+    uv pip compile pyproject.toml --group test --all-extras --universal --python-version 3.11 \
         --fork-strategy fewest --generate-hashes --no-header {{ options }} -o requirements.lock
 
 # Remove everything that was built
@@ -232,7 +277,7 @@ _test-pages:
     if missing=$(just _node-tools 2>&1); then
         just test-pages
     else
-        echo "The study's pages were left out of the tests. $missing" | head -n 1
+        tests/every-part --left-out "the study's pages: $missing"
     fi
 
 [script]
@@ -240,5 +285,5 @@ _test-wasm:
     if missing=$(just _wasm-tools 2>&1); then
         just wasm
     else
-        echo "WebAssembly was left out of the tests. $missing" | head -n 1
+        tests/every-part --left-out "WebAssembly: $missing"
     fi

@@ -8,14 +8,19 @@ one in twenty is planted. Honest people stray from table 1 by a normal spread on
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
+from pathlib import Path
 
 import numpy as np
 
 from nacreous.server.rehearsal import scale_of
 from nacreous.study.design import Design
 from nacreous.study.plan import trials
-from nacreous.study.task.pair.consistent import consistency_flags
+from nacreous.study.task.pair.pair import PAIR
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from tests.support.gathering import table_of
 
 STUDIES, PEOPLE = 40, 104
 KINDS = ("repeats", "side", "circles")
@@ -58,7 +63,7 @@ def rates(planted: str, spread: float) -> dict[str, Counter[str]]:
                 for trial in plan
                 if trial.kind in ("pair", "repeat")
             ]
-        for number, flags in consistency_flags(rows, design.asked).items():
+        for number, flags in PAIR.flags(design.asked, table_of(rows)).items():
             kinds = {"side" if flag.kind in ("left", "right") else flag.kind for flag in flags}
             flagged[hows[number]].update(kinds | ({"any"} if kinds else set()))
     return {

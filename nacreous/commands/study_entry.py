@@ -1,4 +1,4 @@
-"""`nacreous study open | pause | close | invite`: who may enter."""
+"""`nacreous study open | pause | close | invite | invitations | revoke`: who may enter."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from nacreous.commands.study_serve import add_action, opened
-from nacreous.commands.study_store import Actions, who
+from nacreous.commands.study_store import Actions, person_of, who
 from nacreous.commands.terminal import say
+from nacreous.problem import InputError
 
 if TYPE_CHECKING:
     from nacreous.study.store import Store
@@ -21,6 +22,9 @@ examples:
   nacreous study pause my-study                 nobody enters for now; who is in goes on
   nacreous study close my-study                 nobody enters any more
   nacreous study invite my-study 20 --label "Monday" --url https://pearls.example
+  nacreous study invitations my-study           all of them, with their numbers
+  nacreous study revoke my-study --invitation 3 nobody enters by it any more
+  nacreous study revoke my-study --person 17    that person's own link is worthless for good
 
 A server that runs heeds each at once.
 """
@@ -51,6 +55,13 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
         help="where people reach the server (http://127.0.0.1:8000)",
     )
     parser.set_defaults(run=invite)
+    does = "list the invitations, without their links, which were told once"
+    add_action(actions, "invitations", does, _EXAMPLES).set_defaults(run=invitations)
+    parser = add_action(actions, "revoke", "make an invitation or a link worthless", _EXAMPLES)
+    which = parser.add_mutually_exclusive_group(required=True)
+    which.add_argument("--invitation", type=int, metavar="NUMBER", help="one that nobody has used")
+    which.add_argument("--person", type=int, metavar="NUMBER", help="whose own link, from 0")
+    parser.set_defaults(run=revoke)
 
 
 def open_study(args: argparse.Namespace) -> int:
@@ -87,6 +98,37 @@ def invite(args: argparse.Namespace) -> int:
     with _study(args) as (store, study):
         for token in store.invite(study, args.count, args.label, who()):
             say(f"{home}/#{token}")
+    return 0
+
+
+def invitations(args: argparse.Namespace) -> int:
+    """Say of each invitation its number, whom it is for, and what became of it."""
+    with _study(args) as (store, study):
+        found = store.invitations(study)
+    for one in found:
+        state = "not used" if one.number is None else f"used by person {one.number}"
+        say(f"{one.id}  {one.label}: {state if one.revoked_at is None else 'revoked'}")
+    if not found:
+        say(f"{args.study}: no invitations")
+    return 0
+
+
+def revoke(args: argparse.Namespace) -> int:
+    """Let nobody in by an invitation, or by a person's own link, any more."""
+    with _study(args) as (store, study):
+        if args.person is not None:
+            person = person_of(store, study, args.person)
+            store.revoke(person.id, who())
+            say(f"person {args.person}: revoked; the link is worthless, the answers stay")
+            return 0
+        known = [one.id for one in store.invitations(study)]
+        if args.invitation not in known:
+            raise InputError(
+                f"invitation is {args.invitation}; allowed: those that "
+                f"`nacreous study invitations {args.study}` lists"
+            )
+        store.revoke_invitation(args.invitation, who())
+        say(f"invitation {args.invitation}: revoked; nobody enters by it any more")
     return 0
 
 

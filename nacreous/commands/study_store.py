@@ -15,6 +15,7 @@ examples:
   nacreous study backup my-study -o monday.sqlite          while people go on answering
   nacreous study restore monday.sqlite another-folder
   nacreous study export my-study -o answers.csv            or .parquet
+  nacreous study export my-study --table people            who entered, with flags
   nacreous study export my-study -o for-others             a folder by Psych-DS, with a code book
   nacreous study exclude my-study 17 --reason "left the room"
   nacreous study readmit my-study 17                       takes that back
@@ -37,10 +38,16 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = _add(actions, "export", "write all answers as .csv, .parquet or a Psych-DS folder")
     _add_place(parser)
     parser.add_argument(
+        "--table",
+        choices=["answers", "people", "log"],
+        default="answers",
+        help="what a file holds: answers, people (everyone who has entered), or the log; a folder "
+        "holds all (answers)",
+    )
+    parser.add_argument(
         "-o",
         "--output",
-        default="answers.csv",
-        help="- for CSV to standard output; a name without ending is a folder",
+        help="- for CSV to standard output; a name without ending is a folder (TABLE.csv)",
     )
     parser.add_argument(
         "--bom", action="store_true", help="begin a .csv with a byte order mark, as Excel wants it"
@@ -49,7 +56,8 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
         "--identifying",
         action="store_true",
         help="with what may identify a person: the browser's full name, texts in screen checks, "
-        "whom an invitation was for",
+        "whom an invitation was for, parameters of the address, completion codes; of the log who "
+        "and details",
     )
     _add_study(parser)
     parser.set_defaults(run=export)
@@ -86,19 +94,25 @@ def export(args: argparse.Namespace) -> int:
     from nacreous.commands import standard
     from nacreous.study.store import Store, export
 
+    table = args.table
+    name = f"{table}.csv" if args.output is None else args.output
     with (
         Store.open(args.place, make=False) as store,
-        standard.writing(args.output, ".csv") as output,
+        standard.writing(name, ".csv") as output,
     ):
         study = store.study(args.study)
-        rows = export(store, study, output, bom=args.bom, identifying=args.identifying)
+        rows = export(store, study, output, table=table, bom=args.bom, identifying=args.identifying)
         found = store.progress(study)
-    say(
-        f"{args.output}: written, {rows} answers of {found.entered} people; "
-        f"among them, marked: {found.excluded} people excluded, {found.erased} erased, "
-        f"{found.simulated} answers simulated",
-        [args.output],
+    marked = (
+        f"; among them, marked: {found.excluded} people excluded, {found.erased} erased, "
+        f"{found.simulated} answers simulated"
     )
+    told = {
+        "answers": f"{rows} answers of {found.entered} people{marked}",
+        "people": f"{rows} people{marked}",
+        "log": f"{rows} lines",
+    }
+    say(f"{name}: written, {told[table]}", [name])
     return 0
 
 
@@ -107,7 +121,7 @@ def exclude(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = _person(store, args)
+        session = person_of(store, store.study(args.study), args.number)
         store.exclude(session.id, args.reason, who())
     say(f"person {session.number}: excluded; the answers stay, marked")
     return 0
@@ -118,7 +132,7 @@ def readmit(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = _person(store, args)
+        session = person_of(store, store.study(args.study), args.number)
         store.readmit(session.id, who())
     say(f"person {session.number}: readmitted; the answers count again")
     return 0
@@ -129,7 +143,7 @@ def erase(args: argparse.Namespace) -> int:
     from nacreous.study.store import Store
 
     with Store.open(args.place, make=False) as store:
-        session = _person(store, args)
+        session = person_of(store, store.study(args.study), args.number)
         store.erase(session.id, who())
     say(f"person {session.number}: erased; backups and exports made before still hold the data")
     return 0
@@ -168,16 +182,16 @@ def _add_person(parser: argparse.ArgumentParser) -> None:
     _add_study(parser)
 
 
-def _person(store: Store, args: argparse.Namespace) -> Session:
-    """The person whom the arguments name."""
+def person_of(store: Store, study: str, number: int) -> Session:
+    """The person of a number. Raises `InputError` where there is none."""
     from nacreous.problem import InputError
 
-    people = store.sessions(store.study(args.study))
+    people = store.sessions(study)
     for session in people:
-        if session.number == args.number:
+        if session.number == number:
             return session
     allowed = f"0 to {len(people) - 1}" if people else "none, for nobody has entered"
-    raise InputError(f"number is {args.number}; allowed: {allowed}")
+    raise InputError(f"number is {number}; allowed: {allowed}")
 
 
 def _told(copied: Copied) -> str:

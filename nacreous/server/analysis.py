@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Query, Response
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
+from starlette.responses import StreamingResponse
 
 from nacreous.problem import InputError
 from nacreous.server.login import READS, Who
@@ -21,6 +22,9 @@ from nacreous.study import results
 from nacreous.study.store import Progress, export
 
 router = APIRouter(prefix="/lab/api", tags=["experimenters"], responses=PROBLEMS)
+
+_TABLE = "table.csv"
+_PIECE_BYTES = 2**18
 
 Question = Annotated[str, Query(max_length=40)]
 
@@ -96,18 +100,45 @@ async def report(
     responses={200: {"content": {"text/csv": {}}}},
     openapi_extra=READS,
 )
-async def answers(request: Request, _who: Who) -> Response:
-    """All answers, the excluded, simulated and erased ones marked."""
-    service = service_of(request)
-    content = await run_in_threadpool(_csv, service)
-    return Response(content, media_type="text/csv", headers=_named("answers.csv"))
+async def answers(request: Request, _who: Who, bom: bool = False) -> Response:
+    """All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it."""
+    return await _csv(service_of(request), "answers", bom)
 
 
-def _csv(service: Service) -> bytes:
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "answers.csv"
-        export(service.store, service.running.study, path)
-        return path.read_bytes()
+@router.get(
+    "/people.csv",
+    response_class=Response,
+    responses={200: {"content": {"text/csv": {}}}},
+    openapi_extra=READS,
+)
+async def people(request: Request, _who: Who, bom: bool = False) -> Response:
+    """Everyone who has entered, with their flags, also who never answered."""
+    return await _csv(service_of(request), "people", bom)
+
+
+async def _csv(service: Service, table: str, bom: bool) -> Response:
+    folder = await run_in_threadpool(_exported, service, table, bom)
+    named = _named(f"{table}.csv")
+    return StreamingResponse(_pieces(folder), media_type="text/csv", headers=named)
+
+
+def _exported(service: Service, table: str, bom: bool) -> TemporaryDirectory[str]:
+    """A folder with the table, whole before the first byte is sent."""
+    folder = TemporaryDirectory()
+    try:
+        path = Path(folder.name) / _TABLE
+        export(service.store, service.running.study, path, table=table, bom=bom)
+    except BaseException:
+        folder.cleanup()
+        raise
+    return folder
+
+
+def _pieces(folder: TemporaryDirectory[str]) -> Iterator[bytes]:
+    """The file piece by piece; then the folder goes, also where nobody takes the rest."""
+    with folder, (Path(folder.name) / _TABLE).open("rb") as stream:
+        while piece := stream.read(_PIECE_BYTES):
+            yield piece
 
 
 def _named(name: str) -> dict[str, str]:

@@ -31,7 +31,7 @@ def create_app(
     """The application that serves a running study.
 
     url: where people reach it, if not where it listens. built: where the pages are, if
-    not where `./just pages` builds them. worker: a process for what takes seconds. hosts:
+    not beside this package. worker: a process for what takes seconds. hosts:
     names that are the server's beside localhost, the address a request came in at, and that of
     `url`; a request that names another is refused. Raises `InputError` where the pages are not
     there, and for what is no host.

@@ -32,12 +32,12 @@ _COUNTS = (
 
 @router.get("/progress", openapi_extra=READS)
 async def progress(request: Request, _who: Who) -> ProgressTold:
-    """Who, how far, how long, and what is noticed about whom."""
+    """Who, how far, how long; and what is noticed about whom, as far as that is worked out."""
     service = service_of(request)
     running = service.running
     found = await run_in_threadpool(service.store.progress, running.study)
     mark = partial(service.works_out, results.people_flags)
-    flags = await service.results.get("flags", state_of(found), mark)
+    flags = service.results.so_far("flags", state_of(found), mark)
 
     def work() -> ProgressTold:
         return ProgressTold(
@@ -46,7 +46,8 @@ async def progress(request: Request, _who: Who) -> ProgressTold:
             purpose=running.frozen.design.purpose,
             registration=service.store.registration(running.study),
             trials=service.people.trials,
-            people=service.people.told(found, flags),
+            people=service.people.told(found, flags or {}),
+            flags_known=flags is not None,
             **{name: getattr(found, name) for name in _COUNTS},
         )
 

@@ -1,4 +1,4 @@
-"""The pages, as `./just pages` builds them: read once, and nothing else can be asked for."""
+"""The built pages: read once, and nothing else can be asked for."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Pages:
         missing = [name for name in _PAGES.values() if name not in self._files]
         if missing:
             raise InputError(
-                f"the pages are not built ({folder / missing[0]} does not exist):   ./just pages"
+                f"the study's pages are missing ({folder / missing[0]} does not exist): {_cure()}"
             )
 
     def page(self, path: str) -> Response:
@@ -51,6 +51,14 @@ class Pages:
     def _response(self, name: str, kept: str) -> Response:
         kind = mimetypes.guess_type(name)[0] or "application/octet-stream"
         return Response(self._files[name], media_type=kind, headers={"Cache-Control": kept})
+
+
+def _cure() -> str:
+    """What brings the pages: an installed program has no clone to build them in."""
+    clone = FOLDER.parents[2]
+    if (clone / "just").is_file() and (clone / "studio").is_dir():
+        return "build them by   ./just pages"
+    return "this nacreous was installed without them; install a wheel that has them"
 
 
 @router.api_route("/", methods=_READING)

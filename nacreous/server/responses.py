@@ -162,7 +162,11 @@ class PersonTold(BaseModel):
 
 
 class ProgressTold(BaseModel):
-    """How far the study is. `trials` is what a full sitting has."""
+    """How far the study is. `trials` is what a full sitting has.
+
+    flags_known: whether anybody's flags are worked out; before, nobody has any. They may be of a
+    moment ago.
+    """
 
     name: str
     study: str
@@ -178,6 +182,7 @@ class ProgressTold(BaseModel):
     simulated: int
     median_s: float | None
     trials: int
+    flags_known: bool
     people: list[PersonTold]
 
 

@@ -23,6 +23,10 @@ class _Kept:
     state: Hashable
     until: float
 
+    def is_due(self, state: Hashable) -> bool:
+        """Whether it is to be worked out anew."""
+        return self.state != state and time.monotonic() >= self.until
+
 
 class ResultCache:
     """Values by a key, for the pages that look at them.
@@ -40,6 +44,7 @@ class ResultCache:
     def __init__(self) -> None:
         self._one = asyncio.Lock()
         self._kept: dict[Hashable, _Kept] = {}
+        self._beside: dict[Hashable, asyncio.Task[Any]] = {}
 
     async def get(
         self,
@@ -59,10 +64,26 @@ class ResultCache:
             return last
         async with self._one:
             kept = self._kept.get(key)
-            begin = time.monotonic()
-            if kept is None or (kept.state != state and begin >= kept.until):
+            if kept is None or kept.is_due(state):
+                begin = time.monotonic()
                 made = await work()
                 end = time.monotonic()
                 kept = self._kept[key] = _Kept(made, state, end + good_for * (end - begin))
             value: T = kept.value
             return value
+
+    def so_far(self, key: Hashable, state: Hashable, work: Callable[[], Awaitable[T]]) -> T | None:
+        """The value that is there, of whatever moment, at once; None before there is one.
+
+        Where `get` would work it out, that is begun, and goes on beside whoever asked. If it fails,
+        who asks next hears why, and after that it is tried again.
+        """
+        beside = self._beside.get(key)
+        if beside is None or beside.done():
+            if beside is not None:
+                self._beside.pop(key).result()
+            kept = self._kept.get(key)
+            if kept is None or kept.is_due(state):
+                self._beside[key] = asyncio.create_task(self.get(key, state, work))
+        kept = self._kept.get(key)
+        return None if kept is None else kept.value

@@ -74,11 +74,7 @@ def test_a_circle_would_be_found_and_a_late_import_is_none() -> None:
     assert list(at_load(ast.parse(f"{text}except E:\n    import e\n").body)) == [1, 7, 9]
 
 
-@pytest.mark.parametrize("room", NEVER)
-def test_rooms_to_come_know_nothing_of_what_is_not_theirs(
-    graph: grimp.ImportGraph, room: str
-) -> None:
-    if room not in graph.modules:
-        pytest.skip(f"{room} is still to come")
-    for other in NEVER[room]:
-        assert not graph.find_shortest_chains(room, other, as_packages=True)
+def test_rooms_to_come_know_nothing_of_what_is_not_theirs(graph: grimp.ImportGraph) -> None:
+    for room in NEVER.keys() & graph.modules:
+        for other in NEVER[room]:
+            assert not graph.find_shortest_chains(room, other, as_packages=True)

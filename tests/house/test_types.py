@@ -40,7 +40,7 @@ def test_the_schemas_are_the_same_in_every_process(schemas: str) -> None:
 
 def test_the_types_are_what_the_generator_makes(schemas: str, tmp_path: Path) -> None:
     if shutil.which("node") is None or not (STUDIO / "node_modules").is_dir():
-        pytest.skip("Node.js or the pages' packages are missing; ./just pages fetches them")
+        pytest.skip("no packages of the pages here:   ./just pages   (needs Node.js and npm)")
     script = ["node", STUDIO / "types" / "typescript.mjs", tmp_path]
     subprocess.run(script, input=schemas, text=True, check=True)
     for name in ("wire", "spec"):

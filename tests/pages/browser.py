@@ -3,13 +3,13 @@
 import json
 import re
 import shutil
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
@@ -101,11 +101,11 @@ _FLAGS = (
 def program() -> str:
     """Chromium, or a word about why the test is left out."""
     if not (FOLDER / "index.html").is_file():
-        pytest.skip("the study's pages are not built (./just pages, which needs Node.js)")
+        pytest.skip("the study's pages are not built:   ./just pages   (needs Node.js and npm)")
     for name in ("chromium", "chromium-browser", "google-chrome"):
         if found := shutil.which(name):
             return found
-    pytest.skip("there is no Chromium here (sudo apt install chromium)")
+    pytest.skip("no Chromium here:   sudo apt install chromium fonts-noto-cjk")
 
 
 @contextmanager
@@ -119,17 +119,18 @@ def chromium() -> Iterator[Browser]:
 
 
 @cache
-def _frozen(text: str) -> Path:
-    """A study, frozen once in a process."""
-    folder = Path(tempfile.mkdtemp(prefix="nacreous-pages-"))
+def _frozen(text: str) -> TemporaryDirectory[str]:
+    """A study, frozen once in a process, which removes it when it ends."""
+    temporary = TemporaryDirectory(prefix="nacreous-pages-")
+    folder = Path(temporary.name)
     (folder / "study.toml").write_text(text, encoding="utf-8")
     freeze(folder / "study.toml", folder / "study")
-    return folder / "study"
+    return temporary
 
 
 def frozen(text: str, folder: Path) -> Path:
     """The same in a folder that is not there yet."""
-    shutil.copytree(_frozen(text), folder)
+    shutil.copytree(Path(_frozen(text).name) / "study", folder)
     return folder
 
 

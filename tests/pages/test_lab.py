@@ -315,7 +315,7 @@ def test_every_view_is_for_everyone(
     browser: Browser, server: Served, language: str, width: int
 ) -> None:
     if not AXE.is_file():
-        pytest.skip("axe-core is not here (./just pages, which needs Node.js)")
+        pytest.skip("no axe-core here:   ./just pages   (needs Node.js and npm)")
     locale = {"en": "en-GB", "ja": "ja-JP"}[language]
     view = {"width": width, "height": 700}
     with guarded(browser, server.url, viewport=view, locale=locale) as guard:

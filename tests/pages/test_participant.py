@@ -95,7 +95,7 @@ def test_what_the_screen_is_like_is_stored(walk):
 
 def test_axe_finds_no_obstacle_on_any_page(walk):
     if not AXE.is_file():
-        pytest.skip("axe-core is not installed (./just pages)")
+        pytest.skip("no axe-core here:   ./just pages   (needs Node.js and npm)")
     assert set(walk.obstacles) == set(walk.pages)
     assert {name: found for name, found in walk.obstacles.items() if found} == {}
 

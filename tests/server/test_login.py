@@ -23,7 +23,7 @@ CHANGES = (
     ("people/0/readmit", None),
     ("people/0/revoke", None),
 )
-READS = ("me", "progress", "scale", "report", "answers.csv", "invitations", "events")
+READS = ("me", "progress", "scale", "report", "answers.csv", "people.csv", "invitations", "events")
 
 
 @pytest.fixture

@@ -21,6 +21,7 @@ from nacreous.study.store import Store, UnknownToken
 from tests.server.people import Experimenter, Person
 from tests.support.server_process import served, small_study, some_pages
 
+ROOT = Path(__file__).parents[2]
 GOOD = "twelve letters"
 
 
@@ -146,10 +147,20 @@ def test_mistakes_are_one_line(
             assert said.count("\n") == 1
 
 
-def test_pages_that_are_not_built_are_said_to_be_so(folder: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("place", "cure"),
+    [
+        (ROOT, "build them by   ./just pages"),
+        (Path("/usr/lib/python3"), "installed without them; install a wheel that has them"),
+    ],
+)
+def test_pages_that_are_missing_are_advised_as_can_help(
+    monkeypatch: pytest.MonkeyPatch, folder: Path, tmp_path: Path, place: Path, cure: str
+) -> None:
+    monkeypatch.setattr(pages, "FOLDER", place / "nacreous/server/pages")
     with Store.open(folder) as store:
         running = Running(store, open_frozen(folder))
-        with pytest.raises(InputError, match=r"the pages are not built .*:   ./just pages"):
+        with pytest.raises(InputError, match=f"the study's pages are missing .*: .*{cure}"):
             create_app(running, built=tmp_path)
 
 

@@ -4,6 +4,8 @@ import asyncio
 import threading
 import time
 
+import pytest
+
 from nacreous.server.result_cache import ResultCache
 
 
@@ -93,3 +95,22 @@ def test_what_was_known_a_moment_ago_does_not_wait_for_a_report() -> None:
         return [first, during, await cache.get("flags", 2, lambda: flags(2))]
 
     assert asyncio.run(look()) == ["of 1 answers", "of 1 answers", "of 2 answers"]
+
+
+def test_what_is_asked_for_so_far_never_waits_and_tells_of_a_failure_once() -> None:
+    async def look() -> list[int | None]:
+        cache, work = ResultCache(), Work()
+
+        async def fail() -> int:
+            return 1 // 0
+
+        found = [cache.so_far("flags", 1, work)]
+        await asyncio.sleep(0.2)
+        found.append(cache.so_far("flags", 1, work))
+        cache.so_far("others", 1, fail)
+        await asyncio.sleep(0.05)
+        with pytest.raises(ZeroDivisionError):
+            cache.so_far("others", 1, work)
+        return [*found, cache.so_far("others", 1, work)]
+
+    assert asyncio.run(look()) == [None, 1, None]

@@ -127,8 +127,12 @@ def test_experimenters_see_how_far_it_is(server: httpx.Client) -> None:
 def test_answers_go_out_as_csv(server: httpx.Client) -> None:
     person = Person.consented(server)
     person.answer(0, "right", shown_at="2026-03-01T09:30:00+09:00")
-    told = Experimenter.login(server).get("answers.csv")
+    lab = Experimenter.login(server)
+    told = lab.get("answers.csv")
     assert told.headers["content-disposition"] == 'attachment; filename="answers.csv"'
+    for table in ("answers.csv", "people.csv"):
+        plain, marked = (lab.get(f"{table}{end}").content for end in ("", "?bom=true"))
+        assert marked == b"\xef\xbb\xbf" + plain
     (row,) = pl.read_csv(io.BytesIO(told.content)).to_dicts()
     assert (row["chosen"], row["kind"], row["trade"]) == ("right", "training", "yes")
     assert row["shown_at"] == "2026-03-01T00:30:00.000000Z"

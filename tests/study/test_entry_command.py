@@ -1,4 +1,4 @@
-"""`nacreous study open | pause | close | invite | readmit`: what the lab's page can do."""
+"""`nacreous study open | pause | close | invite | revoke | readmit`: what the lab's page can do."""
 
 from pathlib import Path
 
@@ -6,7 +6,7 @@ import pytest
 
 from nacreous import cli
 from nacreous.study.design import open_frozen
-from nacreous.study.store import NotAllowed, Store
+from nacreous.study.store import NotAllowed, Store, UnknownToken
 from tests.support.pairs import pair_answer
 from tests.support.server_process import small_study
 
@@ -66,6 +66,30 @@ def test_each_link_lets_one_person_in(folder: Path, capsys) -> None:
         assert [one.label for one in store.invitations(study)] == ["seat 3"] * 2
 
 
+def test_a_revoked_invitation_and_a_revoked_link_let_nobody_in(folder: Path, capsys) -> None:
+    assert call("invite", folder, "2", "--label", "seat 3") == 0
+    used, unused = (link.partition("#")[2] for link in capsys.readouterr().out.split())
+    study = hash_in(folder)
+    with Store.open(folder) as store:
+        store.enter(study, "en", {}, used)
+    assert call("invitations", folder) == 0
+    assert capsys.readouterr().out == "1  seat 3: used by person 0\n2  seat 3: not used\n"
+    assert call("revoke", folder, "--invitation", "1") == 2
+    assert "was used by person 0" in capsys.readouterr().err
+    assert call("revoke", folder, "--invitation", "2") == 0
+    assert call("revoke", folder, "--person", "0") == 0
+    told = capsys.readouterr().out
+    assert "invitation 2: revoked" in told
+    assert "person 0: revoked" in told
+    with Store.open(folder) as store:
+        with pytest.raises(NotAllowed, match="the invitation was revoked"):
+            store.enter(study, "en", {}, unused)
+        with pytest.raises(UnknownToken):
+            store.session_of(used)
+    assert call("invitations", folder) == 0
+    assert "2  seat 3: revoked" in capsys.readouterr().out
+
+
 def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, capsys) -> None:
     assert call("open", folder, "--everyone") == 0
     study = hash_in(folder)
@@ -92,6 +116,9 @@ def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, c
         (("close", "--store", "no/such/folder/a.sqlite"), "does not exist"),
         (("open", "--everyone", "--invited"), "not allowed with"),
         (("readmit", "3"), "does not exist; wanted: a store"),
+        (("revoke", "--invitation", "7"), "invitation is 7; allowed: those that"),
+        (("revoke", "--person", "7"), "number is 7; allowed: none, for nobody has entered"),
+        (("revoke",), "one of the arguments --invitation --person is required"),
     ],
 )
 def test_mistakes_are_told_and_change_nothing(

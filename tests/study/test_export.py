@@ -69,18 +69,25 @@ def test_a_psych_ds_folder_describes_every_column(store: Store, tmp_path: Path) 
     export(store, STUDY, tmp_path / "akoya")
     akoya = (tmp_path / "akoya").rglob("*")
     files = {str(path.relative_to(tmp_path)) for path in akoya if path.is_file()}
-    data = "akoya/data/study-akoya2looks_data.csv"
-    assert files == {"akoya/dataset_description.json", data}
+    kinds = ("", "_description-people", "_description-log")
+    tables = [f"akoya/data/study-akoya2looks{kind}_data.csv" for kind in kinds]
+    assert files == {"akoya/dataset_description.json", *tables}
     told = json.loads((tmp_path / "akoya/dataset_description.json").read_text(encoding="utf-8"))
     assert (told["@context"], told["@type"]) == ("https://schema.org", "Dataset")
     assert told["name"] == "Akoya, 2 looks"
     assert "1 people were erased; 5 answers of theirs" in told["description"]
     described = [variable["name"] for variable in told["variableMeasured"]]
-    with (tmp_path / data).open(encoding="utf-8", newline="") as stream:
-        header, *rows = csv.reader(stream)
-    assert described == header
-    assert len(rows) == 25
-    assert len({len(row) for row in rows}) == 1
+    headers, rows = [], []
+    for table in tables:
+        with (tmp_path / table).open(encoding="utf-8", newline="") as stream:
+            header, *lines = csv.reader(stream)
+        headers.append(header)
+        rows.append(len(lines))
+        assert len({len(line) for line in lines}) == 1
+    assert len(described) == len(set(described))
+    assert set(described) == {name for header in headers for name in header}
+    assert described[: len(headers[0])] == headers[0]
+    assert rows == [25, 5, len(store.events(STUDY))]
     with pytest.raises(InputError, match="is there already"):
         export(store, STUDY, tmp_path / "akoya")
 
@@ -122,7 +129,7 @@ def test_no_cell_of_text_begins_a_formula_in_a_spreadsheet(place: str, tmp_path:
             store.answer(session, pair_answer(0, "q", f"{begin}a", f"{number}", "left"))
             store.exclude(session, f"{begin}cmd|' /C calc'!A0", "lab")
         export(store, STUDY, tmp_path / "akoya")
-        [path] = (tmp_path / "akoya" / "data").iterdir()
+    path = tmp_path / "akoya" / "data" / "study-akoya2looks_data.csv"
     with path.open(encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert sum(row["excluded"].startswith("'") for row in rows) == 8
@@ -191,7 +198,7 @@ def test_a_study_without_answers_has_a_header(place: str, tmp_path: Path) -> Non
     with Store.open(place) as store:
         store.add_study({"design_hash": STUDY})
         assert export(store, STUDY, tmp_path / "none.parquet") == 0
-        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 22
+        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 23
         with pytest.raises(InputError, match=r"the ending is \.xlsx"):
             export(store, STUDY, tmp_path / "none.xlsx")
         with pytest.raises(InputError, match="is not in this store"):
@@ -228,7 +235,10 @@ def test_all_that_is_collected_of_people_is_exported_and_what_identifies_on_requ
         known = store.session(session)
         export(store, STUDY, plain)
         export(store, STUDY, whole, identifying=True)
-    paths = [path if suffix else next((path / "data").iterdir()) for path in (plain, whole)]
+    paths = [
+        path if suffix else min((path / "data").iterdir(), key=lambda one: len(one.name))
+        for path in (plain, whole)
+    ]
     read = pl.read_parquet if suffix == ".parquet" else pl.read_csv
     [row], [more] = (read(path).to_dicts() for path in paths)
     for name in ("consented_at", "finished_at"):

@@ -101,7 +101,7 @@ def small_disk(folder: Path) -> Iterator[Path]:
         ["mount", "-t", "tmpfs", "-o", "size=2m", "tmpfs", folder], capture_output=True, check=False
     )
     if done.returncode != 0:
-        pytest.skip("no small disk can be mounted here (needs root)")
+        pytest.skip("no small disk can be mounted here:   run the tests as root")
     try:
         yield folder
     finally:

@@ -96,9 +96,10 @@ def test_a_study_that_was_frozen_in_the_other_form_opens_in_this_one(frozen: Pat
 
 def test_stored_answers_are_read_in_one_form() -> None:
     row: dict[str, Any] = {"left": APART, "right": "b", "chosen": "left", "response_ms": None}
-    row |= {"number": 3, "erased_as": None, "seq": 1, "trial": 1}
+    row |= {"person": "3", "trial": 1}
     assert (chosen_of(row), pair_of(row)) == (COMPOSED, {COMPOSED, "b"})  # type: ignore[arg-type]
-    assert answers([row], {}).stimuli == ("b", COMPOSED)  # type: ignore[list-item]
+    columns = {name: [value] for name, value in row.items()}
+    assert answers(columns, {}).stimuli == ("b", COMPOSED)
 
 
 def test_observers_scale_is_read_in_one_form(frozen: Path, tmp_path: Path) -> None:

@@ -71,7 +71,7 @@ def start() -> Iterator[Server]:
     """A new server; skips the test that asks for one where none is installed."""
     where = binaries()
     if where is None:
-        pytest.skip("no PostgreSQL here (no initdb):   sudo apt install postgresql")
+        pytest.skip("no PostgreSQL here:   sudo apt install postgresql")
     # The server refuses to run as root, and its user must reach the folder.
     user = "nobody" if os.getuid() == 0 else None
     folder = Path(tempfile.mkdtemp(prefix="nacreous-"))

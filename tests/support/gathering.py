@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
 from PIL import Image
 
 from nacreous.study.design import Frozen, freeze
@@ -42,6 +43,16 @@ def _toml(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(_toml, value)) + "]"
     return json.dumps(value, ensure_ascii=False)
+
+
+def table_of(rows: list[dict[str, Any]]) -> pa.Table:
+    """Rows as a task takes them for its flags."""
+    text = ("kind", "question", "left", "right", "chosen", "excluded")
+    kinds = {"number": pa.int64(), "response_ms": pa.float64(), "simulated": pa.bool_()}
+    columns = {**dict.fromkeys(text, pa.string()), **kinds}
+    return pa.table(
+        {name: pa.array([row[name] for row in rows], kind) for name, kind in columns.items()}
+    )
 
 
 def opened(store: Store, frozen: Frozen) -> Running:

@@ -10,13 +10,13 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from fastapi import FastAPI
 
@@ -65,17 +65,18 @@ values = ["warm", "cold"]
 
 
 @cache
-def _frozen() -> Path:
-    """The study, frozen once in a process."""
-    folder = Path(tempfile.mkdtemp(prefix="nacreous-study-"))
+def _frozen() -> TemporaryDirectory[str]:
+    """The study, frozen once in a process, which removes it when it ends."""
+    temporary = TemporaryDirectory(prefix="nacreous-study-")
+    folder = Path(temporary.name)
     (folder / "small.toml").write_text(STUDY, encoding="utf-8")
     freeze(folder / "small.toml", folder / "study")
-    return folder / "study"
+    return temporary
 
 
 def small_study(folder: Path) -> Path:
     """A frozen study of three stimuli in a folder that is not there yet: 5 trials a person."""
-    shutil.copytree(_frozen(), folder)
+    shutil.copytree(Path(_frozen().name) / "study", folder)
     return folder
 
 
@@ -138,9 +139,19 @@ def served(
     prepared: bool = True,
     program: str = __file__,
 ) -> Iterator[Served]:
-    """Serve a frozen study on any free port; if it is prepared, anybody may enter."""
+    """Serve a frozen study on any free port; if it is prepared, anybody may enter.
+
+    A process that is killed cannot remove what it keeps in the temporary folder: it has its own.
+    """
     if prepared:
         prepare(folder, place)
+    with TemporaryDirectory(prefix="nacreous-served-", ignore_cleanup_errors=True) as temporary:
+        yield from _serving(folder, options, place, program, temporary)
+
+
+def _serving(
+    folder: Path, options: tuple[str, ...], place: str | None, program: str, temporary: str
+) -> Iterator[Served]:
     command = [sys.executable, program, "study", "serve", str(folder), "--port", "0", *options]
     process = subprocess.Popen(
         [*command, *(("--store", place) if place else ())],
@@ -148,7 +159,7 @@ def served(
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
-        env=_environment(),
+        env=_environment() | {"TMPDIR": temporary},
     )
     try:
         yield _started(process)
@@ -181,9 +192,10 @@ def _started(process: subprocess.Popen[str]) -> Served:
 def main() -> int:
     from nacreous.cli import main as nacreous
 
-    if not (pages.FOLDER / "index.html").exists():
-        pages.FOLDER = some_pages(Path(tempfile.mkdtemp(prefix="nacreous-pages-")) / "pages")
-    return nacreous(sys.argv[1:])
+    with TemporaryDirectory(prefix="nacreous-pages-") as folder:
+        if not (pages.FOLDER / "index.html").exists():
+            pages.FOLDER = some_pages(Path(folder) / "pages")
+        return nacreous(sys.argv[1:])
 
 
 if __name__ == "__main__":

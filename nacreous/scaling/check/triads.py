@@ -71,9 +71,7 @@ def circular_triads(data: Any) -> Triads:
     most = most_circular(count)
     full = len(beats) == comb(count, 2)
     if full:
-        # Equation (1) there, less what the coins of ties add to the variance of wins.
-        circular = count * (count - 1) * (2 * count - 1) / 12 - float(wins @ wins) / 2 - tied / 4
-        circular, complete = max(0.0, circular), comb(count, 3)
+        circular, complete = circular_of(wins, tied), comb(count, 3)
     else:
         circular, complete = count_open(shares)
     return Triads(
@@ -86,6 +84,20 @@ def circular_triads(data: Any) -> Triads:
         wins=wins,
         named=_named(shares, comparisons.stimuli) if count <= MOST_LISTED else (),
     )
+
+
+def circular_of(wins: NDArray[np.float64], tied: int) -> float:
+    """Circular triads where every pair was compared, from how many others each beats.
+
+    wins: float64 [n], a tie counting half. tied: pairs without a majority, broken by coins.
+
+    >>> circular_of(np.array([1.0, 1.0, 1.0]), 0)
+    1.0
+    """
+    count = len(wins)
+    # Equation (1) there, less what the coins of ties add to the variance of wins.
+    circular = count * (count - 1) * (2 * count - 1) / 12 - float(wins @ wins) / 2 - tied / 4
+    return max(0.0, circular)
 
 
 def most_circular(count: int) -> int:

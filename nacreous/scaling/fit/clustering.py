@@ -32,6 +32,8 @@ LEAST_PEOPLE = 3
 #: People times parameters cubed up to which each person's own correction is worked out (a second).
 #: Beyond, all get the one of equal designs.
 _MOST_WORK = 2e9
+#: People whose corrections are worked out at a time.
+_PEOPLE = 64
 #: A person whose answers leave less than this of a direction alone decides it.
 _ALONE = 1e-7
 INSTEAD = 'kind="expected" or counts, which take answers as independent'
@@ -73,12 +75,14 @@ class Clusters:
     def _freedom(self, contrast: Array) -> float:
         weights = self.lever @ contrast
         shown = np.einsum("cij,cj->ci", self.seen, weights)
-        residual = -(shown @ self.spread @ shown.T)
         own = np.einsum("ci,ci->c", weights, shown)
-        residual[np.diag_indices_from(residual)] += own
-        squares = float((residual**2).sum())
+        # P = diag(own) - S M S', person by person; its traces from sums of the parameters' size.
+        across = np.einsum("ci,ij,cj->c", shown, self.spread, shown, optimize=True)
+        small = self.spread @ (shown.T @ shown)
+        squares = float(np.sum(own**2) - 2 * np.sum(own * across) + np.sum(small * small.T))
         # A contrast that is 0 whatever the answers, such as of equal rows of a design.
-        return float(np.trace(residual)) ** 2 / squares if squares > 0 else len(own) - 1.0
+        trace = float(np.sum(own) - np.sum(across))
+        return trace**2 / squares if squares > 0 else len(own) - 1.0
 
 
 def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
@@ -173,8 +177,9 @@ def _information(
     link, ties, order, design = like
     person = answers.person if answers.person is not None else np.zeros(len(answers), np.int64)
     found = []
-    for one in np.unique(person):
-        rows = np.flatnonzero(person == one)
+    by_person = np.argsort(person, kind="stable")
+    starts = np.unique(person[by_person], return_index=True)[1]
+    for rows in np.split(by_person, starts[1:]):
         counts = Comparisons.of_outcomes(
             answers.stimuli,
             answers.left[rows],
@@ -191,6 +196,14 @@ def _corrections(seen: Array, spread: Array) -> Array:
     """CR2's matrix of each person's score: A (H - H M H) A' = H, for H seen and M spread."""
     values, vectors = np.linalg.eigh(seen)
     values = np.where(values > 1e-10 * values.max(), values, 0.0)
+    for start in range(0, len(seen), _PEOPLE):  # all at once would take memory several times over
+        some = slice(start, start + _PEOPLE)
+        vectors[some] = _corrected(values[some], vectors[some], spread)
+    return np.asarray(vectors)
+
+
+def _corrected(values: Array, vectors: Array, spread: Array) -> Array:
+    """The matrices of some people, from the eigenvalues and -vectors of H."""
     root = np.sqrt(values)
     back = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
     half = (vectors * root[:, None, :]) @ np.swapaxes(vectors, 1, 2)

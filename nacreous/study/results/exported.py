@@ -15,7 +15,7 @@ from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.store.spreadsheet import as_given
 from nacreous.study.task.counting import counts
 from nacreous.study.task.row import Row
-from nacreous.study.task.tasks import task_of
+from nacreous.study.task.tasks import columns_of_tasks, task_of
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["exported_answers", "exported_settings"]
 
 _NAMES = tuple(column.name for column in COLUMNS)
+_COUNTED = (*(column.name for column in columns_of_tasks()), "person", "trial", "response_ms")
 _KNOWN = (*_NAMES, *(column.name for column in (CHOSEN_BY, *PERSON, *IDENTIFYING)))
 
 
@@ -63,8 +64,9 @@ def exported_answers(
         hint = "; those of simulated observers do with --simulated" if others else ""
         raise InputError(f"{path}: no answers to {question!a} count; wanted: at least one{hint}")
     groups = {name: _texts(table, name) for name in table.columns if name not in _KNOWN}
-    answers = task_of(rows[which[0]]).answers(
-        [rows[place] for place in which],
+    kept = [rows[place] for place in which]
+    answers = task_of(kept[0]).answers(
+        {name: [cast("Any", row)[name] for row in kept] for name in _COUNTED},
         {name: [levels[place] for place in which] for name, levels in groups.items()},
     )
     return called_simulated(answers) if simulated else answers
@@ -99,7 +101,8 @@ def _rows(table: Table, where: str) -> list[Row]:
         cell = f"{where}: row {place + 1}"
         comma = table.decimal_comma
         row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
-        row["trial"] = _number(row["trial"], f"{cell}: trial", comma)
+        trial = _number(row["trial"], f"{cell}: trial", comma)
+        row["trial"] = row["seq"] if trial is None else trial  # of an erased person
         row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms", comma)
         row["simulated"] = _whether(row["simulated"], f"{cell}: simulated")
         # Numbers and random names are labels here, and told apart by none.

@@ -1,6 +1,7 @@
 """Where a study's sessions and answers are kept: nothing lost, nothing counted twice."""
 
 from nacreous.study.store.backup import Copied, backup, restore
+from nacreous.study.store.coded import Coded
 from nacreous.study.store.export import answers_of, counts, export
 from nacreous.study.store.fault import StoreError
 from nacreous.study.store.progress import PersonProgress, Progress
@@ -11,6 +12,7 @@ from nacreous.study.task.response import Response
 
 __all__ = [
     "Answer",
+    "Coded",
     "Conflict",
     "Copied",
     "Event",

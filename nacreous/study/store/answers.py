@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import Any, cast
 
 import sqlalchemy as sa
@@ -11,13 +12,22 @@ from nacreous.study.store import check, journal, people, tokens
 from nacreous.study.store.record import PLACES, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
+from nacreous.study.task.counting import DATA
 from nacreous.study.task.row import Row, Tallied
 
+#: Answers that are read at a time, and held as Python objects.
+ROWS = 8192
 REFUSED = "answer refused"
 #: Answers of one session that are kept after they were refused. A second tab or device gives a few;
 #: more only a program that would fill the disk.
 MOST_REFUSED = 200
 
+_EXCLUDED = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason).label(
+    "excluded"
+)
+#: What is known of who gave an answer.
+_OF_PERSON = (sessions.c.number, sessions.c.language, sessions.c.groups, _EXCLUDED)
+_PERSON = sa.func.coalesce(sa.cast(sessions.c.number, sa.Text), answers.c.erased_as).label("person")
 # Made once, for making a statement takes longer than running it.
 _INSERT = {
     name: make(answers)
@@ -114,32 +124,65 @@ def _receipt(session: str, answer: Answer, at: str, *, again: bool) -> Receipt:
 
 def rows(connection: sa.Connection, study: str, session: str | None = None) -> list[Row]:
     """Every answer of a study, in the order of arrival, with what is known of who gave it."""
-    excluded = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason)
-    query = (
-        sa.select(
-            answers,
-            sessions.c.number,
-            sessions.c.language,
-            sessions.c.groups,
-            excluded.label("excluded"),
-        )
-        .outerjoin(sessions, sessions.c.id == answers.c.session)
-        .where(answers.c.study == study)
-        .order_by(answers.c.seq)
-    )
+    query = _joined(study, answers, *_OF_PERSON).order_by(answers.c.seq)
     if session is not None:
         query = query.where(answers.c.session == session)
     return [cast("Row", dict(row)) for row in connection.execute(query).mappings()]
 
 
+def parts(
+    connection: sa.Connection, study: str, names: Sequence[str]
+) -> Iterator[dict[str, Sequence[Any]]]:
+    """Some columns of every answer, as `rows` has them, `ROWS` answers at a time.
+
+    person: as `nacreous.study.task.row.person_of` has it. The database holds back what has not
+    been asked for, and no part outlives the next.
+    """
+    known = {column.name: column for column in (*answers.c, *_OF_PERSON, _PERSON)}
+    query = _joined(study, *(known[name] for name in names)).order_by(answers.c.seq)
+    yield from _in_parts(connection, query)
+
+
+def counting_parts(
+    connection: sa.Connection, study: str, question: str, *, simulated: bool
+) -> Iterator[dict[str, Sequence[Any]]]:
+    """What a scale takes of the answers that count, in the order of arrival, as `parts`.
+
+    Those of `nacreous.study.task.counting`, as the database finds them. trial: of an erased
+    person, who has none left, the order of arrival.
+    """
+    trial = sa.func.coalesce(answers.c.trial, answers.c.seq)
+    columns = (
+        *(answers.c[name] for name in (*PLACES, "chosen", "response_ms")),
+        *(_PERSON, trial.label("trial"), sessions.c.groups),
+    )
+    query = _joined(study, *columns).where(
+        answers.c.question == question,
+        answers.c.kind.in_(DATA),
+        _EXCLUDED.is_(None),
+        answers.c.simulated == simulated,
+    )
+    yield from _in_parts(connection, query.order_by(answers.c.seq))
+
+
+def _joined(study: str, *columns: Any) -> sa.Select[Any]:
+    """Columns of a study's answers and of who gave them."""
+    query = sa.select(*columns).select_from(answers)
+    query = query.outerjoin(sessions, sessions.c.id == answers.c.session)
+    return query.where(answers.c.study == study)
+
+
+def _in_parts(
+    connection: sa.Connection, query: sa.Select[Any]
+) -> Iterator[dict[str, Sequence[Any]]]:
+    found = connection.execution_options(yield_per=ROWS).execute(query)
+    for part in found.partitions():
+        yield dict(zip(found.keys(), zip(*part, strict=True), strict=True))
+
+
 def tally(connection: sa.Connection, study: str) -> list[Tallied]:
     """How many answers are the same but for who gave them and when."""
-    excluded = sa.func.coalesce(sessions.c.excluded_reason, answers.c.excluded_reason)
     named = [answers.c[name] for name in ("question", "kind", "simulated", *PLACES, "chosen")]
-    query = (
-        sa.select(*named, excluded.label("excluded"), sa.func.count().label("count"))
-        .outerjoin(sessions, sessions.c.id == answers.c.session)
-        .where(answers.c.study == study)
-        .group_by(*named, excluded)
-    )
+    query = _joined(study, *named, _EXCLUDED, sa.func.count().label("count"))
+    query = query.group_by(*named, _EXCLUDED)
     return [cast("Tallied", dict(row)) for row in connection.execute(query).mappings()]

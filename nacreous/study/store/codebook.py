@@ -36,6 +36,30 @@ COLUMNS = (
     Column("flags", "What was noticed while the answer was given, as JSON."),
 )
 
+#: Of people, a row for everyone who has entered, before and after `PERSON`.
+PEOPLE = (
+    Column("person", "Number of the participant in order of entry, from 0."),
+    Column("language", "Language of the pages that the person saw."),
+    Column("excluded", "Why this person's answers are not to be counted; empty: they are."),
+    Column("simulated", "Whether a program gave any of the answers.", None, ("true", "false")),
+    Column("erased", "Whether the person was erased.", None, ("true", "false")),
+    Column("slot", "From which the person's trials and groups follow; of a drop-out given again."),
+    Column("answers", "How many answers of the person are stored."),
+    Column("trials", "How many trials the person's plan has."),
+)
+PLAN = Column("plan", "The trials that the person was to see, in order, as JSON.")
+
+#: Of the log of the store, a row a line; and what may identify somebody.
+LOG = (
+    Column("at", f"When it happened, by the server's clock; {_TIME}."),
+    Column("what", "What was done, or refused."),
+    Column("person", "Number of the participant whom it was done by or to; empty: none."),
+)
+LOG_IDENTIFYING = (
+    Column("who", "Who did it: participant, or the experimenter's name."),
+    Column("detail", "More of it, as JSON: reasons, and each answer that was refused, whole."),
+)
+
 #: Of studies whose plans hang on the answers so far; other exports do not have it.
 CHOSEN_BY = Column(
     "pairs_chosen_by",
@@ -44,7 +68,9 @@ CHOSEN_BY = Column(
     ("greedy", "drawn"),
 )
 
-_NAMES = frozenset(column.name for column in (*COLUMNS, CHOSEN_BY, *PERSON, *IDENTIFYING))
+_NAMES = frozenset(
+    column.name for column in (*COLUMNS, CHOSEN_BY, *PERSON, *IDENTIFYING, *PEOPLE, PLAN)
+)
 
 
 def group_column(name: str) -> Column:
@@ -66,7 +92,8 @@ def description(
         "@type": "Dataset",
         "name": name,
         "description": (
-            f"Answers to {called}, a row an answer: {progress.answers} answers of "
+            f"Answers to {called}, a row an answer; in description-people everyone who entered, in "
+            f"description-log what was done: {progress.answers} answers of "
             f"{progress.entered} people. {progress.excluded} people were excluded; their rows are "
             f"here and say why. {progress.erased} people were erased; {progress.erased_answers} "
             f"answers of theirs are here without anything that leads to them. "

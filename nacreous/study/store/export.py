@@ -6,32 +6,39 @@ Excluded, simulated and erased rows are marked in files, never left out.
 from __future__ import annotations
 
 import codecs
-import copy
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
+from itertools import islice
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from nacreous import file, folder
 from nacreous.problem import InputError
-from nacreous.study.design.design import Design
-from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS, description, group_column
-from nacreous.study.store.person_columns import person_columns
+from nacreous.study.store import answers as answering
+from nacreous.study.store import check
+from nacreous.study.store.answers import ROWS
+from nacreous.study.store.codebook import description, group_column
+from nacreous.study.store.coded import Coded
 from nacreous.study.store.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
-from nacreous.study.task import counting
-from nacreous.study.task.column import Column
-from nacreous.study.task.row import Row, person_of
-from nacreous.study.task.tasks import TASKS, columns_of_tasks, task_of
+from nacreous.study.store.tables import TABLES, Table, levels_of
+from nacreous.study.task.tasks import task_of
 
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from nacreous.scaling import Answers, Comparisons
 
 _RECORD = "dataset_description.json"
-#: Rows written at a time.
-_ROWS = 65_536
+#: Parts of a table that are one row group of Parquet: 65,536 rows.
+_ROW_GROUP = 65_536 // ROWS
+#: What a scale takes of an answer, and how it is held.
+_COUNTED = {
+    **dict.fromkeys(("left", "right", "chosen", "person", "groups"), "text"),
+    **{"trial": "int64", "response_ms": "float64"},
+}
 _MAKER = "nacreous study export"
 
 
@@ -40,13 +47,15 @@ def export(
     study: str,
     output: str | PathLike[str],
     *,
+    table: str = "answers",
     bom: bool = False,
     identifying: bool = False,
 ) -> int:
-    """Write all answers of a study to .csv, .parquet or a Psych-DS folder; return how many.
+    """Write a table of a study to .csv or .parquet, or all to a Psych-DS folder; return its rows.
 
-    A name without an ending is a folder, which must not be there yet: `dataset_description.json`
-    describes every column, and `data/` holds the answers. A file or folder is whole or absent.
+    table: "answers", "people" (everyone who has entered) or "log". A name without an ending is a
+    folder, which must not be there yet: `dataset_description.json` describes every column, and
+    `data/` holds all three. A file or folder is whole or absent.
     bom: begin a .csv with a byte order mark, by which Excel knows UTF-8. In CSV texts that a
     spreadsheet would take for a formula are defused (`nacreous.study.store.spreadsheet`).
     identifying: with what may identify a person (`nacreous.study.store.person_columns`), readable
@@ -58,13 +67,15 @@ def export(
     if suffix:
         file.check_output(output, [".csv", ".parquet"])
         file.require_apart([output], [store.place])
-    columns, table = _table(store, study, identifying)
+    made = TABLES[check.one_of("table", table, TABLES)](store, study, identifying)
     if suffix:
         with file.atomic(output, private=identifying) as temporary:
-            _write(table, temporary, suffix, bom)
-    else:
-        _write_psych_ds(store, study, columns, table, Path(output), private=identifying)
-    return int(table.num_rows)
+            return _write(made, temporary, suffix, bom)
+    tables = {
+        name: made if name == table else make(store, study, identifying)
+        for name, make in TABLES.items()
+    }
+    return _write_psych_ds(store, study, tables, Path(output), private=identifying)[table]
 
 
 def answers_of(store: Store, study: str, question: str, *, simulated: bool = False) -> Answers:
@@ -87,15 +98,16 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     ...     answers_of(store, study, "deeper")
     Answers(1 answers, 2 stimuli, 1 person)
     """
-    rows = [
-        row
-        for row in store.answers(study)
-        if row["question"] == question and counting.counts(row, simulated=simulated)
-    ]
-    if not rows:
+    columns = Coded(_COUNTED)
+    with store.reading() as connection:
+        for part in answering.counting_parts(connection, study, question, simulated=simulated):
+            columns.add(part)
+    table = columns.table()
+    if not table.num_rows:
         raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
-    groups = {column.name: levels for column, levels in _groups(rows).items()}
-    return task_of(rows[0]).answers(rows, groups)
+    given = table["groups"].combine_chunks()
+    groups = {group_column(name).name: level for name, level in levels_of(given).items()}
+    return task_of({}).answers({name: table[name] for name in table.column_names}, groups)
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:
@@ -103,84 +115,52 @@ def counts(store: Store, study: str, question: str, *, simulated: bool = False) 
     return answers_of(store, study, question, simulated=simulated).comparisons()
 
 
-def _groups(rows: Sequence[Row]) -> dict[Column, list[str | None]]:
-    """Each group's level by row."""
-    groups = [json.loads(row["groups"] or "{}") for row in rows]
-    names = sorted({name for given in groups for name in given})
-    return {group_column(name): [given.get(name) for given in groups] for name in names}
-
-
-def _table(store: Store, study: str, identifying: bool) -> tuple[list[Column], Any]:
-    """The columns described, and a pyarrow table of them."""
-    import pyarrow as pa
-
-    store_rows = store.answers(study)
-    rows: Sequence[Mapping[str, Any]] = store_rows
-    texts = (
-        *("kind", "question", "shown_at", "answered_at", "received_at"),
-        *("language", "excluded", "flags", *(column.name for column in columns_of_tasks())),
-    )
-    values: dict[str, Any] = {
-        name: pa.array([row[name] for row in rows], pa.string()) for name in texts
-    }
-    values["sequence"] = pa.array([row["seq"] for row in rows], pa.int64())
-    values["person"] = pa.array([person_of(row) for row in rows], pa.string())
-    values["trial"] = pa.array([row["trial"] for row in rows], pa.int32())
-    values["response_ms"] = pa.array([row["response_ms"] for row in rows], pa.float64())
-    values["simulated"] = pa.array([row["simulated"] for row in rows], pa.bool_())
-    values["erased"] = pa.array([row["erased_as"] is not None for row in rows], pa.bool_())
-    chosen_by = _chosen_by(store, study)
-    if chosen_by is not None:
-        values[CHOSEN_BY.name] = pa.array([chosen_by] * len(rows), pa.string())
-    groups = _groups(store_rows)
-    for column, levels in groups.items():
-        values[column.name] = pa.array(levels, pa.string())
-    numbers = [row["number"] for row in store_rows]
-    people = person_columns(store, study, numbers, identifying=identifying)
-    values.update({column.name: told for column, told in people.items()})
-    columns = [*COLUMNS, *([] if chosen_by is None else [CHOSEN_BY]), *people, *groups]
-    return columns, pa.table({column.name: values[column.name] for column in columns})
-
-
-def _chosen_by(store: Store, study: str) -> str | None:
-    """How the study chooses items by the answers so far; None where it does not."""
-    stored = store.manifest(study).get("design")
-    if not isinstance(stored, dict):
-        return None
-    try:
-        design = Design.check(copy.deepcopy(stored), f"study {study[:12]}", Path())
-    except InputError:  # of another version, say; what was collected is exported all the same
-        return None
-    return TASKS[design.task].chosen_by(design.asked)
-
-
-def _write(table: Any, path: Path, suffix: str, bom: bool = False) -> None:
+def _write(table: Table, path: Path, suffix: str, bom: bool = False) -> int:
+    """Part by part, for what is known of a person is long, and stands in each row."""
     from pyarrow import csv, parquet
 
-    schema = plain(table.slice(0, 0)).schema
+    csv_wanted = suffix == ".csv"
+    make = csv.CSVWriter if csv_wanted else parquet.ParquetWriter
+    rows = 0
     with path.open("wb") as stream:
         stream.write(codecs.BOM_UTF8 if bom else b"")
-        make = csv.CSVWriter if suffix == ".csv" else parquet.ParquetWriter
-        with make(stream, schema) as writer:
-            # In parts, for what is known of a person is long, and stands in each row.
-            for start in range(0, table.num_rows, _ROWS):
-                part = plain(table.slice(start, _ROWS))
-                writer.write_table(defused(part) if suffix == ".csv" else part)
+        with make(stream, plain(table.empty).schema) as writer:
+            parts = (plain(part) for part in table.parts())
+            for part in map(defused, parts) if csv_wanted else _larger(parts):
+                writer.write_table(part)
+                rows += part.num_rows
+    return rows
+
+
+def _larger(parts: Iterator[pa.Table]) -> Iterator[pa.Table]:
+    """Parts joined, so that each is a row group of Parquet worth reading."""
+    import pyarrow as pa
+
+    while some := list(islice(parts, _ROW_GROUP)):
+        yield pa.concat_tables(some).combine_chunks()
 
 
 def _write_psych_ds(
-    store: Store, study: str, columns: Sequence[Column], table: Any, output: Path, *, private: bool
-) -> None:
+    store: Store, study: str, tables: Mapping[str, Table], output: Path, *, private: bool
+) -> dict[str, int]:
     if output.exists():
         raise InputError(f"{output}: is there already; wanted: a folder that is not")
     design = store.manifest(study).get("design")
     name = str(design.get("name", "")) if isinstance(design, Mapping) else ""
     word = re.sub("[^a-z0-9]", "", name.lower()) or study[:12]
-    told = description(name or f"study {study[:12]}", study, columns, store.progress(study))
+    first = {column.name: column for table in tables.values() for column in table.columns}
+    first.update({column.name: column for column in tables["answers"].columns})
+    told = description(
+        name or f"study {study[:12]}", study, list(first.values()), store.progress(study)
+    )
     with folder.whole(output, [_RECORD, "data"], _RECORD, _MAKER) as temporary:
         (temporary / "data").mkdir()
-        data = temporary / "data" / f"study-{word}_data.csv"
-        data.touch(0o600 if private else 0o666)
-        _write(table, data, ".csv")
+        rows = {}
+        for called, table in tables.items():
+            kind = "" if called == "answers" else f"_description-{called}"
+            data = temporary / "data" / f"study-{word}{kind}_data.csv"
+            data.touch(0o600 if private else 0o666)
+            rows[called] = _write(table, data, ".csv")
         text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
         (temporary / _RECORD).write_text(text, encoding="utf-8", newline="\n")
+    return rows

@@ -133,6 +133,14 @@ def screen_checks(connection: sa.Connection, study: str) -> dict[int, list[dict[
     return found
 
 
+def groups_of_answers(connection: sa.Connection, study: str) -> list[str]:
+    """The groups, as JSON, of all who have given an answer, each once."""
+    answered = sa.exists().where(answers.c.session == sessions.c.id)
+    known = sessions.c.groups.is_not(None)
+    query = sa.select(sessions.c.groups).distinct()
+    return list(connection.scalars(query.where(sessions.c.study == study, known, answered)))
+
+
 def one(connection: sa.Connection, session: str) -> Session:
     """A session by its id."""
     found = find(connection, sessions.c.id == session)

@@ -1,7 +1,8 @@
 """What is known of whoever gave an answer, as columns of an export: times, browser, screen checks.
 
 What may identify a person is left out unless it is asked for: the browser's full name, texts that a
-screen check holds beside its own words, and whom an invitation was for.
+screen check holds beside its own words, whom an invitation was for, the address's parameters, and a
+completion code of the person's own.
 """
 
 from __future__ import annotations
@@ -9,15 +10,15 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 from nacreous.study.store import check
+from nacreous.study.store.record import Session
 from nacreous.study.task.column import Column
+from nacreous.study.task.flag import Flag
 
-if TYPE_CHECKING:
-    from nacreous.study.store.store import Store
-
-__all__ = ["IDENTIFYING", "PERSON", "person_columns"]
+__all__ = ["IDENTIFYING", "PERSON", "Known", "PersonColumns"]
 
 _TIME = "by the server's clock, UTC, ISO 8601; empty of an erased person"
 
@@ -28,6 +29,14 @@ PERSON = (
     Column(
         "finished_at",
         f"When the person's last answer was stored, {_TIME}, and of who did not finish.",
+    ),
+    Column(
+        "person_flags",
+        "What is odd about the person's answers, as the laboratory's page shows it: a JSON list of "
+        "flag (catches, repeats, left, right, circles, fast, unwaited, pause, answer-NAME for what "
+        "the page noticed, screen-NAME for what the check of the screen found) and detail (2/3 is "
+        "two of three). It excludes nobody. Empty: nothing, an erased person, or a study of "
+        "another version.",
     ),
     Column("browser", "The browser's family, without its version; empty where unknown."),
     Column(
@@ -44,6 +53,12 @@ PERSON = (
 IDENTIFYING = (
     Column("browser_name", "The browser's name and version, as the page told it."),
     Column("invitation", "What the experimenter called the invitation by which the person came."),
+    Column(
+        "parameters",
+        "Of the address by which the person came, those that the study declares, as JSON; they may "
+        "identify somebody, as a recruiting platform's id does.",
+    ),
+    Column("completion_code", "The code of the person's own, told to who has finished."),
 )
 
 #: The keys of a screen check whose texts are words of ours, and not what somebody wrote.
@@ -51,33 +66,59 @@ _WORDS = frozenset(("flags", "distance_by", "gamut"))
 _AGENT = "agent"
 
 
-def person_columns(
-    store: Store, study: str, numbers: Sequence[int | None], *, identifying: bool
-) -> dict[Column, Any]:
-    """Each column for answers of the people of these numbers, as dictionary-encoded Arrow text.
+@dataclass(frozen=True)
+class Known:
+    """What a store knows of a study's people; checks, labels of invitations and flags by number."""
 
-    None stands for an erased person, of whom nothing is told.
-    """
-    import pyarrow as pa
+    people: Sequence[Session]
+    checks: Mapping[int, Sequence[Mapping[str, Any]]]
+    labels: Mapping[int, str]
+    flags: Mapping[int, Sequence[Flag]]
 
-    people = [one for one in store.sessions(study) if one.erased_at is None]
-    checks = store.screen_checks(study)
-    labels = {one.number: one.label for one in store.invitations(study) if one.number is not None}
-    place = {one.number: row for row, one in enumerate(people)}
+
+class PersonColumns:
+    """The columns of rows about people, each person's values put into words once."""
+
+    def __init__(self, known: Known, *, identifying: bool) -> None:
+        import pyarrow as pa
+
+        people = [one for one in known.people if one.erased_at is None]
+        values = _values(known, people, identifying)
+        self.columns = (*PERSON, *(IDENTIFYING if identifying else ()))
+        self._place = {one.number: row for row, one in enumerate(people)}
+        self._told = {
+            column.name: pa.array(values[column.name], pa.string()) for column in self.columns
+        }
+
+    def of(self, numbers: Sequence[int | None]) -> dict[str, Any]:
+        """Each column, by name, for the people of these numbers, as dictionary-encoded Arrow text.
+
+        None stands for an erased person, of whom nothing is told.
+        """
+        import pyarrow as pa
+
+        rows = pa.array([None if n is None else self._place.get(n) for n in numbers], pa.int32())
+        return {
+            name: pa.DictionaryArray.from_arrays(rows, told) for name, told in self._told.items()
+        }
+
+
+def _values(
+    known: Known, people: Sequence[Session], identifying: bool
+) -> dict[str, list[str | None]]:
+    """By the column's name, a value a person."""
     agents = [str((one.screen or {}).get(_AGENT) or "") for one in people]
-    values: dict[str, list[str | None]] = {
+    return {
         "entered_at": [check.written("entered_at", one.started_at) for one in people],
         "consented_at": [_written(one.consented_at) for one in people],
         "finished_at": [_written(one.finished_at) for one in people],
         "browser": [_family(agent) for agent in agents],
-        "screen_checks": [_told(checks.get(one.number, []), identifying) for one in people],
+        "person_flags": [_marks(known.flags.get(one.number, ())) for one in people],
+        "screen_checks": [_told(known.checks.get(one.number, []), identifying) for one in people],
         "browser_name": [agent or None for agent in agents],
-        "invitation": [labels.get(one.number) for one in people],
-    }
-    rows = pa.array([None if n is None else place.get(n) for n in numbers], pa.int32())
-    return {
-        column: pa.DictionaryArray.from_arrays(rows, pa.array(values[column.name], pa.string()))
-        for column in (*PERSON, *(IDENTIFYING if identifying else ()))
+        "invitation": [known.labels.get(one.number) for one in people],
+        "parameters": [_json(one.parameters) if one.parameters else None for one in people],
+        "completion_code": [one.completion_code for one in people],
     }
 
 
@@ -99,8 +140,16 @@ def _told(checks: Sequence[Mapping[str, Any]], identifying: bool) -> str | None:
     """Checks as JSON."""
     if not checks:
         return None
-    told = [dict(one) if identifying else _without_texts(one) for one in checks]
-    return json.dumps(told, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return _json([dict(one) if identifying else _without_texts(one) for one in checks])
+
+
+def _marks(flags: Sequence[Flag]) -> str | None:
+    """Flags as JSON."""
+    return _json([{"flag": one.kind, "detail": one.detail} for one in flags]) if flags else None
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
 
 
 def _without_texts(value: Mapping[str, Any]) -> dict[str, Any]:

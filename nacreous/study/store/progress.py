@@ -55,7 +55,7 @@ def progress(connection: sa.Connection, study: str, state: str) -> Progress:
         for person in everyone
         if person.finished_at is not None and person.erased_at is None
     ]
-    total, simulated, erased = _totals(connection, study)
+    erased, erased_simulated = _erased(connection, study)
     return Progress(
         state=state,
         entered=len(everyone),
@@ -63,8 +63,8 @@ def progress(connection: sa.Connection, study: str, state: str) -> Progress:
         finished=sum(person.finished_at is not None for person in everyone),
         excluded=sum(person.excluded_reason is not None for person in everyone),
         erased=sum(person.erased_at is not None for person in everyone),
-        answers=total,
-        simulated=simulated,
+        answers=erased + sum(count for count, _, _ in counts.values()),
+        simulated=erased_simulated + sum(simulated for _, simulated, _ in counts.values()),
         erased_answers=erased,
         median_s=median(lasting) if lasting else None,
         people=tuple(
@@ -74,7 +74,8 @@ def progress(connection: sa.Connection, study: str, state: str) -> Progress:
 
 
 def _counts(connection: sa.Connection, study: str) -> dict[str, tuple[int, int, datetime | None]]:
-    # The newest by sequence, for a clock that was set back must not hide it.
+    # By person, for so an index holds all that is counted. The newest by sequence, for a clock that
+    # was set back must not hide it.
     grouped = (
         sa.select(
             answers.c.session,
@@ -82,7 +83,7 @@ def _counts(connection: sa.Connection, study: str) -> dict[str, tuple[int, int, 
             sa.func.count().filter(answers.c.simulated).label("simulated"),
             sa.func.max(answers.c.seq).label("last"),
         )
-        .where(answers.c.study == study, answers.c.session.is_not(None))
+        .where(answers.c.session.in_(sa.select(sessions.c.id).where(sessions.c.study == study)))
         .group_by(answers.c.session)
         .subquery()
     )
@@ -95,10 +96,10 @@ def _counts(connection: sa.Connection, study: str) -> dict[str, tuple[int, int, 
     }
 
 
-def _totals(connection: sa.Connection, study: str) -> tuple[int, int, int]:
+def _erased(connection: sa.Connection, study: str) -> tuple[int, int]:
+    """How many answers are of erased people, who have no session, and how many simulated."""
     simulated = sa.func.count().filter(answers.c.simulated)
-    erased = sa.func.count(answers.c.erased_as)
-    row = connection.execute(
-        sa.select(sa.func.count(), simulated, erased).where(answers.c.study == study)
-    ).one()
-    return int(row[0]), int(row[1]), int(row[2])
+    # An expression, lest SQLite look for the study first, and at each of its answers.
+    theirs = answers.c.session.is_(None), sa.func.coalesce(answers.c.study, "") == study
+    row = connection.execute(sa.select(sa.func.count(), simulated).where(*theirs)).one()
+    return int(row[0]), int(row[1])

@@ -95,6 +95,8 @@ answers = sa.Table(
     sa.Column("erased_as", sa.String(24)),
     sa.Column("excluded_reason", sa.Text),
     sa.UniqueConstraint("session", "trial"),
+    # What progress counts is all in here, so that no answer itself is looked at.
+    sa.Index("ix_answers_session_simulated_seq", "session", "simulated", "seq"),
     sqlite_autoincrement=True,
 )
 

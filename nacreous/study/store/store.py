@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import uuid
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from datetime import timedelta
 from functools import partial
@@ -216,6 +216,19 @@ class Store(Lab):
             if study not in studies.states(connection):
                 raise studies.unknown(study)
             return answering.rows(connection, study, session)
+
+    def parts(self, study: str, names: Sequence[str]) -> Iterator[Mapping[str, Sequence[Any]]]:
+        """Some columns of every answer, by name, as `answers` has them, some thousands at a time.
+
+        However many there are, one part is in memory. All are of one state of the store.
+        """
+        with self.reading() as connection:
+            yield from answering.parts(connection, study, names)
+
+    def groups_of_answers(self, study: str) -> list[str]:
+        """The groups, as JSON, of all who have given an answer, each once."""
+        with self.reading() as connection:
+            return people.groups_of_answers(connection, study)
 
     def tally(self, study: str) -> list[Tallied]:
         """Equal answers counted, whether they count or not; far less than all answers.

@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Literal, get_args
 
-__all__ = ["HEEDED", "KINDS", "Kind", "counts", "is_data"]
+__all__ = ["DATA", "HEEDED", "KINDS", "Kind", "counts", "is_data"]
 
 #: Why a trial is shown. "pair" is any trial that is asked for the first time, of whatever task; the
 #: word is older than the other tasks, and stands in stores.
 Kind = Literal["training", "pair", "repeat", "catch"]
 KINDS: tuple[str, ...] = get_args(Kind)
-_DATA = ("pair", "repeat")
+#: Those that are data for a scale.
+DATA: tuple[Kind, ...] = ("pair", "repeat")
 #: What of an answer decides whether it counts. An export holds them; a table without is none.
 HEEDED = ("kind", "excluded", "simulated")
 
@@ -25,7 +26,7 @@ def is_data(row: Mapping[str, Any]) -> bool:
     >>> [kind for kind in KINDS if is_data({"kind": kind})]
     ['pair', 'repeat']
     """
-    return row["kind"] in _DATA
+    return row["kind"] in DATA
 
 
 def counts(row: Mapping[str, Any], *, simulated: bool = False) -> bool:

@@ -17,6 +17,8 @@ from nacreous.study.task.response import Given
 from nacreous.study.task.row import Row, Tallied
 
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from nacreous.scaling import Answers
     from nacreous.scaling.report.settings import Settings
 
@@ -79,10 +81,12 @@ class Task(ABC, Generic[K]):
         """Whether a catch was answered otherwise than by what is known."""
 
     @abstractmethod
-    def answers(
-        self, rows: Sequence[Row], groups: Mapping[str, Sequence[str | None]] | None = None
-    ) -> Answers:
-        """Rows as a scale takes them, people by their label; groups: by name, a level a row."""
+    def answers(self, columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
+        """Answers as a scale takes them; groups: by name, a column of levels.
+
+        columns: lists or Arrow arrays by name: those of the task, and person (a label), trial,
+        response_ms.
+        """
 
     @abstractmethod
     def adapts(self, asked: Asked[K]) -> bool:
@@ -101,8 +105,12 @@ class Task(ABC, Generic[K]):
         """What `items` wants to know of the answers so far, from the counts that count."""
 
     @abstractmethod
-    def flags(self, asked: Asked[K], rows: Sequence[Row]) -> dict[int, list[Flag]]:
-        """What a person's data say of each other, by the person's number; rows: data alone."""
+    def flags(self, asked: Asked[K], rows: pa.Table) -> dict[int, list[Flag]]:
+        """What a person's data say of each other, by the person's number.
+
+        rows: data alone, of people who have a number, in the order of arrival, with the columns
+        number, kind, question, response_ms, simulated, excluded, and those of the task.
+        """
 
     @abstractmethod
     def simulate(self, values: Sequence[float], sigma: float, random: np.random.Generator) -> Given:

@@ -121,8 +121,10 @@ export function report(question: string, language: Language, simulated: boolean)
   return { route: "GET /lab/api/report", query: { question, language, simulated } };
 }
 
-/** All answers. */
-export const ANSWERS: File = { route: "GET /lab/api/answers.csv", query: {} };
+/** A table as CSV; bom: beginning as Excel wants it. */
+export function table(which: "answers" | "people", bom: boolean): File {
+  return { route: `GET /lab/api/${which}.csv`, query: { bom } };
+}
 
 /** Where a picture is. */
 export function pictureAt(sha256: string): string {

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 4b5a48c7a705d75643e647963bc4a14af894380126e34865b029735d83a163b2
+ * 9d1b66d3a27961092f125f37b75943a9bb2c1a8f8170ef7049251d8bcc64de46
  */
 
 export type JsonValue = unknown;
@@ -309,6 +309,9 @@ export interface Problem {
 }
 /**
  * How far the study is. `trials` is what a full sitting has.
+ *
+ * flags_known: whether anybody's flags are worked out; before, nobody has any. They may be of a
+ * moment ago.
  */
 export interface ProgressTold {
   name: string;
@@ -325,6 +328,7 @@ export interface ProgressTold {
   simulated: number;
   median_s: number | null;
   trials: number;
+  flags_known: boolean;
   people: PersonTold[];
 }
 /**
@@ -660,7 +664,7 @@ export interface Routes {
     told: undefined;
   };
   /**
-   * Who, how far, how long, and what is noticed about whom.
+   * Who, how far, how long; and what is noticed about whom, as far as that is worked out.
    */
   "GET /lab/api/progress": {
     body: undefined;
@@ -751,9 +755,16 @@ export interface Routes {
     told: Blob;
   };
   /**
-   * All answers, the excluded, simulated and erased ones marked.
+   * All answers, the excluded, simulated and erased ones marked; bom: as Excel wants it.
    */
   "GET /lab/api/answers.csv": {
+    body: undefined;
+    told: Blob;
+  };
+  /**
+   * Everyone who has entered, with their flags, also who never answered.
+   */
+  "GET /lab/api/people.csv": {
     body: undefined;
     told: Blob;
   };

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from math import comb
 
 import numpy as np
 
+from nacreous.scaling.check.triads import circular_of, most_circular
 from nacreous.study.task.asked import Asked
 from nacreous.study.task.flag import RATE, Flag
 from nacreous.study.task.pair.chance import circles_by_chance
+from nacreous.study.task.pair.data import PairData
 from nacreous.study.task.pair.expected import Shares
 from nacreous.study.task.pair.keys import PairKeys
-from nacreous.study.task.pair.reading import answers
-from nacreous.study.task.row import Row
 
 __all__ = ["circle_flags"]
 
 
-def circle_flags(
-    rows: Sequence[Row], asked: Asked[PairKeys], shares: Shares
-) -> dict[int, list[Flag]]:
+def circle_flags(data: PairData, asked: Asked[PairKeys], shares: Shares) -> dict[int, list[Flag]]:
     """Too many circular triads, by person's number; all questions of a person count together.
 
     Only of people who have compared every pair under a question, for others have too few triads.
@@ -27,12 +26,14 @@ def circle_flags(
     circular: dict[int, float] = {}
     most: dict[int, int] = {}
     by_chance: dict[int, np.typing.NDArray[np.int64]] = {}
-    for place, (key, expected) in enumerate(shares.items()):
-        complete = list(_complete(rows, asked, key))
+    for place, ((question, simulated), expected) in enumerate(shares.items()):
+        here = data.question == asked.questions.index(question)
+        own = np.flatnonzero(here & (data.simulated == simulated) & ~data.repeat)
+        complete = list(_complete(data.take(own), len(asked.labels)))
         drawn = circles_by_chance(expected, place) if complete else np.zeros(0, np.int64)
-        for number, found, possible in complete:
+        for number, found in complete:
             circular[number] = circular.get(number, 0.0) + found
-            most[number] = most.get(number, 0) + possible
+            most[number] = most.get(number, 0) + most_circular(len(asked.labels))
             by_chance[number] = by_chance.get(number, 0) + drawn
     flags = {}
     for number, found in circular.items():
@@ -42,22 +43,18 @@ def circle_flags(
     return flags
 
 
-def _complete(
-    rows: Sequence[Row], asked: Asked[PairKeys], key: tuple[str, bool]
-) -> Iterator[tuple[int, float, int]]:
-    """Who has compared all pairs under a question, their circular triads, the most there can be."""
-    from nacreous.scaling import triads_by_person
-
-    question, simulated = key
-    own = [
-        row
-        for row in rows
-        if row["kind"] == "pair" and row["question"] == question and row["simulated"] == simulated
-    ]
-    count = len(asked.labels)
-    if count < 3 or not own:
+def _complete(data: PairData, count: int) -> Iterator[tuple[int, float]]:
+    """Who has compared all pairs of so many stimuli, and their circular triads."""
+    if count < 3:
         return
-    for person in triads_by_person(answers(own, {})):
-        triads = person.triads
-        if triads.zeta is not None and len(triads.wins) == count:
-            yield int(person.person), triads.circular, triads.most
+    for number, own in data.by_person():
+        if len(own.person) < comb(count, 2):
+            continue
+        pairs, at = np.unique(own.pair(count), return_inverse=True)
+        if len(pairs) < comb(count, 2):
+            continue
+        lead = np.bincount(at, own.first_won)
+        beats = np.where(lead == 0, 0.5, lead > 0)
+        wins = np.bincount(pairs // count, beats, count).astype(np.float64)
+        wins += np.bincount(pairs % count, 1 - beats, count)
+        yield number, circular_of(wins, int(np.count_nonzero(lead == 0)))

@@ -2,96 +2,85 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from nacreous.problem import InputError
-from nacreous.scaling.data.answers import Answers
+import numpy as np
+from numpy.typing import NDArray
+
+from nacreous.scaling.check.response import FASTEST_S, MOST_FAST
 from nacreous.study.task.asked import Asked
 from nacreous.study.task.flag import RATE, Flag
 from nacreous.study.task.pair.chance import at_least, one_sided
 from nacreous.study.task.pair.circles import circle_flags
-from nacreous.study.task.pair.expected import Shares, expected_shares
+from nacreous.study.task.pair.data import PairData
+from nacreous.study.task.pair.expected import expected_shares
 from nacreous.study.task.pair.keys import PairKeys
-from nacreous.study.task.pair.reading import answers, chosen_of, pair_of, sides_of
-from nacreous.study.task.row import Row
 
 __all__ = ["consistency_flags"]
 
 
-def consistency_flags(rows: Sequence[Row], asked: Asked[PairKeys]) -> dict[int, list[Flag]]:
-    """Flags by person's number; rows: data of people who have a number.
+def consistency_flags(data: PairData, asked: Asked[PairKeys]) -> dict[int, list[Flag]]:
+    """Flags by person's number.
 
     What chance does is known from the scale that the people's answers (or the simulated ones,
     for simulated people) have so far.
     """
-    if not rows:
-        return {}
-    shares = expected_shares(rows, asked)
-    circles = circle_flags(rows, asked, shares)
-    read = answers(rows, {})
-    hasty = _hasty(read)
-    lefts = _sides(read)
-    by_person: dict[int, list[Row]] = {}
-    for row in rows:
-        if row["number"] is not None:
-            by_person.setdefault(row["number"], []).append(row)
+    shares = expected_shares(data, asked)
+    circles = circle_flags(data, asked, shares)
+    stacked = np.array([shares[one, way] for one in asked.questions for way in (False, True)])
     return {
         number: [
-            *_repeats(own, asked, shares),
-            *lefts.get(str(number), []),
+            *_repeats(own, stacked),
+            *_sides(own),
             *circles.get(number, []),
-            *([_fast(own)] if str(number) in hasty else []),
+            *_fast(own),
         ]
-        for number, own in by_person.items()
+        for number, own in data.by_person()
     }
 
 
-def _repeats(rows: Sequence[Row], asked: Asked[PairKeys], shares: Shares) -> Iterator[Flag]:
-    """Pairs asked again and answered otherwise, more than people who look would have."""
-    index = {label: at for at, label in enumerate(asked.labels)}
-    first = {
-        (row["question"], pair_of(row)): chosen_of(row) for row in rows if row["kind"] == "pair"
-    }
-    otherwise, chances = 0, []
-    for row in rows:
-        before, now = first.get((row["question"], pair_of(row))), chosen_of(row)
-        if row["kind"] == "repeat" and before is not None and now is not None:
-            left, right = sides_of(row)
-            share = float(shares[row["question"], row["simulated"]][index[left], index[right]])
-            chances.append(2 * share * (1 - share))
-            otherwise += now != before
-    if otherwise and at_least(otherwise, chances) <= RATE:
-        yield Flag("repeats", f"{otherwise}/{len(chances)}")
+def _repeats(own: PairData, shares: NDArray[np.float64]) -> Iterator[Flag]:
+    """Pairs asked again and answered otherwise, more than people who look would have.
+
+    own: of one person. shares: float64 [question and whether simulated, n, n].
+    """
+    count = shares.shape[-1]
+    asked = own.question.astype(np.int64) * count**2 + own.pair(count)
+    before, now = _before(asked, own)
+    known = own.repeat & (before != 0) & (now != 0)
+    if not np.any(known & (before != now)):
+        return
+    again = own.take(np.flatnonzero(known))
+    expected = shares[2 * again.question + again.simulated, again.left, again.right]
+    otherwise = int(np.count_nonzero(before[known] != now[known]))
+    if at_least(otherwise, (2 * expected * (1 - expected)).tolist()) <= RATE:
+        yield Flag("repeats", f"{otherwise}/{len(expected)}")
 
 
-def _sides(read: Answers) -> dict[str, list[Flag]]:
-    """One side, by person's label."""
-    from nacreous.scaling import side_bias
-
-    try:
-        shares = side_bias(read).by_person
-    except InputError:  # ties alone
-        return {}
-    found = {}
-    for person, share in shares.items():
-        lefts, total = int(share.count), int(share.total)
-        if one_sided(lefts, total) <= RATE:
-            left = 2 * lefts > total
-            detail = f"{lefts if left else total - lefts}/{total}"
-            found[person] = [Flag("left" if left else "right", detail)]
-    return found
+def _before(asked: NDArray[np.int64], own: PairData) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
+    """What each answer's pair was answered when it was first asked, 0 where it was not; and now."""
+    now = own.first_won
+    first = np.flatnonzero(~own.repeat)
+    known, back = np.unique(asked[first][::-1], return_index=True)  # the last one, of several
+    before = np.zeros(len(now), np.int8)
+    if len(known):
+        place = np.minimum(np.searchsorted(known, asked), len(known) - 1)
+        answered = now[first][::-1][back]
+        before = np.where(known[place] == asked, answered[place], 0)
+    return before, now
 
 
-def _hasty(read: Answers) -> frozenset[str]:
-    from nacreous.scaling import response_time
+def _sides(own: PairData) -> Iterator[Flag]:
+    """One side, chosen more often than coins would."""
+    lefts, total = int(np.sum(own.outcome == 1)), int(np.count_nonzero(own.outcome))
+    if total and one_sided(lefts, total) <= RATE:
+        left = 2 * lefts > total
+        yield Flag("left" if left else "right", f"{lefts if left else total - lefts}/{total}")
 
-    times = response_time(read)
-    return frozenset(() if times is None else times.hasty)
 
-
-def _fast(rows: Sequence[Row]) -> Flag:
+def _fast(own: PairData) -> Iterator[Flag]:
     """How many answers came faster than anyone reacts."""
-    from nacreous.scaling.check.response import FASTEST_S
-
-    times = [row["response_ms"] for row in rows if row["response_ms"] is not None]
-    return Flag("fast", f"{sum(time < 1000 * FASTEST_S for time in times)}/{len(times)}")
+    times_ms = own.response_ms[~np.isnan(own.response_ms)]
+    fast = int(np.sum(times_ms / 1000 < FASTEST_S))
+    if len(times_ms) and fast / len(times_ms) > MOST_FAST:
+        yield Flag("fast", f"{fast}/{len(times_ms)}")

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.study.task.asked import Asked
-from nacreous.study.task.counting import counts
+from nacreous.study.task.pair.data import PairData
 from nacreous.study.task.pair.keys import PairKeys
-from nacreous.study.task.pair.reading import answers
-from nacreous.study.task.row import Row
 
 __all__ = ["Shares", "expected_shares"]
 
@@ -25,27 +25,31 @@ Shares = Mapping[tuple[str, bool], NDArray[np.float64]]
 _LEAST_PEOPLE = 10
 
 
-def expected_shares(rows: Sequence[Row], asked: Asked[PairKeys]) -> Shares:
+def expected_shares(data: PairData, asked: Asked[PairKeys]) -> Shares:
     """How often each is chosen over each, by question and by whether people are simulated."""
     from nacreous.scaling import thurstone
 
-    index = {label: at for at, label in enumerate(asked.labels)}
+    count = len(asked.labels)
     found = {}
-    for question in asked.questions:
+    for place, question in enumerate(asked.questions):
         for simulated in (False, True):
-            shares = np.full((len(index), len(index)), 0.5)
+            shares = np.full((count, count), 0.5)
             found[question, simulated] = shares
-            own = [
-                row
-                for row in rows
-                if row["question"] == question and counts(row, simulated=simulated)
-            ]
-            if len({row["number"] for row in own}) < _LEAST_PEOPLE:
+            kept = data.counts & (data.simulated == simulated) & (data.question == place)
+            own = data.take(np.flatnonzero(kept))
+            if len(np.unique(own.person)) < _LEAST_PEOPLE:
                 continue
+            seen = np.unique(np.concatenate([own.left, own.right]))
             try:
-                fit = thurstone(answers(own, {}))
+                fit = thurstone(_compared(own, seen, asked))
             except InputError:  # no scale yet
                 continue
-            at = [index[label] for label in fit.stimuli]
-            shares[np.ix_(at, at)] = fit.proportions
+            shares[np.ix_(seen, seen)] = fit.proportions
     return found
+
+
+def _compared(data: PairData, seen: NDArray[np.int16], asked: Asked[PairKeys]) -> Comparisons:
+    """The answers counted, of those stimuli alone that were seen."""
+    labels = tuple(printable(asked.labels[at]) for at in seen)
+    left, right = np.searchsorted(seen, data.left), np.searchsorted(seen, data.right)
+    return Comparisons.of_outcomes(labels, left, right, data.outcome, sided=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -13,12 +13,15 @@ from nacreous.study.task.asked import Asked
 from nacreous.study.task.column import Column
 from nacreous.study.task.flag import Flag
 from nacreous.study.task.pair import choice, consistent, reading
+from nacreous.study.task.pair.data import PairData
 from nacreous.study.task.pair.keys import PairKeys
 from nacreous.study.task.response import Given
 from nacreous.study.task.row import Row, Tallied
 from nacreous.study.task.task import Items, SoFar, Task
 
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from nacreous.scaling import Answers
     from nacreous.scaling.report.settings import Settings
 
@@ -80,11 +83,9 @@ class Pair(Task[PairKeys]):
         ]
         return reading.chosen_of(row) not in expected[-1:]
 
-    def answers(
-        self, rows: Sequence[Row], groups: Mapping[str, Sequence[str | None]] | None = None
-    ) -> Answers:
+    def answers(self, columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
         """As `nacreous.scaling` takes them."""
-        return reading.answers(rows, groups or {})
+        return reading.answers(columns, groups)
 
     def adapts(self, asked: Asked[PairKeys]) -> bool:
         """Whether pairs are chosen while the study runs."""
@@ -102,9 +103,9 @@ class Pair(Task[PairKeys]):
         """How often each was chosen over each, by question."""
         return reading.comparisons(asked.labels, tally)
 
-    def flags(self, asked: Asked[PairKeys], rows: Sequence[Row]) -> dict[int, list[Flag]]:
+    def flags(self, asked: Asked[PairKeys], rows: pa.Table) -> dict[int, list[Flag]]:
         """Repeats, sides, circles and haste."""
-        return consistent.consistency_flags(rows, asked)
+        return consistent.consistency_flags(PairData.of_rows(rows, asked), asked)
 
     def simulate(
         self, values: Sequence[float], sigma: float, random: np.random.Generator

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.column import Grouping, group_column
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.label import label_of
-from nacreous.study.task.row import Row, Tallied, person_of
+from nacreous.scaling.data.table import table_of
+from nacreous.study.task.row import Row, Tallied
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
@@ -81,25 +86,90 @@ def settings(chosen_by: str | None) -> Settings:
     return known[chosen_by]
 
 
-def answers(rows: Sequence[Row], groups: Mapping[str, Sequence[str | None]]) -> Answers:
-    """Rows as `nacreous.scaling` takes them; groups: by name, a level a row.
+def answers(columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
+    """Columns as `nacreous.scaling` takes them, left, right, chosen, person, trial, response_ms.
 
-    People are named by number, erased ones by their random names. Trials give the order. Labels
-    are as they can be shown.
+    groups: by name, a column of levels. People are named by number, erased ones by their random
+    names. Trials give the order. Labels are as they can be shown. Each text is checked once,
+    however many answers have it.
     """
     from nacreous.scaling import Answers
 
-    pairs = [_columns(row) for row in rows]
-    table: dict[str, Any] = {
-        "left": [printable(pair["left"]) for pair in pairs],
-        "right": [printable(pair["right"]) for pair in pairs],
-        "chosen": [pair["chosen"] for pair in pairs],
+    names = ("left", "right", "chosen")
+    sides = [_coded(columns[name]) for name in names]
+    person = _coded(columns["person"])
+    cells, row = _distinct([codes for _, codes in sides])
+    shown = [[printable(text) for text in texts] for texts, _ in sides]
+    pairs = {
+        name: [texts[at] for at in cell]
+        for name, texts, cell in zip(names, shown, cells, strict=True)
     }
-    table["person"] = [person_of(row) for row in rows]
-    # An erased person's trials have no numbers any more; their order means nothing.
-    table["trial"] = [row["seq"] if row["trial"] is None else row["trial"] for row in rows]
-    table["response_ms"] = [row["response_ms"] for row in rows]
-    return Answers.of_table({**table, **groups}, repeats=True)
+    pair = Answers.of_table(pairs, repeats=True)
+    first = {name: [column[0]] * len(person[0]) for name, column in pairs.items()}
+    people = Answers.of_table({**first, "person": person[0]}, repeats=True)
+    if people.person is None:
+        raise AssertionError("the table has a column of people")
+    times_ms = _floats(columns["response_ms"])
+    return replace(
+        pair,
+        left=pair.left[row],
+        right=pair.right[row],
+        outcome=pair.outcome[row],
+        people=people.people,
+        person=people.person[person[1]],
+        groups={name: _grouping(column) for name, column in groups.items()},
+        response_s=times_ms / 1000,
+        time=_floats(columns["trial"]),
+    )
+
+
+def _floats(column: Any) -> NDArray[np.float64]:
+    """A column of numbers, NaN where there is none."""
+    import pyarrow as pa
+
+    numbers = column if hasattr(column, "type") else pa.array(column, pa.float64())
+    return np.asarray(numbers.cast(pa.float64()).fill_null(np.nan))
+
+
+def _coded(column: Any) -> tuple[list[str], NDArray[np.int64]]:
+    """The texts of a column, and each row's place among them; -1 where it is empty."""
+    import pyarrow as pa
+
+    text = column if hasattr(column, "type") else pa.array(column, pa.string())
+    whole = text.combine_chunks() if isinstance(text, pa.ChunkedArray) else text
+    coded = whole if pa.types.is_dictionary(whole.type) else whole.dictionary_encode()
+    return coded.dictionary.to_pylist(), np.asarray(coded.indices.fill_null(-1))
+
+
+def _distinct(
+    codes: Sequence[NDArray[np.int64]],
+) -> tuple[list[list[int]], NDArray[Any]]:
+    """The different rows of some columns, column by column, and which of them each row is."""
+    sizes = [int(column.max(initial=-1)) + 1 for column in codes]
+    key = np.zeros(len(codes[0]), np.int64)
+    for column, size in zip(codes, sizes, strict=True):
+        key *= size
+        key += column
+    row: NDArray[Any]
+    if math.prod(sizes) <= len(key) + 1000:  # counting takes less memory than sorting
+        there = np.bincount(key, minlength=math.prod(sizes)) > 0
+        found, row = np.flatnonzero(there), (np.cumsum(there, dtype=np.int32) - 1)[key]
+    else:
+        found, row = np.unique(key, return_inverse=True)
+    cells = []
+    for size in reversed(sizes):
+        cells.append((found % size).tolist())
+        found = found // size
+    return cells[::-1], row
+
+
+def _grouping(column: Any) -> Grouping:
+    """A column of levels as a group, each level looked at once."""
+    levels, codes = _coded(column)
+    if not levels:
+        return Grouping((), codes.astype(np.int64))
+    known = group_column(table_of({"level": levels}), "level")
+    return Grouping(known.levels, np.append(known.code, -1)[codes])
 
 
 def comparisons(labels: Sequence[str], tally: Iterable[Tallied]) -> dict[str, Comparisons]:

@@ -8,13 +8,13 @@ import type { Desk } from "../desk";
 /** A report draws a thousand samples and takes its time. */
 const PATIENCE_MS = 180_000;
 
-export function downloadButton(desk: Desk, label: string, from: File, name: string) {
+export function downloadButton(desk: Desk, label: string, from: () => File, name: string) {
   const made = button(label, () => {
     made.setAttribute("aria-busy", "true");
     made.disabled = true;
     made.textContent = desk.speech.words.results.making;
     void desk
-      .act(async () => save(await fetched(from), name))
+      .act(async () => save(await fetched(from()), name))
       .finally(() => {
         made.removeAttribute("aria-busy");
         made.disabled = false;

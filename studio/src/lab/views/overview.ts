@@ -2,7 +2,7 @@
 
 import { button, element } from "../../shared/dom";
 import { fill, said } from "../../shared/language";
-import { ANSWERS, report, type Person, type Progress, type State } from "../api";
+import { report, table, type Person, type Progress, type State } from "../api";
 import { askBefore } from "../dialog";
 import type { Desk, View } from "../desk";
 import { codeButton } from "./code";
@@ -199,11 +199,16 @@ function results(desk: Desk): HTMLElement {
         element("span", {}, said(question.text, desk.speech.language)),
         ...(["en", "ja"] as const).map((language) => {
           const name = `report-${question.id}${simulated ? "-simulated" : ""}-${language}.html`;
-          const from = report(question.id, language, simulated);
+          const from = () => report(question.id, language, simulated);
           return downloadButton(desk, words[`report_${language}`], from, name);
         }),
       ),
     );
+  const bom = element("input", { type: "checkbox", id: "bom" });
+  const csv = (which: "answers" | "people") => {
+    const from = () => table(which, bom.checked);
+    return downloadButton(desk, words[which], from, `${which}.csv`);
+  };
   return element(
     "section",
     { class: "card", "aria-labelledby": "results-title" },
@@ -214,8 +219,10 @@ function results(desk: Desk): HTMLElement {
       "div",
       { class: "take" },
       element("span", { class: "soft" }, words.answers_note),
-      downloadButton(desk, words.answers, ANSWERS, "answers.csv"),
+      csv("answers"),
+      csv("people"),
     ),
+    element("label", { class: "choice" }, bom, words.bom),
     element("h4", {}, words.simulated_title),
     element("p", { class: "soft" }, words.simulated_lead),
     ...reports(true),

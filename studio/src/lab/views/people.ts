@@ -16,6 +16,7 @@ export function people(desk: Desk): View {
   const empty = element("p", { class: "soft" }, words.none);
   const table = element("table", { class: "people" }, head(columns(desk)), body);
   const scroll = boxed(words.title, table);
+  const note = element("p", { class: "soft" });
   const node = element(
     "div",
     {},
@@ -27,7 +28,7 @@ export function people(desk: Desk): View {
     ),
     empty,
     scroll,
-    element("p", { class: "soft" }, words.flags_note),
+    note,
   );
   let last: Progress | null = null;
   const rows = new Rows(body, desk, () => last !== null && show(last));
@@ -37,6 +38,7 @@ export function people(desk: Desk): View {
     const shown = progress.people.filter((person) => isShown(person, desk.kept.shown));
     empty.hidden = progress.people.length > 0;
     scroll.hidden = progress.people.length === 0;
+    note.textContent = progress.flags_known ? words.flags_note : words.flags_coming;
     rows.show(shown);
   };
   choice.addEventListener("change", () => {

@@ -81,7 +81,9 @@ export const en = {
     simulated_lead:
       "Answers that a program gave, to try the study out. They are never mixed with people’s.",
     answers: "All answers as a table (CSV)",
-    answers_note: "Excluded and simulated answers are in it, and say so.",
+    people: "Everyone who entered (CSV)",
+    answers_note: "Excluded and simulated answers are in them, and say so.",
+    bom: "For Excel (with a byte order mark)",
     making: "The report is being made …",
   },
 
@@ -122,6 +124,7 @@ export const en = {
     only_flagged: "with flags ({count})",
     flags_of: "Flags of person {number}",
     flags_note: "Flags inform. Nobody is excluded by a flag.",
+    flags_coming: "Flags are still being worked out.",
   },
 
   flags: {

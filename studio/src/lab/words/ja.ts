@@ -83,6 +83,8 @@ export const ja: Words = {
     simulated_lead:
       "調査の動作を確かめるためにプログラムが生成した回答です。人の回答と混ざることはありません。",
     answers: "すべての回答の表（CSV）",
+    people: "参加者の表（CSV）",
+    bom: "Excel用（BOM付き。文字化けを防ぎます）",
     answers_note: "除外した回答とシミュレーションの回答も、その旨を付けて含まれます。",
     making: "報告書を作成しています…",
   },
@@ -124,6 +126,7 @@ export const ja: Words = {
     only_flagged: "注意あり（{count}）",
     flags_of: "参加者{number}の注意点",
     flags_note: "注意は参考情報です。注意だけで除外されることはありません。",
+    flags_coming: "注意点は計算中です。",
   },
 
   flags: {

@@ -1,0 +1,82 @@
+"""Counting is the database's work: the same counts as row by row, in bounded memory."""
+
+import tracemalloc
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import sqlalchemy as sa
+
+from nacreous.study.store import Store, answers_of, export
+from nacreous.study.store.answers import ROWS
+from nacreous.study.store.schema import answers
+from nacreous.study.task.counting import counts
+from nacreous.study.task.row import person_of
+from tests.study.test_export import STUDY, fill
+from tests.support.pairs import pair_answer
+
+
+@pytest.fixture
+def store(place: str) -> Iterator[Store]:
+    with Store.open(place) as made:
+        fill(made)
+        yield made
+
+
+def test_progress_counts_by_the_database_what_counts_row_by_row(store: Store) -> None:
+    rows, found = store.answers(STUDY), store.progress(STUDY)
+    assert found.answers == len(rows)
+    assert found.simulated == sum(row["simulated"] for row in rows)
+    assert found.erased_answers == sum(row["erased_as"] is not None for row in rows)
+    by_person = Counter(row["number"] for row in rows)
+    assert {one.session.number: one.answers for one in found.people} == {
+        number: by_person[number] for number in range(5)
+    }
+
+
+@pytest.mark.parametrize("simulated", [False, True])
+def test_the_database_finds_the_answers_that_count_row_by_row(
+    store: Store, simulated: bool
+) -> None:
+    rows = [row for row in store.answers(STUDY) if counts(row, simulated=simulated)]
+    found = answers_of(store, STUDY, "q", simulated=simulated)
+    assert len(found) == len(rows)
+    persons = [found.people[person] for person in found.person]
+    assert persons == [person_of(row) for row in rows]
+    assert found.outcome.tolist() == [{"left": 1, "tie": 0}[row["chosen"]] for row in rows]
+
+
+def test_progress_looks_at_no_text_of_an_answer(store: Store) -> None:
+    asked: list[str] = []
+    sa.event.listen(
+        store.engine, "before_cursor_execute", lambda _c, _u, statement, *_: asked.append(statement)
+    )
+    store.progress(STUDY)
+    assert any("answers" in statement for statement in asked)
+    for name in ("flags", "response_ms", "chosen", "question"):
+        assert not any(f"answers.{name}" in statement for statement in asked)
+
+
+def test_an_export_of_more_answers_takes_no_more_memory(tmp_path: Path) -> None:
+    peaks = []
+    with Store.open(tmp_path / "answers.sqlite") as store:
+        store.add_study({"design_hash": STUDY})
+        store.set_registration(STUDY, "open", "lab")
+        session = store.enter(STUDY, "en", {})[0].id
+        row = {**pair_answer(0, "q", "a", "b", "left").row, "study": STUDY, "session": session}
+        for part in range(4):
+            trials = range(part * ROWS, (part + 1) * ROWS)
+            rows = [
+                {**row, "trial": trial, "received_at": f"2026-03-01T09:30:00.{trial:06d}Z"}
+                for trial in trials
+            ]
+            with store.engine.begin() as connection:
+                connection.execute(sa.insert(answers), rows)
+            del rows
+            export(store, STUDY, tmp_path / "warm.csv")
+            tracemalloc.start()
+            assert export(store, STUDY, tmp_path / f"{part}.csv") == (part + 1) * ROWS
+            peaks.append(tracemalloc.get_traced_memory()[1])
+            tracemalloc.stop()
+    assert peaks[3] < 1.2 * peaks[1]  # one part is read while another is written
