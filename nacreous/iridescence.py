@@ -60,8 +60,12 @@ def exact(
     grazing: everything comes back. The grid of angles is halved until straight lines between its
     nodes stay within CIEDE2000 0.2, from 129 angles to 4097. Ctrl-C interrupts.
 
-    Raises `InputError` for what is out of range, and for a stack that 4097 angles do not show to
-    CIEDE2000 0.2.
+    Lines narrower than the steps are worked out as far as 1e10 layers (and 50 more) times
+    wavelengths times angles go, ten to twenty seconds on one core, in pieces of some 100 MB. Light
+    that is caught between gaps in a dense medium, or good mirrors far apart, may ask for more.
+
+    Raises `InputError` for what is out of range, for a stack that 4097 angles do not show to
+    CIEDE2000 0.2, and, before it begins with them, for lines that would take more.
 
     >>> nacre = LayerStack([380.0] * 50, 20.0, "aragonite", "chitin", 1.0, "aragonite")
     >>> reflected, transmitted = exact(nacre)
@@ -115,6 +119,12 @@ _GRAZING = 0.002
 _PROBES = np.geomspace(_GRAZING, 1.0, 16)
 #: What lines narrower than a step may hold, beside the lesser of R and T.
 _UNRESOLVED = 0.02
+#: What they may hold in any case, of white: in the darkest colour CIEDE2000 0.1.
+_UNSEEN = 1e-5
+#: Wavelengths times angles times layers that narrow lines may take, some ten to twenty seconds.
+_MOST_WORK = 1e10
+#: Layers in whose time a wavelength is begun.
+_LAYERS_TO_BEGIN = 50
 #: Steps to half the width of a line; the rule of equal steps then misses 1e-4 of it.
 _STEPS_TO_HALF_WIDTH = 1.5
 #: Where what the eye sees of fringes begins.
@@ -144,6 +154,7 @@ class _Fine:
         again = (per_nm > self.sampled_per_nm) & (cosine >= _GRAZING)
         if not again.any():
             return tables
+        self._require_work(per_nm[again])
         for row in np.flatnonzero(again):
             for table, xyz in zip(tables, self.at(float(cosine[row]), per_nm[row]), strict=True):
                 table[row] = xyz
@@ -162,16 +173,30 @@ class _Fine:
     def at(self, cosine: float, per_nm: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """XYZ of R and T with so many samples a nm."""
         nm = colour.WAVELENGTH_NM
-        fine_nm = np.linspace(nm[0], nm[-1], math.ceil(per_nm * (nm.size - 1)) + 1)
-        weights = np.stack([np.interp(fine_nm, nm, column) for column in self.weights.T], axis=1)
-        weights *= self.weights.sum(axis=0) / weights.sum(axis=0)
-        sums = np.zeros((2, 3))
-        for start in range(0, fine_nm.size, _AT_ONCE):
-            part = slice(start, start + _AT_ONCE)
-            stack, angle = self.stack.at(fine_nm[part]), np.array([np.arccos(cosine)])
-            shares = _core.energies(stack, angle, fine_nm[part], self.polarisation, "double")
-            sums += shares[:2, 0] @ weights[part]
+        steps = math.ceil(per_nm * (nm.size - 1))
+        sums, total = np.zeros((2, 3)), np.zeros(3)
+        for start in range(0, steps + 1, _AT_ONCE):
+            places = np.arange(start, min(start + _AT_ONCE, steps + 1))
+            fine_nm = nm[0] + np.ptp(nm) * (places / steps)
+            weights = [np.interp(fine_nm, nm, column) for column in self.weights.T]
+            stack, angle = self.stack.at(fine_nm), np.array([np.arccos(cosine)])
+            shares = _core.energies(stack, angle, fine_nm, self.polarisation, "double")
+            sums += shares[:2, 0] @ np.stack(weights, axis=1)
+            total += np.sum(weights, axis=1)
+        sums *= self.weights.sum(axis=0) / total
         return sums[0], sums[1]
+
+    def _require_work(self, per_nm: NDArray[np.float64]) -> None:
+        """Refuses angles with so many samples a nm where that is more than some seconds."""
+        layers = len(self.stack) + _LAYERS_TO_BEGIN
+        work = float(per_nm.sum() * np.ptp(colour.WAVELENGTH_NM)) * layers
+        if work > _MOST_WORK:
+            raise InputError(
+                f"stack catches light in lines so narrow that its colours would take {work:.2g} "
+                "layers (and 50 more) times wavelengths times angles; allowed: up to "
+                f"{_MOST_WORK:.2g}. Thinner gaps or fewer layers make wider lines; "
+                "nc.optics.energies answers at single angles"
+            )
 
     def check(self, *tables: ByAngle) -> None:
         """The finest grid is fine enough half-way between some of its nodes."""
@@ -181,6 +206,7 @@ class _Fine:
         for cosine in (np.linspace(0.02, 0.99, 24) * (_MOST_ROWS - 1)).round() + 0.5:
             place = float(cosine / (_MOST_ROWS - 1))
             per_nm = max(32.0, 2.0 ** self._log_per_nm(place, 1.0))
+            self._require_work(np.array([24 * per_nm]))
             for table, xyz in zip(tables, self.at(place, per_nm), strict=True):
                 seen = table.at(np.arccos(place))
                 labs = (colour.lab_from_xyz(each.clip(0), white) for each in (seen, xyz))
@@ -203,7 +229,7 @@ class _Fine:
         _, _, width, height = _core.resonances(stack, angle, at_nm, self.polarisation)
         held = np.pi * width * height / np.ptp(wavenumber)
         order = np.argsort(width)
-        counts = np.cumsum(held[order]) > _UNRESOLVED * least
+        counts = np.cumsum(held[order]) > max(_UNRESOLVED * least, _UNSEEN)
         if not counts.any():
             return 0.0
         narrowest = float(width[order[counts.argmax()]])

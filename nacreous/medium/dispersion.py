@@ -15,6 +15,10 @@ from nacreous.value import value_class
 
 Array = NDArray[np.float64]
 
+#: What a layer's n and k may be, as stacks take them: metals stay well below 100.
+MOST_INDEX = 100.0
+ALLOWED = {"n": f"above 0, up to {MOST_INDEX:g}", "k": f"0 to {MOST_INDEX:g}"}
+
 
 @value_class
 class Dispersion:

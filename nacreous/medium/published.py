@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous.file import named, read_bytes
-from nacreous.medium.dispersion import Dispersion
+from nacreous.medium.dispersion import ALLOWED, MOST_INDEX, Dispersion
 from nacreous.medium.record import parts_of_csv, parts_of_yaml
 from nacreous.number import array_of
 from nacreous.problem import InputError
@@ -61,6 +61,12 @@ class PublishedIndex:
             raise InputError(
                 f"formula {self.n.formula} has no n at {nm[~np.isfinite(n)].flat[0]:g} nm"
             )
+        wrong = ~((n > 0) & (n <= MOST_INDEX))
+        if wrong.any():
+            raise InputError(
+                f"formula {self.n.formula} has n = {n[wrong].flat[0]:g} at "
+                f"{nm[wrong].flat[0]:g} nm; allowed: {ALLOWED['n']}"
+            )
         index = n.astype(np.complex128)
         if self.k is not None:
             index.imag = self.k.at(nm)
@@ -81,7 +87,8 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     a table lie straight lines. Without k the medium is lossless. Wavelengths are taken as in
     vacuum and n as absolute: in air both would differ by 0.03 %.
 
-    Raises `InputError` that names the file and what is wrong in it.
+    Raises `InputError` that names the file and what is wrong in it, such as the row of an n
+    that is not above 0 and up to 100, or of a k that is not 0 to 100.
 
     >>> from tempfile import TemporaryDirectory
     >>> text = "DATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n    coefficients: "

@@ -5,14 +5,20 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 import numpy as np
 import yaml
 from numpy.typing import NDArray
 
-from nacreous.medium.dispersion import FORMULAS, Dispersion, dispersion_of_rows
+from nacreous.medium.dispersion import (
+    ALLOWED,
+    FORMULAS,
+    MOST_INDEX,
+    Dispersion,
+    dispersion_of_rows,
+)
 from nacreous.number import said
 from nacreous.problem import InputError
 
@@ -49,7 +55,7 @@ def _of_entry(place: str, entry: object) -> Parts:
         raise InputError(f"{place}: type is {said(kind)}; allowed: {_KINDS}")
     if words[0] == "tabulated" and words[1] in ("n", "k", "nk"):
         lines = (line.split("#")[0] for line in str(entry.get("data", "")).split("\n"))
-        rows = _numbers(f"{place}: data", (line.split() for line in lines), len(words[1]) + 1)
+        rows = _numbers(f"{place}: data", (line.split() for line in lines), words[1])
         return {
             name: dispersion_of_rows(1e3 * rows[:, 0], rows[:, 1 + i])
             for i, name in enumerate(words[1])
@@ -91,7 +97,7 @@ def parts_of_csv(text: str) -> Parts:
     for columns, nm_per_unit, lines in blocks:
         if not columns or any(name not in ("n", "k") for name in columns):
             raise InputError(f"columns are {said(columns)}; allowed: wl, then n, k or both")
-        rows = _numbers("rows", lines, len(columns) + 1)
+        rows = _numbers("rows", lines, columns)
         for i, name in enumerate(columns):
             if name in parts:
                 raise InputError(f"{name} is given twice; allowed: once")
@@ -137,13 +143,20 @@ def _pointed(cell: str) -> str:
     return number if _is_float(number) else cell
 
 
-def _numbers(place: str, lines: Iterable[list[str]], columns: int) -> NDArray[np.float64]:
-    rows = [_row(f"{place}, row {i + 1}", cells, columns) for i, cells in enumerate(lines) if cells]
+def _numbers(place: str, lines: Iterable[list[str]], columns: Sequence[str]) -> NDArray[np.float64]:
+    """Rows of a wavelength and what `columns` names, "n" or "k", each."""
+    rows = []
+    for number, cells in enumerate(filter(None, lines), start=1):
+        where = f"{place}, row {number}"
+        row = _row(where, cells, len(columns) + 1)
+        if row[0] <= 0:
+            raise InputError(f"{where} has wavelength {row[0]:g}; allowed: above 0")
+        for name, value in zip(columns, row[1:], strict=True):
+            if value < 0 or value > MOST_INDEX or (name == "n" and value == 0):
+                raise InputError(f"{where} has {name} = {value:g}; allowed: {ALLOWED[name]}")
+        rows.append(row)
     if not rows:
         raise InputError(f"{place} has no rows; allowed: at least 1")
-    for i, row in enumerate(rows):
-        if row[0] <= 0:
-            raise InputError(f"{place}, row {i + 1} has wavelength {row[0]:g}; allowed: above 0")
     return np.array(rows)
 
 

@@ -341,6 +341,15 @@ def test_tables_say_the_same_however_they_are_written(tmp_path: Path, text: str)
             "DATA:\n  - type: tabulated n\n    data: |\n      # wl n\n      -0.4 1.5\n",
             "data, row 1 has wavelength -0.4; allowed: above 0",
         ),
+        ("a.csv", "wl,n\n0.4,1.5\n0.6,-1.5\n", "rows, row 2 has n = -1.5; allowed: above 0, up to"),
+        ("a.csv", "wl,n\n0.4,0\n", "rows, row 1 has n = 0; allowed: above 0, up to 100"),
+        ("a.csv", "wl,n,k\n0.4,1.5,-0.1\n", "rows, row 1 has k = -0.1; allowed: 0 to 100"),
+        ("a.csv", "wl,n\n0.4,1.5\n\nwl,k\n0.4,101\n", "rows, row 1 has k = 101; allowed: 0 to 100"),
+        (
+            "a.yml",
+            "DATA:\n  - type: tabulated nk\n    data: |\n      0.4 1.5 0\n      0.5 -1.5 0\n",
+            "DATA[0]: data, row 2 has n = -1.5; allowed: above 0, up to 100",
+        ),
     ],
 )
 def test_a_row_that_cannot_be_is_named(tmp_path: Path, name: str, text: str, message: str) -> None:
@@ -355,6 +364,12 @@ def test_a_pole_of_a_formula_is_refused_without_a_warning(
     with pytest.raises(InputError, match="formula 1 has no n at 500 nm"):
         medium.read(written(tmp_path, text, "pole.yml"))(500.0)
     assert not recwarn.list
+
+
+def test_a_formula_whose_n_is_below_zero_is_refused_where_it_is_asked(tmp_path: Path) -> None:
+    text = "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 2\n    coefficients: -1.5\n"
+    with pytest.raises(InputError, match=r"formula 5 has n = -1.5 at 500 nm; allowed: above 0"):
+        medium.read(written(tmp_path, text, "below.yml"))(500.0)
 
 
 @pytest.mark.parametrize("path", [None, 5, "a\0.yml"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -89,6 +90,39 @@ def test_a_free_flake_keeps_its_colours_up_to_grazing(layers, aragonite, protein
         light = nc.optics.energies(stack, angle, nm)
         for table, share in zip(tables, (light.R, light.T), strict=True):
             assert difference(table.at([angle]), share @ weights) < 0.2
+
+
+DENSE = nc.LayerStack([150.0, 150.0], 700.0, 1.0, 1.8, 1.5, 1.5)
+
+
+def test_light_that_tunnels_between_gaps_keeps_its_colours():
+    """Gaps of air in glass: beyond total reflection light passes by narrow lines alone."""
+    tables = iridescence.exact(DENSE)
+    nm = 380 + np.arange(400 * 1000 + 1) / 1000
+    each_nm = nc.colour.xyz_from_spectrum(np.eye(401), "D65")
+    weights = np.stack([np.interp(nm, nc.colour.WAVELENGTH_NM, c) for c in each_nm.T], axis=1)
+    weights *= WHITE / weights.sum(axis=0)
+    for degrees in (30.0, 41.0, 45.0, 60.0, 75.0, 85.0):
+        angle = math.radians(degrees)
+        light = nc.optics.energies(DENSE, angle, nm)
+        for table, share in zip(tables, (light.R, light.T), strict=True):
+            assert difference(table.at([angle]), share @ weights) < 0.2
+
+
+@pytest.mark.parametrize(
+    "stack",
+    [
+        nc.LayerStack([300.0, 300.0], 500.0, 1.0, 2.0, 2.0, 2.0),
+        nc.LayerStack([400.0, 400.0], 900.0, 1.3, 1.8, 1.8, 1.8),
+        nc.LayerStack([94.8] * 8 + [20_000.0] + [94.8] * 8, 59.0, 1.45, 2.3, 1.0, 1.45),
+    ],
+    ids=["gaps of air", "gaps of water", "mirrors 20 um apart"],
+)
+def test_lines_too_narrow_to_be_worked_out_are_refused_with_what_they_would_take(stack):
+    message = refusal(lambda: iridescence.exact(stack))
+    found = re.search(r"would take (\S+) layers .* allowed: up to (\S+)\. Thinner", message)
+    assert found is not None, message
+    assert float(found[1]) > float(found[2]) == 1e10
 
 
 def test_reflected_and_transmitted_light_add_up_to_white():
