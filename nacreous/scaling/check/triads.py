@@ -34,7 +34,7 @@ class Triads:
     - `complete`: triads of which all three pairs were compared; `tied`: pairs without a majority
     - `most`: the largest number of circular triads that so many stimuli can have
     - `zeta`: Kendall's coefficient of consistence, 1 - circular / most; 1: none, 0: as many as
-      can be. None unless every pair was compared.
+      can be. None unless every pair was compared and one of them has a majority.
     - `p_value`: how often coin-tossers would have so few circular triads, or fewer: exact to
       10 stimuli without ties (and to 4 with), else from Kendall's chi-squared; None where zeta is
     - `wins`: float64 [n], how many others each beats, a tie counting half
@@ -70,6 +70,7 @@ def circular_triads(data: Any) -> Triads:
     tied = int(np.count_nonzero(beats == 0.5))
     most = most_circular(count)
     full = len(beats) == comb(count, 2)
+    told = full and tied < len(beats)  # coins alone have no consistency
     if full:
         circular, complete = circular_of(wins, tied), comb(count, 3)
     else:
@@ -79,8 +80,8 @@ def circular_triads(data: Any) -> Triads:
         complete=complete,
         tied=tied,
         most=most,
-        zeta=1 - circular / most if full else None,
-        p_value=chance(count, circular, tied) if full else None,
+        zeta=1 - circular / most if told else None,
+        p_value=chance(count, circular, tied) if told else None,
         wins=wins,
         named=_named(shares, comparisons.stimuli) if count <= MOST_LISTED else (),
     )
