@@ -90,8 +90,8 @@ def population(
     A spread looks like classes to any criterion that is not offered the spread as well, so it
     always competes. BIC counts people, not answers, for people are what is drawn (G. Schwarz,
     Annals of Statistics 6, 1978). A class of one person is a person: classes of which fewer than
-    two people are most likely members are not chosen. Ties count half. starts: of EM, for each number
-    of classes. level: of the spread's interval.
+    two people are most likely members are not chosen. Ties count half. starts: of EM, for each
+    number of classes. level: of the spread's interval.
 
     most: 2 to 10, starts: 1 to 1000. Raises `InputError` where people are unknown, with fewer than
     6 of them, and where people x stimuli² is more than 2 000 000.
