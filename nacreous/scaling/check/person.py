@@ -29,7 +29,7 @@ def triads_by_person(answers: Answers) -> tuple[PersonalTriads, ...]:
     """Circular triads and zeta of each person, in the order of `answers.people`.
 
     A person's zeta is None unless that person compared every pair of those stimuli that the person
-    saw at all. People who saw fewer than three are left out.
+    saw at all, and preferred one of a pair. People who saw fewer than three are left out.
 
     >>> table = {"left": ["a", "b", "c"], "right": ["b", "c", "a"], "chosen": ["a", "b", "c"]}
     >>> table["person"] = ["mika"] * 3

@@ -35,7 +35,7 @@ class Triads:
     - `complete`: triads of which all three pairs were compared; `tied`: pairs without a majority
     - `most`: the largest number of circular triads that so many stimuli can have
     - `zeta`: Kendall's coefficient of consistence, 1 - circular / most; 1: none, 0: as many as
-      can be. None unless every pair was compared.
+      can be. None unless every pair was compared and one of them has a majority.
     - `p_value`: how often coin-tossers would have so few circular triads, or fewer: exact to
       10 stimuli without ties (and to 4 with), else from Kendall's chi-squared; None where zeta is
     - `wins`: float64 [n], how many others each beats, a tie counting half
@@ -92,6 +92,7 @@ def triads_of(shares: Shares, stimuli: tuple[str, ...]) -> Triads:
     tied = int(np.count_nonzero(beats == 0.5))
     most = most_circular(count)
     full = len(beats) == comb(count, 2)
+    told = full and tied < len(beats)  # coins alone have no consistency
     if full:
         circular, complete = circular_of(wins, tied), comb(count, 3)
     elif count <= MOST_LISTED:
@@ -103,8 +104,8 @@ def triads_of(shares: Shares, stimuli: tuple[str, ...]) -> Triads:
         complete=complete,
         tied=tied,
         most=most,
-        zeta=1 - circular / most if full else None,
-        p_value=chance(count, circular, tied) if full else None,
+        zeta=1 - circular / most if told else None,
+        p_value=chance(count, circular, tied) if told else None,
         wins=wins,
         stimuli=stimuli,
         won=(table == 1) if count <= MOST_LISTED else np.zeros((0, 0), bool),

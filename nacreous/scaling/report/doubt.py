@@ -58,6 +58,20 @@ class Doubt:
     too_few: bool
     endless: tuple[tuple[str, ...], ...] = ()
 
+    def is_endless(self, first: str, second: str) -> bool:
+        """Whether the answers put no end to the distance of two things."""
+        return any((first in each) != (second in each) for each in self.endless)
+
+    def open_ends(self, stimuli: Sequence[str]) -> NDArray[np.bool_]:
+        """Which ends, bool [n, 2], of the intervals the answers do not set, lower first.
+
+        Of three sets or more those between have neither: the middle of the scale moves too.
+        """
+        last = len(self.endless) - 1
+        rank = {label: at for at, each in enumerate(self.endless) for label in each}
+        ends = [(rank.get(label, -1) > 0, 0 <= rank.get(label, -1) < last) for label in stimuli]
+        return np.array(ends, np.bool_)
+
     @property
     def covariance(self) -> NDArray[np.float64]:
         """float64 [n, n] of the places."""
@@ -74,7 +88,8 @@ class Pair:
     """Two things, the higher one first.
 
     `p_value` is Holm's over all pairs that were looked at; `apart`: it is below 1 - level.
-    `expected`: the share that should choose the first.
+    `expected`: the share that should choose the first. `endless`: the answers put no end to the
+    difference, and `high` is what draws the scale together.
     """
 
     first: str
@@ -85,6 +100,7 @@ class Pair:
     p_value: float
     apart: bool
     expected: float
+    endless: bool = False
 
 
 def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -> Doubt:
@@ -191,6 +207,7 @@ def _compared(
             p_value=float(p_value),
             apart=bool(p_value < 1 - level),
             expected=float(shares[i, j]),
+            endless=doubt.is_endless(one.first, one.second),
         )
         for one, p_value, (i, j) in zip(found, p_values, pairs, strict=True)
     )

@@ -6,16 +6,19 @@ import csv as tables
 import io
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, is_dataclass
+from dataclasses import asdict, is_dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import nacreous
+from nacreous.scaling.check.population import Population
 from nacreous.scaling.check.triads import Triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.doubt import Pair
 
 __all__ = ["csv", "data_csv", "data_options", "json_text"]
 
@@ -25,7 +28,7 @@ _ROLES = ("person", "left", "right", "chosen", "time", "response_s")
 
 
 def csv(analysis: Analysis) -> str:
-    """A line for each stimulus, from the top of the scale."""
+    """A line for each stimulus, from the top of the scale; inf for an end that is not told."""
     fit, doubt = analysis.fit, analysis.doubt
     wins = analysis.comparisons.matrix
     ties = analysis.comparisons.tie_matrix
@@ -34,9 +37,9 @@ def csv(analysis: Analysis) -> str:
         (
             place + 1,
             fit.stimuli[at],
-            *(f"{value:.6f}" for value in (fit.scale[at],)),
+            f"{fit.scale[at]:z.6f}",
             fit.unit,
-            *(f"{value:.6f}" for value in (*doubt.intervals[at], doubt.se[at])),
+            *(f"{value:z.6f}" for value in (*_ends(analysis)[at], doubt.se[at])),
             *(f"{value:g}" for value in (wins[at].sum(), wins[:, at].sum(), ties[at].sum())),
         )
         for place, at in enumerate(analysis.order)
@@ -46,7 +49,7 @@ def csv(analysis: Analysis) -> str:
 
 def json_text(analysis: Analysis) -> str:
     """Every number of the report; a person's label stands only where the report names it."""
-    fit = analysis.fit
+    fit, ends = analysis.fit, _ends(analysis)
     found = {
         "made_by": f"nacreous {nacreous.__version__}",
         "settings": asdict(analysis.settings),
@@ -59,30 +62,44 @@ def json_text(analysis: Analysis) -> str:
             {
                 "stimulus": fit.stimuli[at],
                 "scale": fit.scale[at],
-                "low": analysis.doubt.intervals[at, 0],
-                "high": analysis.doubt.intervals[at, 1],
+                "low": ends[at, 0],
+                "high": ends[at, 1],
                 "se": analysis.doubt.se[at],
             }
             for at in analysis.order
         ],
         "order_effect": fit.order_effect,
         "tie_threshold": fit.tie_threshold,
+        "ties_unfitted": analysis.ties_unfitted,
         "log_likelihood": fit.log_likelihood,
         "resampled": {
             "by": analysis.doubt.by,
             "samples": analysis.doubt.samples,
             "without_maximum": analysis.doubt.without_maximum,
         },
+        "endless": analysis.doubt.endless,
         "covariance": analysis.doubt.covariance,
-        "neighbours": analysis.neighbours,
-        "differences": analysis.differences,
+        "neighbours": _compared(analysis.neighbours),
+        "differences": _compared(analysis.differences),
         "pairs": _pairs(analysis),
         "goodness": analysis.goodness,
+        "fit_hidden_by": analysis.fit_hidden_by,
         "consistency": analysis.consistency,
         "one_scale_for_all_people": _people(analysis),
         "groups": _groups(analysis),
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def _ends(analysis: Analysis) -> NDArray[np.float64]:
+    """float64 [n, 2], the intervals; without end where the answers put none."""
+    gone = analysis.doubt.open_ends(analysis.fit.stimuli)
+    return np.where(gone, (-np.inf, np.inf), analysis.doubt.intervals)
+
+
+def _compared(pairs: tuple[Pair, ...]) -> list[Pair]:
+    """Pairs; without an upper end where the answers put none."""
+    return [replace(pair, high=np.inf) if pair.endless else pair for pair in pairs]
 
 
 def _left_out(analysis: Analysis) -> dict[str, int] | None:
@@ -113,7 +130,7 @@ def _people(analysis: Analysis) -> Any:
         "differ": people.differ,
         "columns": people.covariates,
         "described_by": None if found is None else found.kind,
-        "spread_in_own_unit": None if found is None else found.spread,
+        **_spread(found),
         "candidates": () if found is None else found.candidates,
         "classes_in_own_unit": [
             {
@@ -126,6 +143,23 @@ def _people(analysis: Analysis) -> Any:
         ]
         if found is not None
         else None,
+    }
+
+
+def _spread(found: Population | None) -> dict[str, Any]:
+    """The spread of people's own values with its interval, or why there is none."""
+    if found is None or found.kind != "spread":
+        reason = "people are not described by a spread"
+    elif found.spread is None:
+        reason = "larger than these answers can tell"
+    else:
+        reason = None
+    low, high = (None, None) if found is None else (found.spread_low, found.spread_high)
+    return {
+        "spread_in_own_unit": None if found is None else found.spread,
+        "spread_low": low,
+        "spread_high": high,
+        "spread_untold": reason,
     }
 
 

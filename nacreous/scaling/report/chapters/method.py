@@ -44,6 +44,7 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.ties"))
     elif analysis.comparisons.ties.any():
         found.append(words("method.ties_half"))
+        found += [words("method.ties_unfitted")] if analysis.ties_unfitted else []
     if wanted.order:
         found.append(words("method.order"))
     if wanted.prior == HIERARCHICAL:
