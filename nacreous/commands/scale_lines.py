@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import TYPE_CHECKING
 
 from nacreous.scaling.data.fault import listed
@@ -45,7 +46,7 @@ def told(found: Analysis, seconds: float) -> str:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
-    lines += _groups_told(found) + _left_out_told(found)
+    lines += _groups_told(found) + _left_out_told(found) + _times_told(found)
     return "\n".join([*lines, _fit_verdict(found)])
 
 
@@ -99,6 +100,20 @@ def _left_out_told(found: Analysis) -> list[str]:
     rows = {"no pair": found.answers.left_out - unanswered, "no answer": unanswered}
     told = " and ".join(f"{count} with {what}" for what, count in rows.items() if count)
     return [f"rows left out: {told}"]
+
+
+def _times_told(found: Analysis) -> list[str]:
+    """That a column seems to hold response times and is not used, for its unit is unknown."""
+    from nacreous.scaling.data.program import may_be_response_time
+
+    if found.answers is None or found.answers.response_s is not None:
+        return []
+    names = [name for name in found.answers.groups if may_be_response_time(name)]
+    return [
+        f"column {name} is not used as response times; allowed: --column "
+        f"{shlex.quote(f'response_ms={name}')}, or response_s="
+        for name in names[:1]
+    ]
 
 
 def _people_told(found: Analysis) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal
@@ -148,7 +149,7 @@ class Analysis:
         """Labels from the top of the scale."""
         return [self.fit.stimuli[at] for at in self.order]
 
-    @property
+    @cached_property
     def differences(self) -> tuple[Pair, ...]:
         """Each thing with all further down, p values by Holm over all; () beyond 60 things."""
         if len(self.fit.stimuli) > MOST_PAIRED:

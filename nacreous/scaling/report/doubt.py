@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
+from nacreous.scaling.fit.bootstrap import resampled
 from nacreous.scaling.fit.errors import Errors, endless, errors_of, kind_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_of_diagonal
@@ -123,7 +124,9 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
     people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
     samples = missing = 0
     if not fixed and people >= FEW_PEOPLE:
-        drawn = fit.bootstrap(settings.bootstrap, "people", settings.seed, progress)
+        drawn = resampled(
+            fit, settings.bootstrap, "people", settings.seed, progress, errors=over_people
+        )
         samples, missing = settings.bootstrap, drawn.without_maximum
         if missing <= MOST_UNPLACED * samples:
             bounds = drawn.intervals(settings.level)

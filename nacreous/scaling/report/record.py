@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 import nacreous
 from nacreous.scaling.check.population import Population
+from nacreous.scaling.check.triads import Triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.report.analysis import Analysis
@@ -21,6 +22,8 @@ from nacreous.scaling.report.doubt import Pair
 
 __all__ = ["csv", "data_csv", "data_options", "json_text"]
 
+#: What is told of circular triads: those that go round, and not all that beat each other.
+_TRIADS = ("circular", "complete", "tied", "most", "zeta", "p_value", "wins", "named")
 _ROLES = ("person", "left", "right", "chosen", "time", "response_s")
 
 
@@ -177,6 +180,8 @@ def _groups(analysis: Analysis) -> Any:
 
 def _plain(value: Any) -> Any:
     """What JSON can hold; NaN, which marks pairs never compared, becomes null."""
+    if isinstance(value, Triads):
+        value = {name: getattr(value, name) for name in _TRIADS}
     if is_dataclass(value) and not isinstance(value, type):
         value = {name: getattr(value, name) for name in value.__dataclass_fields__}
     if isinstance(value, Mapping):
@@ -225,8 +230,12 @@ def _repeats(answers: Answers) -> bool:
     known = [column for column in (answers.person, answers.time) if column is not None]
     if not known:
         return False
-    rows = np.column_stack([answers.left, answers.right, *known])
-    return len(np.unique(rows, axis=0)) < len(rows)
+    columns = [answers.left * len(answers.stimuli) + answers.right, *known]
+    order = np.lexsort(columns)
+    same = np.ones(len(order) - 1, bool)
+    for column in columns:
+        same &= column[order[1:]] == column[order[:-1]]
+    return bool(same.any())
 
 
 def _counts_csv(counts: Comparisons) -> str:
