@@ -121,7 +121,7 @@ def _open(given: ArrayLike, fit: Fitted) -> NDArray[np.bool_]:
 def _arrows(
     axes: Any,
     place: Any,
-    bounds: NDArray[np.float64],
+    bounds: NDArray[np.floating[Any]],
     gone: NDArray[np.bool_],
     y: NDArray[np.float64],
     mark: tuple[str, str],
