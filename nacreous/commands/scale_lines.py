@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import TYPE_CHECKING
 
 from nacreous.scaling.data.fault import listed
 
 if TYPE_CHECKING:
+    from nacreous.scaling.check.population import Population
     from nacreous.scaling.fit.scale import Scale
     from nacreous.scaling.report.analysis import Analysis
 
@@ -23,12 +25,19 @@ def told(found: Analysis, seconds: float) -> str:
     ]
     for at in found.order:
         low, high = doubt.intervals[at]
-        lines.append(f"{fit.stimuli[at]:{width}}  {fit.scale[at]:7.3f}  {low:7.3f} to {high:.3f}")
+        lines.append(
+            f"{fit.stimuli[at]:{width}}  {fit.scale[at]:z7.3f}  {low:z7.3f} to {high:z.3f}"
+        )
     if doubt.samples:
         many = doubt.by in ("clusters", "information")
         lines.append(
             f"samples without a scale of their own: {doubt.without_maximum} of {doubt.samples}"
             + ("; too many to draw intervals from" if many else "")
+        )
+    if found.ties_unfitted:
+        lines.append(
+            f"ties, {100 * found.tied:.0f} % of the answers, count half: "
+            "how wide they are cannot be told"
         )
     if doubt.endless:
         sets = " | ".join(", ".join(each) for each in doubt.endless)
@@ -37,7 +46,7 @@ def told(found: Analysis, seconds: float) -> str:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
-    lines += _groups_told(found) + _left_out_told(found)
+    lines += _groups_told(found) + _left_out_told(found) + _times_told(found)
     return "\n".join([*lines, _fit_verdict(found)])
 
 
@@ -52,10 +61,9 @@ def _side_told(found: Analysis) -> list[str]:
 
 def _fit_verdict(found: Analysis) -> str:
     """What the test of fit says, where the sums can say anything."""
-    if found.goodness.describes and found.side_hides_fit:
-        return (
-            "whether one scale describes these data cannot be told: the side decided most answers"
-        )
+    if found.fit_hidden_by is not None:
+        why = {"side": "the side decided most answers", "ties": "ties count half"}
+        return "whether one scale describes these data cannot be told: " + why[found.fit_hidden_by]
     return ("all people together: " if found.people_differ else "") + found.goodness.verdict
 
 
@@ -76,7 +84,7 @@ def _groups_told(found: Analysis) -> list[str]:
     if groups.found is None:
         return [f"{by} cannot be compared: fewer than two have a scale of their own"]
     differ = groups.differ(found.settings.level)
-    what = f"{by} differ" if differ else f"{by}: no difference beyond chance"
+    what = f"{by} differ" if differ else f"{by}: no difference found beyond chance"
     lines = [f"{what}, p = {groups.found.p_value:.3g}"]
     if groups.left_out:
         names = listed(one.name for one in groups.left_out)
@@ -94,6 +102,20 @@ def _left_out_told(found: Analysis) -> list[str]:
     return [f"rows left out: {told}"]
 
 
+def _times_told(found: Analysis) -> list[str]:
+    """That a column seems to hold response times and is not used, for its unit is unknown."""
+    from nacreous.scaling.data.program import may_be_response_time
+
+    if found.answers is None or found.answers.response_s is not None:
+        return []
+    names = [name for name in found.answers.groups if may_be_response_time(name)]
+    return [
+        f"column {name} is not used as response times; allowed: --column "
+        f"{shlex.quote(f'response_ms={name}')}, or response_s="
+        for name in names[:1]
+    ]
+
+
 def _people_told(found: Analysis) -> list[str]:
     """Before the scale, that it is not that of each of the people; nothing where it may be."""
     people = found.people
@@ -107,13 +129,23 @@ def _people_told(found: Analysis) -> list[str]:
         shares = ", ".join(f"{one.share:.2f}" for one in described.classes)
         said = f"{len(described.classes)} classes of people: {shares}"
         last = described.classes[1].correlation
-        said += f"; correlation {last:.2f}" if len(described.classes) == 2 else ""
+        said += f"; correlation {last:z.2f}" if len(described.classes) == 2 else ""
     elif described.kind == "spread":
-        own = "z" if described.model == "probit" else "logit"
-        said = f"values of their own, standard deviation {described.spread:.2f} {own}, no classes"
+        said = _spread_told(described)
     else:
         said = "too slightly to describe how"
     return [*lines, said]
+
+
+def _spread_told(described: Population) -> str:
+    """How much people's own values vary, or that it cannot be told."""
+    own = "z" if described.model == "probit" else "logit"
+    low, high = described.spread_low or 0.0, described.spread_high
+    if described.spread is None or high is None:
+        what = f"{low:.2f} {own} or more, how much more cannot be told"
+    else:
+        what = f"{described.spread:.2f} {own} ({low:.2f} to {high:.2f})"
+    return f"values of their own, standard deviation {what}; classes describe them no better"
 
 
 _BY = {

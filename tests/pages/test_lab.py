@@ -343,6 +343,35 @@ def test_every_view_is_for_everyone(
         assert {name: of for name, of in found.items() if of} == {}
 
 
+CUT = """() => [...document.querySelectorAll('.scroll td, .scroll th')].filter(cell => {
+    const { left, right, width } = cell.getBoundingClientRect();
+    return width > 1 && (left < 0 || right > innerWidth || cell.scrollWidth > cell.clientWidth);
+}).map(cell => cell.textContent)"""
+
+
+@pytest.mark.parametrize("locale", ["en-GB", "ja-JP"])
+def test_tables_are_whole_on_a_telephone_and_each_value_bears_its_name(
+    browser: Browser, server: Served, locale: str
+) -> None:
+    view = {"width": 390, "height": 844}
+    with guarded(browser, server.url, viewport=view, locale=locale) as guard:
+        page = entered(guard, "people")
+        for tab in ("people", "scale", "invitations", "log"):
+            go(page, tab)
+            page.wait_for_selector(".scroll tbody tr", state="attached")
+            if tab == "scale":
+                page.click("summary")
+            assert page.evaluate(CUT) == [], tab
+            named = page.evaluate(
+                "[...document.querySelectorAll('.scroll thead th')].map(one => one.textContent)"
+            )
+            told = page.evaluate(
+                "[...document.querySelector('.scroll tbody tr').cells].map(one =>"
+                " getComputedStyle(one, '::before').content)"
+            )
+            assert told == [f'"{name}"' for name in named]
+
+
 def test_the_language_changes_in_place(guard: Guarded) -> None:
     page = entered(guard, "people")
     page.select_option("#shown", "flagged")

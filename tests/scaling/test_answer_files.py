@@ -26,7 +26,7 @@ PSYCHOPY: dict[str, Any] = {
 JSPSYCH = "rt,response,trial_type,trial_index,time_elapsed,left,right,person\n"
 QUALTRICS = """\
 StartDate,ResponseId,Q1,Q2,Q3
-Start Date,Response ID,Which? A vs B,Which? B vs C,C vs. A: which one?
+Start Date,Response ID,Which? A vs B,Which? B vs C,C vs. A: which?
 "{""ImportId"":""startDate""}","{""ImportId"":""_recordId""}","{""ImportId"":""QID1""}",\
 "{""ImportId"":""QID2""}","{""ImportId"":""QID3""}"
 """

@@ -16,7 +16,7 @@ HEAD = "person,left,right,chosen\n"
 PLAIN = HEAD + "p1,A,B,A\np1,B,C,C\n"
 QUALTRICS = """\
 ResponseId,Finished,Q1,Q2
-Response ID,Finished,Which? A vs B,"Which is shinier:
+Response ID,Finished,Which? A vs B,"Which?
 B or C?"
 "{""ImportId"":""_recordId""}","{""ImportId"":""finished""}","{""ImportId"":""QID1""}",\
 "{""ImportId"":""QID2""}"
@@ -48,7 +48,7 @@ def refused(folder: Path, content: str | bytes, **options: Any) -> str:
         "sep=|\n" + PLAIN.replace(",", "|"),
         PLAIN.encode("utf-16"),
         "subject,A vs B,B vs C\np1,left,right\n",
-        'Response ID,Seed,Which? [A vs B],"Which one? [B vs C]"\n1,7,A,C\n2,8,N/A,\n',
+        'Response ID,Seed,Which? [A vs B],"Which? [B vs C]"\n1,7,A,C\n2,8,N/A,\n',
         HEAD + "p1,A,B,\"['A', 'A']\"\np1,B,C,['C']\n",
     ],
 )
@@ -153,7 +153,7 @@ def test_missing_columns_are_named_in_one_line_with_all_their_arguments(tmp_path
 
 def test_a_question_that_names_no_pair_is_not_dropped(tmp_path):
     line = refused(tmp_path, QUALTRICS + "R_1,1,A,B\nR_2,1,B,C\n")
-    assert line.startswith('column Q2 ("Which is shinier: B or C?") holds "B" and names no pair')
+    assert line.startswith('column Q2 ("Which? B or C?") holds "B" and names no pair')
     asked = QUALTRICS.replace("B or C?", "B vs C")
     assert outcomes(tmp_path, asked + "R_1,1,A,B\nR_2,1,B,C\n") == ["A>B", "B>C", "A<B", "B<C"]
     numbers = asked.replace("A vs B", "1 vs 2").replace("B vs C", "2 vs 3")

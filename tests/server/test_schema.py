@@ -59,7 +59,7 @@ def operations(served: httpx.Client) -> list[Operation]:
     """Every operation that is described."""
     schema = schemathesis.openapi.from_url(f"{served.base_url}/openapi.json")
     found = [operation.ok() for operation in schema.get_all_operations()]
-    assert len(found) == 26
+    assert len(found) == 27
     return found
 
 

@@ -206,6 +206,13 @@ CONTRADICTIONS = {
     'screen.if_no_card is "refuse" while screen.card is false; nobody would be asked': {
         "screen": {"card": False, "if_no_card": "refuse"}
     },
+    "screen.vision has contrast while display.background_code is 59": {
+        "screen": {"vision": ["contrast"]},
+        "display": {"background_code": 59},
+    },
+    "screen.least_distance_mm is 900.0, not below screen.most_distance_mm": {
+        "screen": {"least_distance_mm": 900, "most_distance_mm": 900}
+    },
     'screen.if_no_distance is "refuse" while screen.distance is false': {
         "screen": {"distance": False, "if_no_distance": "refuse"}
     },

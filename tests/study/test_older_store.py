@@ -11,6 +11,7 @@ import pytest
 
 from nacreous.scaling import thurstone
 from nacreous.study.design import open_frozen
+from nacreous.study.design.sitting import Sitting
 from nacreous.study.plan import drawn_groups, trials
 from nacreous.study.results import people_flags
 from nacreous.study.running import Running
@@ -88,3 +89,8 @@ def test_a_backup_of_it_restores_to_the_same_rows(running: Running, tmp_path: Pa
     restore(tmp_path / "backup.sqlite", tmp_path / "again.sqlite")
     with Store.open(tmp_path / "again.sqlite") as again:
         assert again.answers(running.study) == running.store.answers(running.study)
+
+
+def test_its_study_goes_on_without_the_time_to_adapt_that_came_later(running: Running) -> None:
+    assert running.frozen.design.sitting.adaptation_s == 0
+    assert Sitting().adaptation_s == 60

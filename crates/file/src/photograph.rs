@@ -84,6 +84,8 @@ fn decode_tiff(bytes: &[u8]) -> Result<(Encoding, DynamicImage), PictureFileErro
     Ok((profile.map_or(Encoding::SRGB, Encoding::Profile), picture))
 }
 
+/// By value, as `map_err` hands it on.
+#[allow(clippy::needless_pass_by_value)]
 fn damaged(problem: image::ImageError) -> PictureFileError {
     PictureFileError::damaged(&problem)
 }

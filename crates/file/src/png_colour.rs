@@ -28,16 +28,16 @@ const SRGB_GAMMA: u32 = 45_455;
 /// A chunk about colours that is damaged, or that says what is not read here.
 pub(crate) fn png_encoding(bytes: &[u8]) -> Result<Option<Encoding>, PictureFileError> {
     let chunks = Chunks::of(bytes);
-    if let Some(numbers) = chunks.numbers(b"cICP")? {
+    if let Some(numbers) = chunks.numbers(*b"cICP")? {
         return from_cicp(numbers).map(Some);
     }
-    if chunks.get(b"iCCP")?.is_some() {
+    if chunks.get(*b"iCCP")?.is_some() {
         return Ok(None);
     }
-    if chunks.get(b"sRGB")?.is_some() {
+    if chunks.get(*b"sRGB")?.is_some() {
         return Ok(Some(Encoding::SRGB));
     }
-    let primaries = chunks.numbers(b"cHRM")?.map(|chunk: [u8; 32]| {
+    let primaries = chunks.numbers(*b"cHRM")?.map(|chunk: [u8; 32]| {
         let xy: [f32; 8] = std::array::from_fn(|i| {
             u32::from_be_bytes(std::array::from_fn(|j| chunk[4 * i + j])) as f32 / 1e5
         });
@@ -45,7 +45,7 @@ pub(crate) fn png_encoding(bytes: &[u8]) -> Result<Option<Encoding>, PictureFile
         Primaries { rgb: [[red_x, red_y], [green_x, green_y], [blue_x, blue_y]], white: [x, y] }
     });
     let primaries = primaries.filter(|primaries| !primaries.are_srgb());
-    let curve = match chunks.numbers(b"gAMA")?.map(u32::from_be_bytes) {
+    let curve = match chunks.numbers(*b"gAMA")?.map(u32::from_be_bytes) {
         None => Curve::Srgb,
         Some(SRGB_GAMMA) if primaries.is_none() => Curve::Srgb,
         Some(gamma) => Curve::Power(power(gamma)?),
@@ -141,18 +141,18 @@ impl<'a> Chunks<'a> {
     }
 
     /// The data of a chunk of this name.
-    fn get(&self, name: &[u8; 4]) -> Result<Option<&'a [u8]>, PictureFileError> {
-        match self.0.iter().find(|(own, ..)| own == name) {
+    fn get(&self, name: [u8; 4]) -> Result<Option<&'a [u8]>, PictureFileError> {
+        match self.0.iter().find(|(own, ..)| *own == name) {
             None => Ok(None),
             Some((_, data, true)) => Ok(Some(data)),
-            Some(_) => Err(damaged(name, "a wrong checksum")),
+            Some(_) => Err(damaged(&name, "a wrong checksum")),
         }
     }
 
     /// The same, of a fixed length.
-    fn numbers<const N: usize>(&self, name: &[u8; 4]) -> Result<Option<[u8; N]>, PictureFileError> {
+    fn numbers<const N: usize>(&self, name: [u8; 4]) -> Result<Option<[u8; N]>, PictureFileError> {
         let fixed = |data: &[u8]| {
-            data.try_into().map_err(|_| damaged(name, &format!("{} bytes, not {N}", data.len())))
+            data.try_into().map_err(|_| damaged(&name, &format!("{} bytes, not {N}", data.len())))
         };
         self.get(name)?.map(fixed).transpose()
     }

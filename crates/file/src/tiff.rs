@@ -64,10 +64,10 @@ impl<'a> TiffHeader<'a> {
 
     /// Refuses what is not read here by its own name.
     pub(crate) fn check(&self) -> Result<(), PictureFileError> {
+        const NUMBERS: &str = "with 8 or 16 bits a channel, whole numbers";
         let refused = |what: String, instead: &str| {
             Err(PictureFileError::Unsupported(format!("is a TIFF with {what}; save it {instead}")))
         };
-        const NUMBERS: &str = "with 8 or 16 bits a channel, whole numbers";
         let packing = self.first(COMPRESSION).unwrap_or(1);
         if !matches!(packing, 1 | 5 | 8 | 32_773 | 32_946) {
             let instead = "uncompressed, or with LZW, Deflate or PackBits";

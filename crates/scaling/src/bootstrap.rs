@@ -219,7 +219,7 @@ impl<'a> Drawer<'a> {
                     for (row, answers) in ledger.of(person) {
                         let sum = &mut into.answers[*row as usize];
                         for k in 0..3 {
-                            sum[k] += f64::from(times) * answers[k];
+                            sum[k] += f64::from(times) * f64::from(answers[k]);
                         }
                     }
                 }

@@ -1,5 +1,7 @@
 //! Answers by person, for what treats people as clusters.
 
+use std::collections::BTreeMap;
+
 use crate::{
     Counts, Model, Outcome, ScalingError,
     counts::{last, seen},
@@ -26,7 +28,7 @@ pub struct Ledger {
     /// Where each person's entries begin.
     pub first: Vec<usize>,
     /// Row, and how often left, right and tie were answered there.
-    pub entries: Vec<(u32, [f64; 3])>,
+    pub entries: Vec<(u32, [f32; 3])>,
 }
 
 impl Answers {
@@ -56,12 +58,13 @@ impl Answers {
 
     /// Counted by person and row, as the model sees them.
     pub fn ledger(&self, model: &Model, stimuli: usize, people: usize) -> Ledger {
-        let mut entries: Vec<(u32, [u32; 2], [f64; 3])> = (0..self.pairs.len())
+        // Of millions of answers: whole and half numbers, which this type holds up to 8 million.
+        let mut entries: Vec<(u32, [u32; 2], [f32; 3])> = (0..self.pairs.len())
             .map(|i| {
                 let mut one = [0.0; 3];
                 one[self.outcomes[i] as usize] = 1.0;
                 let (pair, answers) = seen(model, self.pairs[i], one);
-                (self.people[i], pair, answers)
+                (self.people[i], pair, answers.map(|count| count as f32))
             })
             .collect();
         entries.sort_unstable_by_key(|&(person, pair, _)| (person, pair)); // halves add exactly
@@ -74,12 +77,15 @@ impl Answers {
             }
             same
         });
-        let counts = Counts {
-            stimuli,
-            pairs: entries.iter().map(|entry| entry.1).collect(),
-            answers: entries.iter().map(|entry| entry.2).collect(),
+        let mut sums: BTreeMap<[u32; 2], [f64; 3]> = BTreeMap::new();
+        for (_, pair, answers) in &entries {
+            let sum = sums.entry(*pair).or_default();
+            for k in 0..3 {
+                sum[k] += f64::from(answers[k]);
+            }
         }
-        .seen_by(model);
+        let (pairs, answers) = sums.into_iter().unzip();
+        let counts = Counts { stimuli, pairs, answers }.seen_by(model);
         let mut first = vec![0; people + 1];
         for (person, ..) in &entries {
             first[*person as usize + 1] += 1;
@@ -96,7 +102,7 @@ impl Answers {
 
 impl Ledger {
     /// What a person answered.
-    pub fn of(&self, person: usize) -> &[(u32, [f64; 3])] {
+    pub fn of(&self, person: usize) -> &[(u32, [f32; 3])] {
         &self.entries[self.first[person]..self.first[person + 1]]
     }
 
@@ -111,8 +117,9 @@ impl Ledger {
         let (leads, width) = leads(model, &self.counts.pairs, n, parameters);
         let mut scores = vec![0.0; self.people() * parameters.len()];
         for (person, score) in scores.chunks_mut(parameters.len()).enumerate() {
-            for &(row, ref answers) in self.of(person) {
-                let slope = terms::of_counts(model, leads[row as usize], width, answers).slope;
+            for &(row, answers) in self.of(person) {
+                let answers = answers.map(f64::from);
+                let slope = terms::of_counts(model, leads[row as usize], width, &answers).slope;
                 to_parameters(model, n, self.counts.pairs[row as usize], slope, score);
             }
         }

@@ -138,12 +138,12 @@ def _by_number(name: str, known: NDArray[np.int64], value: Array) -> Iterator[tu
 
 def _slopes(blocks: Blocks) -> Array:
     """Each person's slopes in units of their errors, float64 [person, r]."""
-    metric = blocks.metric()
-    rows = metric[blocks.first[blocks.pair]] - metric[blocks.second[blocks.pair]]
-    weighed = rows * blocks.residual[:, None]
-    found = np.zeros((len(blocks.people), metric.shape[1]))
-    np.add.at(found, blocks.person, weighed)
-    return found
+    people, stimuli = len(blocks.people), len(blocks.stimuli)
+    found = np.zeros(people * stimuli)
+    for side, sign in ((blocks.first, 1.0), (blocks.second, -1.0)):
+        cell = blocks.person * stimuli + side[blocks.pair]
+        found += sign * np.bincount(cell, blocks.residual, people * stimuli)
+    return np.asarray(found.reshape(people, stimuli) @ blocks.metric())
 
 
 def _tested(

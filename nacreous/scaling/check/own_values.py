@@ -7,13 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from nacreous.scaling.check.link import slopes_at
+from nacreous.scaling.distribution import norm
 from nacreous.scaling.fit.blocks import Array, Blocks
+from nacreous.scaling.fit.unit import factor
 
-__all__ = ["OwnValues", "fit_own_values"]
+__all__ = ["OwnValues", "fit_own_values", "spread_ends"]
 
 #: Standard deviations of people's values among which the most likely is looked for.
 _SMALLEST, _LARGEST = 0.01, 10.0
 _NEWTON_STEPS = 30
+#: Spreads beyond, in z, are not told from each other: people then give nearly sure answers, and
+#: Laplace's approximation draws large spreads in (docs/people.md).
+_TOLD = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +50,50 @@ def fit_own_values(blocks: Blocks, model: str = "probit") -> OwnValues:
     found = minimize(likelihood.loss, start, jac=True, method="L-BFGS-B", bounds=bounds)
     values = found.x[:-1] - found.x[:-1].mean()
     return OwnValues(values, float(np.exp(found.x[-1])), -float(found.fun))
+
+
+def spread_ends(
+    blocks: Blocks, found: OwnValues, model: str = "probit", level: float = 0.95
+) -> tuple[float, float | None]:
+    """The interval of the spread by its profile likelihood; None for an upper end not told.
+
+    There the lower end is 1.5 z at most, 2.4 logit: up to that, spreads are told from each other.
+    """
+    from scipy.optimize import brentq
+
+    deficit = _Deficit(blocks, found, model, level)
+    most = _TOLD * factor("z", "z" if model == "probit" else "logit")
+    at = float(np.log(min(found.spread, most)))
+    ends = [np.log(_SMALLEST), np.log(most), np.log(_LARGEST)]
+    low, high, far = (deficit(float(end)) for end in ends)
+    told = found.spread < most and high > 0 and far > 0
+    upper = float(np.exp(brentq(deficit, at, ends[1], xtol=0.01))) if told else None
+    if low <= 0:
+        return 0.0, upper
+    if deficit(at) >= 0:  # even the largest that can be told is too small
+        return most, upper
+    return float(np.exp(brentq(deficit, ends[0], at, xtol=0.01))), upper
+
+
+class _Deficit:
+    """By how much more than chance allows a spread is less likely than the most likely one."""
+
+    def __init__(self, blocks: Blocks, found: OwnValues, model: str, level: float) -> None:
+        self._blocks, self._found, self._model = blocks, found, model
+        self._allowed = float(norm.ppf((1 + level) / 2)) ** 2 / 2  # chi-squared with 1 df
+
+    def __call__(self, log_spread: float) -> float:
+        from scipy.optimize import minimize
+
+        likelihood = Marginal(self._blocks, self._model)
+
+        def loss(mean: Array) -> tuple[float, Array]:
+            value, slopes = likelihood.loss(np.append(mean, log_spread))
+            return value, slopes[:-1]
+
+        bounds = [(-50.0, 50.0)] * len(self._found.values)
+        best = minimize(loss, self._found.values, jac=True, method="L-BFGS-B", bounds=bounds)
+        return float(best.fun) + self._found.log_likelihood - self._allowed
 
 
 class Marginal:

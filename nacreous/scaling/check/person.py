@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.check.triads import Triads, circular_triads
+from nacreous.scaling.check.tournament import EQUAL, Shares
+from nacreous.scaling.check.triads import Triads, triads_of
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.person import known_people
+from nacreous.scaling.fit.blocks import blocks_of
 from nacreous.value import value_class
 
 
@@ -26,7 +29,7 @@ def triads_by_person(answers: Answers) -> tuple[PersonalTriads, ...]:
     """Circular triads and zeta of each person, in the order of `answers.people`.
 
     A person's zeta is None unless that person compared every pair of those stimuli that the person
-    saw at all. People who saw fewer than three are left out.
+    saw at all, and preferred one of a pair. People who saw fewer than three are left out.
 
     >>> table = {"left": ["a", "b", "c"], "right": ["b", "c", "a"], "chosen": ["a", "b", "c"]}
     >>> table["person"] = ["mika"] * 3
@@ -34,16 +37,34 @@ def triads_by_person(answers: Answers) -> tuple[PersonalTriads, ...]:
     >>> mika.person, mika.triads.circular
     ('mika', 1.0)
     """
+    blocks = blocks_of(answers)
+    share = blocks.chosen / blocks.answers
+    beats = np.where(np.abs(share - 0.5) < EQUAL, 0.5, share > 0.5)
+    ends = np.searchsorted(blocks.person, np.arange(len(blocks.people) + 1))
+    asked = np.bincount(blocks.person, blocks.answers).astype(np.int64)
     found = []
-    for person, rows in rows_by_person(answers):
-        part = answers.take(rows)
-        seen, codes = np.unique(np.concatenate([part.left, part.right]), return_inverse=True)
-        if len(seen) >= 3:
-            stimuli = tuple(answers.stimuli[index] for index in seen)
-            left, right = codes[: len(part)], codes[len(part) :]
-            own = Answers(stimuli, left, right, part.outcome, sided=part.sided)
-            found.append(PersonalTriads(person, len(part), circular_triads(own)))
+    for at, person in enumerate(blocks.people):
+        own = slice(ends[at], ends[at + 1])
+        pair = blocks.pair[own]
+        triads = _triads(blocks.stimuli, blocks.first[pair], blocks.second[pair], beats[own])
+        if triads is not None:
+            found.append(PersonalTriads(person, int(asked[at]), triads))
     return tuple(found)
+
+
+def _triads(
+    stimuli: tuple[str, ...], first: NDArray[np.int64], second: NDArray[np.int64], beats: Any
+) -> Triads | None:
+    """Of one person's majorities; None of fewer than three stimuli."""
+    seen = np.flatnonzero(
+        np.bincount(first, minlength=len(stimuli)) + np.bincount(second, minlength=len(stimuli))
+    )
+    if len(seen) < 3:
+        return None
+    place = np.zeros(len(stimuli), np.int64)
+    place[seen] = np.arange(len(seen))
+    shares = Shares(len(seen), place[first], place[second], beats)
+    return triads_of(shares, tuple(stimuli[index] for index in seen))
 
 
 def rows_by_person(answers: Answers) -> Iterator[tuple[str, NDArray[np.int64]]]:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.check.classes import Mixture, fit_classes
-from nacreous.scaling.check.own_values import OwnValues, fit_own_values
+from nacreous.scaling.check.own_values import OwnValues, fit_own_values, spread_ends
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.unit import check_model
@@ -20,6 +21,8 @@ __all__ = ["Candidate", "PersonClass", "Population", "population"]
 #: People x stimuli² up to which the models are fitted, and people from which on.
 _MOST_NUMBERS = 2_000_000
 _LEAST_PEOPLE = 6
+#: A class of fewer is a person.
+_LEAST_IN_CLASS = 2
 
 
 @value_class
@@ -27,13 +30,14 @@ class Candidate:
     """One description of the people: `name` is "one scale", "spread", "2 classes" and so on.
 
     `parameters`: free ones; `bic`: parameters x ln(people) - 2 log-likelihood, the smaller the
-    better.
+    better. `lone`: one of its classes is a single person or nobody, so that it was not chosen.
     """
 
     name: str
     parameters: int
     log_likelihood: float
     bic: float
+    lone: bool = False
 
 
 @value_class
@@ -56,7 +60,9 @@ class Population:
 
     - `kind`: "one scale", "spread" (everyone has values of their own, of which `spread` is the
       standard deviation) or "classes"
-    - `spread`: in the model's own unit, whichever was chosen
+    - `spread`: in the model's own unit; None unless it was chosen and these answers tell how large
+      it is; `spread_low`, `spread_high`: its interval, None unless chosen, and the upper end None
+      where the spread is larger than these answers can tell
     - `classes`: the largest first; () unless they were chosen
     - `candidates`: all that were fitted
     """
@@ -64,19 +70,28 @@ class Population:
     model: str
     stimuli: tuple[str, ...]
     kind: Literal["one scale", "spread", "classes"]
-    spread: float
+    spread: float | None
+    spread_low: float | None
+    spread_high: float | None
     classes: tuple[PersonClass, ...]
     candidates: tuple[Candidate, ...]
 
 
 def population(
-    answers: Answers, model: str = "probit", most: int = 4, starts: int = 20, seed: int = 1
+    answers: Answers,
+    model: str = "probit",
+    most: int = 4,
+    starts: int = 20,
+    seed: int = 1,
+    level: float = 0.95,
 ) -> Population:
     """Choose between one scale, a continuous spread and 2 to `most` classes by BIC.
 
     A spread looks like classes to any criterion that is not offered the spread as well, so it
     always competes. BIC counts people, not answers, for people are what is drawn (G. Schwarz,
-    Annals of Statistics 6, 1978). Ties count half. starts: of EM, for each number of classes.
+    Annals of Statistics 6, 1978). A class of one person is a person: classes of which fewer than
+    two people are most likely members are not chosen. Ties count half. starts: of EM, for each
+    number of classes. level: of the spread's interval.
 
     most: 2 to 10, starts: 1 to 1000. Raises `InputError` where people are unknown, with fewer than
     6 of them, and where people x stimuli² is more than 2 000 000.
@@ -100,9 +115,11 @@ def population(
     for count, mixture in enumerate(mixtures, 1):
         name = "one scale" if count == 1 else f"{count} classes"
         free = count * each + count - 1
-        found.append(_candidate(name, free, mixture.log_likelihood, blocks))
-    best = min(range(len(found)), key=lambda at: found[at].bic)
-    return _described(blocks, model, best, spread, mixtures, found)
+        lone = min(map(len, _members(mixture))) < _LEAST_IN_CLASS
+        found.append(_candidate(name, free, mixture.log_likelihood, blocks, lone))
+    best = min((at for at, one in enumerate(found) if not one.lone), key=lambda at: found[at].bic)
+    ends = spread_ends(blocks, spread, model, level) if best == 0 else (None, None)
+    return _described(blocks, model, best, (spread, *ends), mixtures, found)
 
 
 def _require_size(blocks: Blocks) -> None:
@@ -116,41 +133,52 @@ def _require_size(blocks: Blocks) -> None:
         )
 
 
-def _candidate(name: str, parameters: int, log_likelihood: float, blocks: Blocks) -> Candidate:
+def _candidate(
+    name: str, parameters: int, log_likelihood: float, blocks: Blocks, lone: bool = False
+) -> Candidate:
     bic = parameters * float(np.log(len(blocks.people))) - 2 * log_likelihood
-    return Candidate(name, parameters, log_likelihood, bic)
+    return Candidate(name, parameters, log_likelihood, bic, lone)
+
+
+def _members(mixture: Mixture) -> list[NDArray[np.int64]]:
+    """By class, the indices of the people who are most likely in it."""
+    likely = mixture.belonging.argmax(axis=1)
+    return [np.flatnonzero(likely == at) for at in range(len(mixture.shares))]
 
 
 def _described(
     blocks: Blocks,
     model: str,
     best: int,
-    spread: OwnValues,
+    spread: tuple[OwnValues, float | None, float | None],
     mixtures: list[Mixture],
     found: list[Candidate],
 ) -> Population:
+    own, low, high = spread
     kinds: tuple[Literal["spread", "one scale", "classes"], ...] = ("spread", "one scale")
     kind = kinds[best] if best < 2 else "classes"
     return Population(
         model=model,
         stimuli=blocks.stimuli,
         kind=kind,
-        spread=spread.spread,
+        spread=None if high is None else own.spread,
+        spread_low=low,
+        spread_high=high,
         classes=_classes(blocks, mixtures[best - 1]) if kind == "classes" else (),
         candidates=tuple(found),
     )
 
 
 def _classes(blocks: Blocks, mixture: Mixture) -> tuple[PersonClass, ...]:
-    likely = mixture.belonging.argmax(axis=1)
     first = mixture.values[0]
     found = []
-    for at, (share, scale) in enumerate(zip(mixture.shares, mixture.values, strict=True)):
+    rows = zip(mixture.shares, mixture.values, _members(mixture), strict=True)
+    for share, scale, members in rows:
         size = float(np.linalg.norm(scale) * np.linalg.norm(first))
         found.append(
             PersonClass(
                 share=float(share),
-                people=tuple(blocks.people[index] for index in np.flatnonzero(likely == at)),
+                people=tuple(blocks.people[index] for index in members),
                 scale=scale,
                 correlation=float(scale @ first) / size if size > 0 else 0.0,
             )

@@ -6,6 +6,7 @@ M. G. Kendall and B. Babington Smith, On the method of paired comparisons, Biome
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import field
 from functools import cache
 from itertools import product
 from math import comb
@@ -34,12 +35,11 @@ class Triads:
     - `complete`: triads of which all three pairs were compared; `tied`: pairs without a majority
     - `most`: the largest number of circular triads that so many stimuli can have
     - `zeta`: Kendall's coefficient of consistence, 1 - circular / most; 1: none, 0: as many as
-      can be. None unless every pair was compared.
+      can be. None unless every pair was compared and one of them has a majority.
     - `p_value`: how often coin-tossers would have so few circular triads, or fewer: exact to
       10 stimuli without ties (and to 4 with), else from Kendall's chi-squared; None where zeta is
     - `wins`: float64 [n], how many others each beats, a tie counting half
-    - `named`: the circular triads as labels, (a, b, c) with a over b over c over a; only up to
-      100 stimuli, and only those without ties
+    - `stimuli`: labels; `won`: bool [n, n], whether the row's beat the column's, up to 100 stimuli
     """
 
     circular: float
@@ -49,7 +49,24 @@ class Triads:
     zeta: float | None
     p_value: float | None
     wins: NDArray[np.float64]
-    named: tuple[tuple[str, str, str], ...]
+    stimuli: tuple[str, ...] = field(repr=False)
+    won: NDArray[np.bool_] = field(repr=False)
+
+    @property
+    def named(self) -> tuple[tuple[str, str, str], ...]:
+        """The circular triads as labels, (a, b, c) with a over b over c over a.
+
+        Only up to 100 stimuli, and only those without ties. Worked out when asked for: of
+        thousands of people they are millions.
+        """
+        found = []
+        for first in range(len(self.won)):
+            later = np.arange(len(self.won)) > first
+            # first over second, second over third, third over first
+            closed = self.won & np.outer(self.won[first] & later, self.won[:, first] & later)
+            found += [(first, *pair) for pair in np.argwhere(closed).tolist()]
+        names = self.stimuli
+        return tuple((names[i], names[j], names[k]) for i, j, k in found)
 
 
 def circular_triads(data: Any) -> Triads:
@@ -62,16 +79,24 @@ def circular_triads(data: Any) -> Triads:
     (1.0, 0.0, (('a', 'b', 'c'),))
     """
     comparisons = comparisons_of(data)
-    shares = shares_of(comparisons)
+    return triads_of(shares_of(comparisons), comparisons.stimuli)
+
+
+def triads_of(shares: Shares, stimuli: tuple[str, ...]) -> Triads:
+    """The same, of shares of three or more stimuli, and of the labels of these."""
     count, beats = shares.stimuli, shares.majority
-    wins = np.zeros(count)
-    np.add.at(wins, shares.first, beats)
-    np.add.at(wins, shares.second, 1 - beats)
+    table = np.zeros((count, count))
+    table[shares.first, shares.second] = beats
+    table[shares.second, shares.first] = 1 - beats
+    wins = table.sum(axis=1)
     tied = int(np.count_nonzero(beats == 0.5))
     most = most_circular(count)
     full = len(beats) == comb(count, 2)
+    told = full and tied < len(beats)  # coins alone have no consistency
     if full:
         circular, complete = circular_of(wins, tied), comb(count, 3)
+    elif count <= MOST_LISTED:
+        circular, complete = _counted(table, shares)
     else:
         circular, complete = count_open(shares)
     return Triads(
@@ -79,11 +104,21 @@ def circular_triads(data: Any) -> Triads:
         complete=complete,
         tied=tied,
         most=most,
-        zeta=1 - circular / most if full else None,
-        p_value=chance(count, circular, tied) if full else None,
+        zeta=1 - circular / most if told else None,
+        p_value=chance(count, circular, tied) if told else None,
         wins=wins,
-        named=_named(shares, comparisons.stimuli) if count <= MOST_LISTED else (),
+        stimuli=stimuli,
+        won=(table == 1) if count <= MOST_LISTED else np.zeros((0, 0), bool),
     )
+
+
+def _counted(table: NDArray[np.float64], shares: Shares) -> tuple[float, int]:
+    """As `count_open`, from few stimuli's table of who beats whom, ties being halves."""
+    met = np.zeros(table.shape)
+    met[shares.first, shares.second] = met[shares.second, shares.first] = 1
+    # Each circle stands in the trace of the cube three times; products of halves are exact.
+    circular = float(np.sum((table @ table) * table.T)) / 3
+    return circular, round(float(np.sum((met @ met) * met)) / 6)
 
 
 def circular_of(wins: NDArray[np.float64], tied: int) -> float:
@@ -151,17 +186,3 @@ def _ways(count: int) -> dict[int, int]:
     for (_, squares), number in states.items():
         result[(sure - squares) // 2] += number
     return dict(result)
-
-
-def _named(shares: Shares, stimuli: tuple[str, ...]) -> tuple[Any, ...]:
-    beats = shares.majority
-    wins = np.zeros((shares.stimuli, shares.stimuli), bool)
-    wins[shares.first, shares.second] = beats == 1
-    wins[shares.second, shares.first] = beats == 0
-    found = []
-    for first in range(shares.stimuli):
-        later = np.arange(shares.stimuli) > first
-        # first over second, second over third, third over first
-        second, third = np.nonzero(wins & np.outer(wins[first] & later, wins[:, first] & later))
-        found += [(first, j, k) for j, k in zip(second.tolist(), third.tolist(), strict=True)]
-    return tuple(tuple(stimuli[index] for index in triad) for triad in found)

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import number_column, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.number_column import number_column
 from nacreous.scaling.data.table import read_table, table_of
 from nacreous.value import value_class
 

@@ -17,7 +17,7 @@ from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.clustering import personal
 from nacreous.scaling.fit.errors import errors_of
-from nacreous.scaling.fit.existence import REMEDY
+from nacreous.scaling.fit.existence import REMEDY, require_choices
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.fit.unit import check_model
@@ -72,6 +72,7 @@ def estimate(
     inf
     """
     fit = fit_of(data, model, ties=ties, order=order, prior=prior)
+    require_choices(fit.comparisons)
     if fit.answers is None or fit.answers.person is None:
         return Estimate(fit, fit.covariance("expected"), (), None, np.inf)
     errors = errors_of(fit, "people")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
 from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.likeness import number_of
 from nacreous.scaling.data.program import JSPSYCH, program_of
 from nacreous.scaling.data.roles import WORDS, Names
 from nacreous.scaling.data.table import Table
@@ -31,8 +33,7 @@ _GUESSES = {
     },
 }
 _EITHER = (("yes", "no"), ("true", "false"), ("y", "n"), ("f", "j"))
-_TWO_CODES = "left_word='1', right_word='0'"
-_CODE = re.compile(r"([0-2])(\.0)?")
+_CODE = re.compile(r"\+?(-?[0-2])(?:\.0*)?")
 #: A list of one name several times: one thing was clicked again.
 _SAME = re.compile(r"""\[\s*('[^']*'|"[^"]*")(?:\s*,\s*\1)+\s*\]""")
 #: A list of one, as PsychoPy writes keys and clicked names.
@@ -80,7 +81,7 @@ def outcomes_of(
     faults.stop()
     found, code = codes_of(text)
     _check_given(name, names, found, labels, faults)
-    meanings = _meanings(table, name, names, found, labels, faults)
+    meanings = _meanings(table, name, names, found, labels, (code, left, right), faults)
     faults.stop()
     meaning = np.array(meanings, np.int64)[code]
     outcome = np.zeros(table.rows, np.int8)
@@ -111,15 +112,17 @@ def _check_given(
     name: str, names: Names, found: tuple[str, ...], labels: tuple[str, ...], faults: Faults
 ) -> None:
     """Note words for the sides and ties that could have no effect."""
-    sides = {role: word for role, word in names.items() if role in ("left_word", "right_word")}
+    said: Any = names
+    sides = {role: str(said[role]) for role in ("left_word", "right_word") if role in said}
     given = sides | ({"tie": names["tie"]} if names.get("tie", "tie") != "tie" else {})
     for role, word in given.items():
-        if word in labels:
+        if word in labels or _same_number(word, labels):
             faults.say(f"{role}={word!r} is the label of a stimulus; allowed: another word")
     held = {each for cell in found for each in (cell, unlisted(cell))}
+    held |= {word for word in sides.values() if _same_number(word, held)}
     if sides and not held & set(sides.values()):
-        said = " and ".join(f"{role}={word!r}" for role, word in sides.items())
-        faults.say(f"{said} is given; allowed: words in {name}, which holds {listed(found)}")
+        words = " and ".join(f"{role}={word!r}" for role, word in sides.items())
+        faults.say(f"{words} is given; allowed: words in {name}, which holds {listed(found)}")
 
 
 def _named(cells: list[str]) -> str:
@@ -137,30 +140,30 @@ def _named(cells: list[str]) -> str:
     return ", ".join(given or ["left_word=WORD, right_word=WORD, tie=WORD"])
 
 
+def _same_number(word: str, cells: Iterable[str]) -> bool:
+    """Whether a word is a number and one of the cells the same one, as 1 and 1.0 are."""
+    number = number_of(word)
+    return number is not None and any(number == number_of(cell) for cell in cells)
+
+
 def _meanings(
     table: Table,
     name: str,
     names: Names,
     found: tuple[str, ...],
     labels: tuple[str, ...],
+    shown: tuple[NDArray[np.int64], ...],
     faults: Faults,
 ) -> list[int]:
-    """For each value an index into labels, a side, a tie, or that it means nothing."""
-    place = {label: index for index, label in enumerate(labels)}
-    words: dict[Any, int] = {
-        names.get("left_word"): _LEFT,
-        names.get("right_word"): _RIGHT,
-        names.get("tie", "tie"): _TIE,
-    }
-    meanings = []
-    for cell in found:
-        for each in dict.fromkeys((cell, unlisted(cell))):
-            meaning = place.get(each, words.get(each, SIDES.get(each.casefold(), _UNKNOWN)))
-            if meaning != _UNKNOWN:
-                break
-        meanings.append(meaning)
+    """For each value an index into labels, a side, a tie, or that it means nothing.
+
+    shown: for each row its value, and indices into labels of the left and the right one.
+    """
+    known = _known(names, labels)
+    numbers = {number: known[word] for word in known if (number := number_of(word))}
+    meanings = [_meaning(cell, known, numbers) for cell in found]
     codes = {
-        cell: code[1]
+        cell: code[1].replace("-0", "0")
         for cell, meaning in zip(found, meanings, strict=True)
         if meaning == _UNKNOWN and (code := _CODE.fullmatch(unlisted(cell)))
     }
@@ -168,18 +171,87 @@ def _meanings(
         return meanings
     sides = _sides_of(table, set(codes.values()))
     if sides is None:
-        held = sorted(set(codes.values()))
-        both = " and ".join((", ".join(held[:-1]), held[-1]) if held[1:] else held)
-        such = "left_word='1', right_word='2', tie='0'" if len(held) > 2 else _TWO_CODES
+        faults.say(f"{name} holds {_asked(set(codes.values()))}")
+        return meanings
+    numbered = _number_in(codes, found, labels, shown)
+    if numbered and program_of(table.columns) is not JSPSYCH:
         faults.say(
-            f"{name} holds {both}, and either side may be meant; allowed: labels, left and right, "
-            f"or the word for each side, such as {such}"
+            f"{name} holds {_both(sorted(codes.values()))}, which may be sides or stimuli such as "
+            f"{quoted(numbered)}; allowed: labels, left and right, or left_word='1', right_word='2'"
         )
         return meanings
     return [
         sides[codes[cell]] if cell in codes else meaning
         for cell, meaning in zip(found, meanings, strict=True)
     ]
+
+
+def _known(names: Names, labels: tuple[str, ...]) -> dict[str, int]:
+    """What given words and labels mean; labels come last, and count more."""
+    words = {
+        names.get("left_word"): _LEFT,
+        names.get("right_word"): _RIGHT,
+        names.get("tie", "tie"): _TIE,
+    }
+    known = {word: meaning for word, meaning in words.items() if word is not None}
+    return known | {label: index for index, label in enumerate(labels)}
+
+
+def _meaning(cell: str, known: dict[str, int], numbers: dict[str, int]) -> int:
+    """An index into labels, a side or a tie; numbers are compared as numbers, 1.0 with 1."""
+    for each in dict.fromkeys((cell, unlisted(cell))):
+        if each in known:
+            return known[each]
+        number = number_of(each)
+        if number is not None and number in numbers:
+            return numbers[number]
+        if each.casefold() in SIDES:
+            return SIDES[each.casefold()]
+    return _UNKNOWN
+
+
+def _number_in(
+    codes: dict[str, str],
+    found: tuple[str, ...],
+    labels: tuple[str, ...],
+    shown: tuple[NDArray[np.int64], ...],
+) -> str | None:
+    """A stimulus that a code may name, where in each row with a code there is just one.
+
+    `1` may be 01, 1.png or pearl 1, unless a pair without such a one has been answered by it.
+    """
+    numbers = [{str(int(each)) for each in re.findall("[0-9]+", label)} for label in labels]
+    code, left, right = shown
+    _, first = np.unique((code * len(labels) + left) * len(labels) + right, return_index=True)
+    answered = [
+        (found[code[row]], left[row], right[row]) for row in first if found[code[row]] in codes
+    ]
+    meant: list[int] = []
+    for cell, *pair in answered:
+        sides = [side for side in pair if codes[cell] in numbers[side]]
+        if len(sides) != 1:
+            return None
+        meant += sides
+    return labels[min(meant)]
+
+
+def _asked(codes: set[str]) -> str:
+    """That numbers may mean either side, and the words that would say which."""
+    held = sorted(codes, key=int)
+    low, high = ("1", "2") if "2" in codes else ("-1", "1") if "-1" in codes else ("1", "0")
+    tie = ", tie='0'" if "0" in codes and "0" not in (low, high) else ""
+    if "2" in codes and "-1" in codes:
+        low, high, tie = "WORD", "WORD", ", tie=WORD"
+    such = f"left_word={low!r}, right_word={high!r}{tie}"
+    return (
+        f"{_both(held)}, and either side may be meant; allowed: labels, left and right, or the "
+        f"word for each side, such as {such}"
+    )
+
+
+def _both(codes: list[str]) -> str:
+    held = list(dict.fromkeys(codes))
+    return " and ".join((", ".join(held[:-1]), held[-1]) if held[1:] else held)
 
 
 def _sides_of(table: Table, codes: set[str]) -> dict[str, int] | None:

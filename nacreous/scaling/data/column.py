@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
-from datetime import datetime
 from typing import Any
 
 import numpy as np
@@ -20,7 +18,7 @@ from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
 
 #: What programs write into a cell that holds nothing, in small letters.
-NOTHING = frozenset({"null", "none", "nan", "na", "n/a", "undefined"})
+NOTHING = frozenset({"null", "none", "nan", "na", "n/a", "undefined", "."})
 
 
 @value_class
@@ -130,135 +128,6 @@ def group_column(table: Table, name: str) -> Grouping:
             cells[row] = printable(" ".join(cells[row].split()))
         text = pa.array(cells, pa.large_string())
     return Grouping(*codes_of(text))
-
-
-def number_column(
-    table: Table, name: str, role: str | None, faults: Faults, least: float
-) -> NDArray[np.float64]:
-    """float64 [row], finite and `least` or more; anything else is noted as a fault.
-
-    Empty cells are NaN: that the time of one answer is unknown spoils no other. So are the words
-    for nothing (`NOTHING`), and -1 where numbers are at least 0, which says that nobody answered.
-    A list of one number, as PsychoPy writes it, is that number. A decimal comma is read where it
-    cannot be one between thousands. role: of a column that may be left unused, or None.
-    """
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    text = pc.replace_substring_regex(
-        text_column(table, name), r"^\[\s*['\"]?([^,\[\]'\"]*)['\"]?\s*\]$", r"\1"
-    )
-    nothing = pc.is_in(pc.utf8_lower(text), pa.array([*sorted(NOTHING), ""], text.type))
-    if least == 0:
-        nothing = pc.or_(
-            nothing, pc.fill_null(pc.match_substring_regex(text, r"^-1(\.0*)?$"), False)
-        )
-    text = pc.if_else(nothing, pa.scalar(None, text.type), text)
-    number = r"^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$"
-    pointed = _pointed(table, text)
-    good = pc.fill_null(pc.match_substring_regex(pointed, number), True)
-    value = pc.cast(pc.if_else(good, pointed, pa.scalar(None, text.type)), pa.float64())
-    values = np.asarray(pc.fill_null(value, np.nan)).copy()
-    bad = ~np.asarray(good) | np.isinf(values) | (values < least)
-    allowed = "a number" if least == -np.inf else f"a number of at least {least:g}"
-    if role in ("time", "trial"):
-        allowed += " or a time in ISO 8601, such as 2026-03-01T09:30"
-    say = faults.say_of_column if role else faults.say_of_rows
-    unused = f", or {_unused(role)}" if role else ""
-    say(
-        np.flatnonzero(bad),
-        lambda row: (
-            f"{name} is {quoted(text[row])}; allowed: {allowed}{_comma_hint(text[row])}{unused}"
-        ),
-    )
-    return values
-
-
-def _pointed(table: Table, text: Any) -> Any:
-    """Decimal commas as points, where the column's commas can be nothing else.
-
-    1,250 may be a thousand and a quarter of one; 0,834 and 1,25 may not. Beside a decimal point a
-    comma is none.
-    """
-    import pyarrow.compute as pc
-
-    def some(pattern: str) -> bool:
-        return bool(pc.any(pc.match_substring_regex(text, pattern)).as_py())
-
-    comma = r"^[+-]?[0-9]+,[0-9]+$"
-    sure = table.decimal_comma or some(r"^[+-]?(0[0-9]*|[0-9]{4,}),[0-9]+$")
-    sure = sure or some(r"^[+-]?[0-9]+,([0-9]{1,2}|[0-9]{4,})$")
-    if not some(comma) or not sure or some(r"\."):
-        return text
-    return pc.replace_substring_regex(text, r"^([+-]?[0-9]+),([0-9]+)$", r"\1.\2")
-
-
-def _unused(role: str) -> str:
-    """How a column that may be missing is left unused."""
-    return f"{role}='' to leave the column unused"
-
-
-def _comma_hint(cell: object) -> str:
-    return " with a decimal point" if re.fullmatch(r"[^\[]*,.*", str(cell)) else ""
-
-
-def time_column(table: Table, name: str, role: str, faults: Faults) -> NDArray[np.float64]:
-    """float64 [row]: numbers as they are, dates and times as seconds since 1970, empty as NaN.
-
-    Text is read as a number or as ISO 8601, such as 2026-03-01T09:30:00+09:00. Times without an
-    offset are taken as they stand; they may not be mixed with those of another offset than 0.
-    """
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    array = table.columns[name]
-    if not pa.types.is_temporal(array.type):
-        text = text_column(table, name)
-        dated = pc.fill_null(pc.match_substring_regex(text, r"^[0-9]{4}-[0-9]{2}-[0-9]{2}"), False)
-        if not pc.any(dated).as_py():
-            return number_column(table, name, role, faults, -np.inf)
-        return _instants(text, name, role, faults)
-    try:
-        instant = pc.cast(array, pa.timestamp("us"), safe=False)
-    except (pa.ArrowInvalid, pa.ArrowNotImplementedError):  # a time of day
-        faults.say(f"column {name} is of the kind {array.type}; allowed: numbers or ISO 8601")
-        return np.full(table.rows, np.nan)
-    seconds = np.asarray(pc.fill_null(pc.cast(instant, pa.int64()), 0)) / 1e6
-    return np.where(np.asarray(array.is_null()), np.nan, seconds)
-
-
-def _instants(text: Any, name: str, role: str, faults: Faults) -> NDArray[np.float64]:
-    """Seconds since 1970 of times in ISO 8601."""
-    cells = text.dictionary_encode()
-    seconds = np.full(len(cells.dictionary) + 1, np.nan)
-    bare = shifted = False
-    bad: list[int] = []
-    for at, cell in enumerate(cells.dictionary.to_pylist()):
-        if cell.lower() in NOTHING:
-            continue
-        try:
-            instant = datetime.fromisoformat(cell)
-        except ValueError:
-            bad.append(at)
-            continue
-        offset = instant.utcoffset()
-        bare, shifted = bare or offset is None, shifted or bool(offset)
-        seconds[at] = (instant.replace(tzinfo=None) - datetime(1970, 1, 1)).total_seconds()
-        seconds[at] -= offset.total_seconds() if offset else 0.0
-    code = np.asarray(cells.indices.fill_null(len(seconds) - 1), dtype=np.int64)
-    faults.say_of_column(
-        np.flatnonzero(np.isin(code, bad)),
-        lambda row: (
-            f"{name} is {quoted(text[row])}; allowed: a time in ISO 8601, such as "
-            f"2026-03-01T09:30, or {_unused(role)}"
-        ),
-    )
-    if bare and shifted:
-        faults.say(
-            f"column {name} has times with an offset and without; allowed: all or none, or "
-            f"{_unused(role)}"
-        )
-    return seconds[code]
 
 
 def _whole_where_possible(array: Any) -> Any:

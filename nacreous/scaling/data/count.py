@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import number_column, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.number_column import number_column
 from nacreous.scaling.data.table import MOST_ROWS, Table
 
 _COUNTS = frozenset({"count", "counts", "freq", "frequency"})

@@ -14,19 +14,22 @@ from nacreous.scaling.data.column import (
     check_labels,
     codes_of,
     group_column,
-    number_column,
     refuse_nothing,
     text_column,
-    time_column,
 )
 from nacreous.scaling.data.count import counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
+from nacreous.scaling.data.number_column import seconds_column
+from nacreous.scaling.data.pair_columns import has_pairs
+from nacreous.scaling.data.preview import without_previews
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
+from nacreous.scaling.data.tie_column import refuse_other_ties, tie_column, ties_of
+from nacreous.scaling.data.time_column import time_column
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
-from nacreous.scaling.data.wide import is_wide, long_of
+from nacreous.scaling.data.wide import long_of
 
 
 class Fields(TypedDict):
@@ -56,6 +59,9 @@ def fields_of(
     skip_unanswered: bool,
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
+    rows = table.rows
+    table = without_previews(table, skip_unanswered)
+    previews = rows - table.rows
     table, column, unpaired = _trials(table, names)
     if "count" in column:
         table = table.take(counts_of(table, column["count"], table.faults()) > 0)
@@ -65,7 +71,7 @@ def fields_of(
         kept = np.ones(paired, bool)
         kept[unanswered(table, column, names)] = False
         table = table.take(kept)
-    skipped = paired - table.rows
+    skipped = paired - table.rows + previews
     faults = table.faults()
     if table.rows == 0:
         faults.say("has no row with a pair and an answer; allowed: 1 or more")
@@ -78,14 +84,12 @@ def fields_of(
     if not won:
         refuse_unanswered(table, column, names, faults)
     faults.stop()
-    outcome = np.ones(table.rows, np.int8)
-    if not won:
-        outcome = outcomes_of(table, column["chosen"], names, labels, left, right, faults)
-    faults.stop()
+    tied = tie_column(table, column.values())
+    outcome = _outcomes(table, column, names, labels, (left, right), tied, faults)
     if not repeats:
         _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
-    others = [name for name in table.columns if name not in column.values()]
+    others = [name for name in table.columns if name not in {*column.values(), tied}]
     counts = counts_of(table, column["count"], faults) if "count" in column else None
     fields = Fields(
         stimuli=labels,
@@ -102,6 +106,31 @@ def fields_of(
         unanswered=skipped,
     )
     return fields if counts is None else _counted(fields, counts)
+
+
+def _outcomes(
+    table: Table,
+    column: dict[str, str],
+    names: Names,
+    labels: tuple[str, ...],
+    shown: tuple[NDArray[np.int64], NDArray[np.int64]],
+    tied: str | None,
+    faults: Faults,
+) -> NDArray[np.int8]:
+    """int8 [row], 1 where the left one was chosen or won, -1 the right one, 0 neither.
+
+    tied: the column that says which answers are ties, where there is one.
+    """
+    if "winner" in column:
+        outcome = np.ones(table.rows, np.int8)
+        if tied is not None:
+            outcome[ties_of(table, tied)] = 0
+        return outcome
+    outcome = outcomes_of(table, column["chosen"], names, labels, *shown, faults)
+    if tied is not None:
+        refuse_other_ties(table, tied, column["chosen"], outcome, faults)
+    faults.stop()
+    return outcome
 
 
 def _counted(fields: Fields, counts: NDArray[np.int64]) -> Fields:
@@ -123,7 +152,7 @@ def _counted(fields: Fields, counts: NDArray[np.int64]) -> Fields:
 def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
     """The rows with a pair, one an answer, the columns by role, and how many rows had no pair."""
     faults = table.faults()
-    if not (has_long(table, names) or has_winners(table, names)) and is_wide(table):
+    if not (has_long(table, names) or has_winners(table, names)) and has_pairs(table):
         table = long_of(table, names, faults)
         faults.stop()
         names.pop("person", None)  # which is called person now
@@ -201,10 +230,9 @@ def _people(
 
 
 def _response(table: Table, column: dict[str, str], faults: Faults) -> NDArray[np.float64] | None:
-    if "response_s" in column:
-        return number_column(table, column["response_s"], "response_s", faults, 0.0)
-    if "response_ms" in column:
-        return number_column(table, column["response_ms"], "response_ms", faults, 0.0) / 1000
+    for role, per_s in (("response_s", 1.0), ("response_ms", 1000.0)):
+        if role in column:
+            return seconds_column(table, column[role], role, faults, per_s)
     return None
 
 

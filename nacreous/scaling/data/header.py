@@ -11,7 +11,7 @@ from unicodedata import normalize
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
-from nacreous.scaling.data.pair_name import pair_of_name
+from nacreous.scaling.data.pair_name import pairs_in
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", "|": "bars"}
 #: How far down column names are looked for, and how much of a file is looked at for them.
@@ -99,12 +99,16 @@ def find_header(
 def _header(rows: list[_Row], mark: str, at: int) -> Header:
     texts: list[str] = []
     last = at
-    if at + 2 < len(rows) and all('"ImportId"' in cell for cell in rows[at + 2].cells if cell):
-        texts, last = (rows[at + 1].cells, at + 2) if rows[at + 2].filled else ([], at)
+    if at + 2 < len(rows) and _has_import_ids(rows[at + 2]):
+        texts, last = rows[at + 1].cells, at + 2
     top = rows[at - 1].end if at else 0
     row_names = _has_row_names(rows[at].cells, [row for row in rows[last + 1 :] if row.filled])
     names = [*[""] * row_names, *rows[at].cells]
     return Header(mark, names, last + 1, top, rows[last].end, texts, row_names)
+
+
+def _has_import_ids(row: _Row) -> bool:
+    return row.filled > 0 and all('"ImportId"' in cell for cell in row.cells if cell)
 
 
 def _has_row_names(names: list[str], rows: list[_Row]) -> bool:
@@ -167,13 +171,19 @@ def name_of(cell: object) -> str:
 
 
 def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) -> int | None:
-    """The first row with such names, or with names of pairs: below these, left is an answer."""
+    """The first row with such names, or with names of pairs: below these, left is an answer.
+
+    Qualtrics says in the third row that the first has the names.
+    """
+    for at, row in enumerate(rows[begin + 2 :], begin):
+        if _has_import_ids(row):
+            return at
     pairs: int | None = None
     for at, row in enumerate(rows[begin:], begin):
         names = {cell.casefold() for cell in row.cells}
         if any({name.casefold() for name in each} <= names for each in wanted):
             return at if pairs is None else pairs
-        if pairs is None and row.filled > 1 and any(map(pair_of_name, row.cells)):
+        if pairs is None and row.filled > 1 and any(map(pairs_in, row.cells)):
             pairs = at
     return None
 

@@ -57,6 +57,15 @@ def shape_of(label: str) -> str:
     return _number(drawn) or drawn
 
 
+def number_of(label: str) -> str | None:
+    """What all ways of writing a number have in common; None of a label that is none.
+
+    >>> number_of("1.0") == number_of("1"), number_of("01")
+    (True, None)
+    """
+    return _number(_drawn(label))
+
+
 def _drawn(label: str) -> str:
     """What a label looks like: letters of one width and one script where they are drawn alike."""
     text = visible(label)

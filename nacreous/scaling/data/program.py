@@ -56,6 +56,9 @@ _PEOPLE = frozenset(
 #: What may say who answered, or something else: only a person can tell.
 _PERHAPS = frozenset({"id", "name", "email", "code", "case", "session", "sessionid", "sub", "名前"})
 
+#: Words for how long an answer took, in an unknown unit.
+_TIMES = frozenset({"rt", "responsetime", "reactiontime", "duration", "latency"})
+
 
 def program_of(columns: Iterable[str]) -> Program | None:
     """The program whose columns these are."""
@@ -79,6 +82,15 @@ def may_name_people(column: str) -> bool:
     True
     """
     return _bare(column) in _PERHAPS
+
+
+def may_be_response_time(column: str) -> bool:
+    """Whether a column of that name may say how long answers took; its unit one has to ask.
+
+    >>> may_be_response_time("Reaction Time"), may_be_response_time("key_resp.rt")
+    (True, True)
+    """
+    return bool(_TIMES & {_bare(column), _bare(column.rsplit(".", 1)[-1])})
 
 
 def is_response_id(column: str) -> bool:

@@ -10,10 +10,11 @@ from typing import Any, TypedDict
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import codes_of, number_column, text_column
+from nacreous.scaling.data.column import codes_of, text_column
 from nacreous.scaling.data.count import count_column, counts_of_sides
 from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
+from nacreous.scaling.data.number_column import number_column
 from nacreous.scaling.data.program import names_people, program_of
 from nacreous.scaling.data.table import Table
 

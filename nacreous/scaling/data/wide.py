@@ -7,17 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from nacreous.scaling.data.choice import SIDES
 from nacreous.scaling.data.column import NOTHING, text_column
 from nacreous.scaling.data.fault import Faults, listed, quoted
-from nacreous.scaling.data.pair_name import pair_of_name, pair_of_question
+from nacreous.scaling.data.likeness import number_of
+from nacreous.scaling.data.pair_columns import pairs_of
+from nacreous.scaling.data.pair_name import PairName
 from nacreous.scaling.data.program import is_response_id, names_people
 from nacreous.scaling.data.roles import Names, column_of
 from nacreous.scaling.data.table import Table
-
-
-def is_wide(table: Table) -> bool:
-    """Whether columns are called after pairs, such as "A vs B", or Qualtrics says so of them."""
-    return bool(_pairs(table))
 
 
 def long_of(table: Table, names: Names, faults: Faults) -> Table:
@@ -29,24 +27,10 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
     """
     import pyarrow as pa
 
-    pairs = _pairs(table)
+    pairs = pairs_of(table, faults)
+    faults.stop()
     _refuse_questions(table, pairs, names, faults)
-    lefts: list[str] = []
-    rights: list[str] = []
-    chosen: list[str] = []
-    rows: list[int] = []
-    for column, (left, right, exact) in pairs.items():
-        for row, cell in enumerate(text_column(table, column).to_pylist()):
-            if cell is None or (cell not in (left, right) and cell.lower() in NOTHING):
-                continue
-            if not exact and cell not in (left, right, "left", "right", names.get("tie", "tie")):
-                allowed = f"{quoted(left)} or {quoted(right)}, of which its question speaks"
-                verdict = f"{column} is {quoted(cell)}; allowed: {allowed}, as text"
-                faults.say_of_rows(np.array([row]), lambda _, said=verdict: said)  # type: ignore[misc]
-            lefts.append(left)
-            rights.append(right)
-            chosen.append(cell)
-            rows.append(row)
+    rows, lefts, rights, chosen = _answered(table, pairs, names, faults)
     order = np.argsort(np.array(rows, np.int64), kind="stable")
     source = np.array(rows, np.int64)[order]
     columns: dict[str, Any] = {
@@ -63,6 +47,40 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
     return replace(table, columns=columns, numbers=table.numbers[source])
 
 
+def _answered(
+    table: Table, pairs: dict[str, PairName], names: Names, faults: Faults
+) -> tuple[list[int], list[str], list[str], list[str]]:
+    """For each answer its row, the left and the right one, and the cell."""
+    rows: list[int] = []
+    lefts: list[str] = []
+    rights: list[str] = []
+    chosen: list[str] = []
+    for column, pair in pairs.items():
+        both = (pair.left, pair.right)
+        for row, cell in enumerate(text_column(table, column).to_pylist()):
+            if cell is None or (cell not in both and cell.lower() in NOTHING):
+                continue
+            if table.texts.get(column) and not _is_answer(cell, both, names):
+                verdict = (
+                    f"{column} is {quoted(cell)}; allowed: {quoted(pair.left)} or "
+                    f"{quoted(pair.right)}, of which its question speaks, as text"
+                )
+                faults.say_of_rows(np.array([row]), lambda _, said=verdict: said)  # type: ignore[misc]
+            rows.append(row)
+            lefts.append(pair.left)
+            rights.append(pair.right)
+            chosen.append(cell)
+    return rows, lefts, rights, chosen
+
+
+def _is_answer(cell: str, pair: tuple[str, str], names: Names) -> bool:
+    """Whether a cell of Qualtrics says one of a pair, a side or a tie; a code may say anything."""
+    words = (names.get("tie", "tie"), names.get("left_word"), names.get("right_word"))
+    number = number_of(cell)
+    alike = number is not None and number in map(number_of, pair)
+    return cell in (*pair, *words) or cell.casefold() in SIDES or alike
+
+
 def _person(table: Table, names: Names) -> str | None:
     """The column of people; Qualtrics's own number of a response before others."""
     given = column_of(table, "person", names)
@@ -72,22 +90,11 @@ def _person(table: Table, names: Names) -> str | None:
     return next(iter(sorted(known, key=lambda name: not is_response_id(name))), None)
 
 
-def _pairs(table: Table) -> dict[str, tuple[str, str, bool]]:
-    """For each column of a pair both labels, and whether its name alone gives them."""
-    found: dict[str, tuple[str, str, bool]] = {}
-    for name in table.columns:
-        text = table.texts.get(name)
-        pair = pair_of_name(name) if text is None else pair_of_question(text)
-        if pair:
-            found[name] = (*pair, text is None)
-    return found
-
-
 def _refuse_questions(
-    table: Table, pairs: dict[str, tuple[str, str, bool]], names: Names, faults: Faults
+    table: Table, pairs: dict[str, PairName], names: Names, faults: Faults
 ) -> None:
     """Note columns that hold a stimulus and name no pair, or half of the answers would be lost."""
-    known = {label for left, right, _ in pairs.values() for label in (left, right)}
+    known = {label for pair in pairs.values() for label in (pair.left, pair.right)}
     known = {label for label in known if not label.isdecimal()}  # as in a column of progress
     people = {_person(table, names)}
     for name in table.columns:

@@ -18,6 +18,8 @@ __all__ = ["SUFFIXES", "WIDTHS_PT", "Fitted", "by_name", "output", "span"]
 
 SUFFIXES = (".svg", ".png", ".pdf")
 WIDTHS_PT = (200.0, 2000.0)
+#: Values nearer together are one place, as three decimals show them.
+_LEVEL = 0.0005
 
 
 class Fitted(Protocol):
@@ -65,6 +67,6 @@ def output(path: str | PathLike[str], width_pt: float) -> tuple[Path, float]:
 
 
 def span(*values: NDArray[np.float64]) -> tuple[float, float]:
-    """From the least to the greatest, never empty."""
+    """From the least to the greatest; about one place 1 wide, so that rounding looks like none."""
     low, high = min(float(v.min()) for v in values), max(float(v.max()) for v in values)
-    return (low, high) if high - low > 1e-9 else (low - 0.5, high + 0.5)
+    return (low, high) if high - low >= _LEVEL else (low - 0.5, high + 0.5)

@@ -35,15 +35,17 @@ def interval_plot(
     path: str | PathLike[str],
     *,
     intervals: ArrayLike | Mapping[str, ArrayLike],
+    open_ends: ArrayLike | None = None,
     unit: str | None = None,
     width_pt: float = 480.0,
 ) -> None:
     """Draw a scale with an interval at each stimulus, the most preferred on top.
 
     fits: a scale, or up to six by name, in the order of the first. intervals: [stimulus, 2], lower
-    and upper end, as `fit.intervals()` gives them; by the same names where there are several. The
-    file's ending decides the kind: .svg, .png, .pdf. Raises `InputError` for what `scale_plot`
-    refuses, and for intervals of another shape or not finite.
+    and upper end, as `fit.intervals()` gives them; by the same names where there are several.
+    open_ends: bool [stimulus, 2], ends that the answers do not set, of one scale: dots go on from
+    there to an arrow at the edge. The file's ending decides the kind: .svg, .png, .pdf. Raises
+    `InputError` for what `scale_plot` refuses, and for intervals of another shape or not finite.
 
     >>> import nacreous as nc
     >>> from tempfile import TemporaryDirectory
@@ -76,6 +78,10 @@ def interval_plot(
         for at, (name, fit) in enumerate(named.items()):
             y = head + (np.arange(len(order)) + 0.5) * row_pt
             y = y + _STEP_PT * (at - (len(named) - 1) / 2)
+            if open_ends is not None:
+                _arrows(
+                    axes, place, bounds[name][order], _open(open_ends, fit)[order], y, _MARKS[at]
+                )
             _dots(axes, place(fit.scale[order]), place(bounds[name][order]), y, _MARKS[at])
         lettering.write(
             axes, (left + width) / 2, foot + 20.0, unit or first.unit, ha="center", va="top"
@@ -100,6 +106,35 @@ def _bounds(
             )
         found[name] = ends
     return found
+
+
+def _open(given: ArrayLike, fit: Fitted) -> NDArray[np.bool_]:
+    ends = np.asarray(given, np.bool_)
+    if ends.shape != (len(fit.stimuli), 2):
+        shape = " x ".join(str(side) for side in ends.shape)
+        raise InputError(
+            f"open_ends is an array of {shape}; allowed: {len(fit.stimuli)} x 2 truth values"
+        )
+    return ends
+
+
+def _arrows(
+    axes: Any,
+    place: Any,
+    bounds: NDArray[np.float64],
+    gone: NDArray[np.bool_],
+    y: NDArray[np.float64],
+    mark: tuple[str, str],
+) -> None:
+    """Dots from an end that the answers do not set to beyond the outermost one."""
+    for side, (edge, head, shift) in enumerate(
+        ((bounds.min(), "<", -_GAP_PT), (bounds.max(), ">", _GAP_PT))
+    ):
+        for row in np.flatnonzero(gone[:, side]):
+            tip = place(edge) + 0.6 * shift
+            at = [y[row], y[row]]
+            axes.plot([place(bounds[row, side]), tip], at, ":", color=mark[0], lw=1.4, zorder=2)
+            axes.plot([tip], at[:1], head, color=mark[0], ms=5, mew=0, zorder=2)
 
 
 def _frame(

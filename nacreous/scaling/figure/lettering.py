@@ -15,6 +15,7 @@ __all__ = [
     "SIZE_PT",
     "columns",
     "elided",
+    "signed",
     "spread",
     "tick_text",
     "ticks",
@@ -97,7 +98,17 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 def tick_text(tick: float) -> str:
     """A tick's number, with a true minus sign."""
-    return f"{tick:g}".replace("-", "\N{MINUS SIGN}")
+    return f"{tick:zg}".replace("-", "\N{MINUS SIGN}")
+
+
+def signed(value: float) -> str:
+    """A deviation with one decimal and its sign, which nothing has not.
+
+    >>> signed(1.25), signed(-0.6), signed(-1e-16)
+    ('+1.2', '−0.6', '0.0')
+    """
+    text = f"{value:+.1f}".replace("-", "\N{MINUS SIGN}")
+    return text if float(text[1:]) else text[1:]
 
 
 def columns(texts: Sequence[str], most_pt: float) -> float:

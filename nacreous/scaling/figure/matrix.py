@@ -24,6 +24,8 @@ MOST = 1000
 _LEGIBLE_PT = 21.0
 _EMPTY = "#f2f2ee"
 _BAR_PT = 30.0
+#: Residuals up to here are what chance makes of single pairs; they never get the full colour.
+_CHANCE = 2.0
 
 
 def matrix_plot(
@@ -38,8 +40,9 @@ def matrix_plot(
     """Draw a matrix of pairs as a heat map; row i, column j is how i did against j.
 
     values: [n, n], NaN where there is nothing to show. Proportions run from 0 to
-    1, and are shown as percentages; residuals from
-    minus to plus the largest. order: the stimuli's rows from top to bottom, as given where not
+    1, and are shown as percentages; residuals from minus to plus the largest, 2 at the
+    least, so that chance stays pale.
+    order: the stimuli's rows from top to bottom, as given where not
     given. The file's ending decides the kind of file: .svg, .png, .pdf. Raises `InputError` for a
     matrix that is not square, of another size than the names, or of more than 1000 rows.
 
@@ -103,7 +106,7 @@ def _colours(matrix: NDArray[np.float64], kind: str) -> tuple[Any, float, float]
     else:
         shades = ["#c05a1b", "#f7f7f5", "#2f5d8a"]
         seen = np.abs(matrix[np.isfinite(matrix)])
-        high = float(seen.max(initial=0.0)) or 1.0
+        high = float(seen.max(initial=_CHANCE))
         low = -high
     colours = LinearSegmentedColormap.from_list(kind, shades)
     return colours.with_extremes(bad=_EMPTY), low, high
@@ -132,8 +135,7 @@ def _numbers(
     left, top, cell = place
     for row, column in np.argwhere(np.isfinite(matrix)):
         value = matrix[row, column]
-        text = f"{100 * value:.0f}" if kind == "proportions" else f"{round(value, 1) + 0.0:+.1f}"
-        text = text.replace("-", "\N{MINUS SIGN}")
+        text = f"{100 * value:.0f}" if kind == "proportions" else lettering.signed(value)
         dark = np.dot(colour_of(value)[:3], (0.3, 0.6, 0.1)) < 0.58  # about how light it looks
         x, y = left + (column + 0.5) * cell, top + (row + 0.5) * cell
         look = {"color": "white" if dark else lettering.INK, "fontsize": lettering.SIZE_PT - 1.0}
@@ -158,7 +160,6 @@ def _bar(
         cmap=colours,
         edgecolors="face",
     )
-    form = "{:.0%}" if kind == "proportions" else "{:+.1f}"
-    texts = [form.format(end).replace("-", "\N{MINUS SIGN}") for end in ends]
+    texts = [f"{end:.0%}" if kind == "proportions" else lettering.signed(end) for end in ends]
     lettering.write(axes, left + 22.0, bottom + 17.0, texts[0], ha="right", va="center_baseline")
     lettering.write(axes, left + length + 30.0, bottom + 17.0, texts[1], va="center_baseline")

@@ -21,7 +21,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.fit.clustering import personal, require_people
-from nacreous.scaling.fit.errors import errors_of, kind_of, require_ends
+from nacreous.scaling.fit.errors import Errors, errors_of, kind_of, require_ends
 from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.uncertainty import control_of, level_of, root_of_diagonal
 from nacreous.scaling.fit.unit import factor
@@ -156,9 +156,18 @@ class Bootstrap:
 
 
 def resampled(
-    fit: Scale, samples: int, by: str | None, seed: int, progress: Progress | None
+    fit: Scale,
+    samples: int,
+    by: str | None,
+    seed: int,
+    progress: Progress | None,
+    *,
+    errors: Errors | None = None,
 ) -> Bootstrap:
-    """The samples of a fit, in its unit; see `Scale.bootstrap`."""
+    """The samples of a fit, in its unit; see `Scale.bootstrap`.
+
+    errors: those of the fit, of what is drawn, where they are known already.
+    """
     if fit.method != "maximum-likelihood":
         raise InputError(f"method is {said(fit.method)}; allowed here: maximum-likelihood")
     if fit.posterior is not None:
@@ -177,6 +186,7 @@ def resampled(
     people = personal(require_people(fit.answers, _INSTEAD)) if over_people else None
     values, se, effects, unplaced = drawn(fit.room, people, fit.parameters, samples, seed, progress)
     times = factor(fit.own_unit, fit.unit)
+    errors = errors or errors_of(fit, chosen if over_people else "observed")
     ties = effects[:, 1] * (times if fit.model == "probit" else 1.0)
     return Bootstrap(
         stimuli=fit.stimuli,
@@ -187,7 +197,7 @@ def resampled(
         without_maximum=unplaced,
         order_effects=None if fit.order_effect is None else effects[:, 0] * times,
         tie_thresholds=None if fit.tie_threshold is None else ties,
-        scale_se=root_of_diagonal(errors_of(fit, chosen if over_people else "observed").covariance),
+        scale_se=root_of_diagonal(errors.covariance),
         sample_se=None if se is None else se * times,
     )
 

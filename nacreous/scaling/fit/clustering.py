@@ -19,7 +19,9 @@ from nacreous._core import PairModel, PersonalAnswers
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.fit.blocks import blocks_of, numbered
 from nacreous.scaling.fit.existence import pair_model
+from nacreous.unchanging import released
 from nacreous.value import value_class
 
 if TYPE_CHECKING:
@@ -34,6 +36,8 @@ LEAST_PEOPLE = 3
 _MOST_WORK = 2e9
 #: People whose corrections are worked out at a time.
 _PEOPLE = 64
+#: Numbers of people and contrasts that are held at a time.
+_NUMBERS = 1 << 22
 #: A person whose answers leave less than this of a direction alone decides it.
 _ALONE = 1e-7
 INSTEAD = 'kind="expected" or counts, which take answers as independent'
@@ -70,19 +74,36 @@ class Clusters:
         people = len(self.influence)
         if self.equal:
             return np.full(len(contrasts), people - 1.0)
-        return np.array([self._freedom(contrast) for contrast in contrasts])
+        at_once = max(1, _NUMBERS // (people * contrasts.shape[1]))
+        parts = [contrasts[at : at + at_once] for at in range(0, len(contrasts), at_once)]
+        return np.concatenate([np.zeros(0), *map(self._freedom, parts)])
 
-    def _freedom(self, contrast: Array) -> float:
-        weights = self.lever @ contrast
-        shown = np.einsum("cij,cj->ci", self.seen, weights)
-        own = np.einsum("ci,ci->c", weights, shown)
+    def _freedom(self, contrasts: Array) -> Array:
+        people, size = self.influence.shape
+        root = _root(self.spread)
+        trace, own_squares = np.zeros(len(contrasts)), np.zeros(len(contrasts))
         # P = diag(own) - S M S', person by person; its traces from sums of the parameters' size.
-        across = np.einsum("ci,ij,cj->c", shown, self.spread, shown, optimize=True)
-        small = self.spread @ (shown.T @ shown)
-        squares = float(np.sum(own**2) - 2 * np.sum(own * across) + np.sum(small * small.T))
+        shown = np.empty((people, size, len(contrasts)))
+        for at in range(people):
+            weights = self.lever[at] @ contrasts.T
+            seen = self.seen[at] @ weights
+            own = np.einsum("ik,ik->k", weights, seen)
+            shown[at] = root.T @ seen
+            across = np.einsum("ik,ik->k", shown[at], shown[at])
+            trace += own - across
+            own_squares += own**2 - 2 * own * across
+        by_contrast = np.moveaxis(shown, 2, 0)
+        small = np.swapaxes(by_contrast, 1, 2) @ by_contrast
+        squares = own_squares + np.einsum("kij,kij->k", small, small)
         # A contrast that is 0 whatever the answers, such as of equal rows of a design.
-        trace = float(np.sum(own) - np.sum(across))
-        return trace**2 / squares if squares > 0 else len(own) - 1.0
+        safe = np.where(squares > 0, squares, 1.0)
+        return np.asarray(np.where(squares > 0, trace**2 / safe, people - 1.0))
+
+
+def _root(spread: Array) -> Array:
+    """R with R R' a covariance, which may hold some direction at 0."""
+    values, vectors = np.linalg.eigh(spread)
+    return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0)))
 
 
 def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
@@ -90,7 +111,7 @@ def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
     least = LEAST_PEOPLE
     if answers is None or answers.person is None:
         raise InputError("it is not known who gave the answers; allowed: answers with people")
-    people = len(np.unique(answers.person))
+    people = len(numbered(answers.person, int(answers.person.max(initial=0)) + 1)[0])
     if people < least:
         whose = "1 person" if people == 1 else f"{people} people"
         raise InputError(
@@ -98,14 +119,10 @@ def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
             f"{least} or more people, or {instead}"
         )
     count = len(answers.stimuli)
-    met = (
-        np.unique(
-            np.concatenate(
-                [answers.person * count + answers.left, answers.person * count + answers.right]
-            )
-        )
-        % count
-    )
+    size = (int(answers.person.max()) + 1) * count
+    sides = (answers.person * count + side for side in (answers.left, answers.right))
+    met = np.concatenate([numbered(side, size)[0] for side in sides])
+    met = np.unique(met) % count
     judges = np.bincount(met, minlength=count)
     if judges.min() < least:
         at = int(np.argmin(judges))
@@ -120,7 +137,7 @@ def personal(answers: Answers) -> PersonalAnswers:
     """The answers with who gave them, as the compiled room holds them."""
     if answers.person is None:
         raise InputError("it is not known who gave the answers; allowed: answers with people")
-    here, person = np.unique(answers.person, return_inverse=True)
+    here, person = numbered(answers.person, int(answers.person.max(initial=0)) + 1)
     return PersonalAnswers(
         len(answers.stimuli),
         np.ascontiguousarray(answers.left, np.int64),
@@ -153,57 +170,65 @@ def clusters(
         influence = scores @ observed * np.sqrt(people / (people - 1))
         return Clusters(influence, True, none, none, expected)
     seen = _information(answers, parameters, like)
-    correction = _corrections(seen, expected)
-    influence = np.einsum("cij,cj->ci", correction, scores) @ observed
-    lever = np.swapaxes(correction, 1, 2) @ observed
-    return Clusters(influence, False, lever, seen, expected)
+    values, vectors = np.linalg.eigh(seen)
+    values = np.where(values > 1e-10 * values.max(), values, 0.0)
+    influence, lever = np.empty((people, size)), vectors  # in the same place, for it is large
+    for start in range(0, people, _PEOPLE):  # all at once would take memory several times over
+        some = slice(start, start + _PEOPLE)
+        correction = _corrected(values[some], vectors[some], expected)
+        influence[some] = np.einsum("cij,cj->ci", correction, scores[some]) @ observed
+        lever[some] = np.swapaxes(correction, 1, 2) @ observed
+    return Clusters(influence, False, released(lever), released(seen), expected)
 
 
 def _same_pairs(answers: Answers, people: int) -> bool:
     """Whether everyone answered the same pairs equally often; the side is no matter."""
-    if answers.person is None or len(answers) % people:
+    blocks = blocks_of(answers)
+    pairs = len(blocks.first)
+    if len(blocks.answers) != people * pairs:
         return False
-    low, high = np.minimum(answers.left, answers.right), np.maximum(answers.left, answers.right)
-    order = np.lexsort((high, low, answers.person))
-    rows = [column[order].reshape(people, -1) for column in (answers.person, low, high)]
-    own = bool((rows[0] == rows[0][:, :1]).all())
-    return own and all(bool((row == row[0]).all()) for row in rows[1:])
+    each = blocks.answers.reshape(people, pairs)
+    return bool((each == each[0]).all())
 
 
 def _information(
     answers: Answers, parameters: Array, like: tuple[str, bool, bool, Array | None]
 ) -> Array:
-    """Expected information of each person's answers, [person, parameter, parameter]."""
+    """Expected information of each person's answers, [person, parameter, parameter].
+
+    It hangs on the pairs that they were asked, not on what they chose: that of one answer to each
+    pair, as often as a person was asked it.
+    """
+    from scipy.sparse import csr_array
+
     link, ties, order, design = like
-    person = answers.person if answers.person is not None else np.zeros(len(answers), np.int64)
-    found = []
-    by_person = np.argsort(person, kind="stable")
-    starts = np.unique(person[by_person], return_index=True)[1]
-    for rows in np.split(by_person, starts[1:]):
-        counts = Comparisons.of_outcomes(
-            answers.stimuli,
-            answers.left[rows],
-            answers.right[rows],
-            answers.outcome[rows],
-            answers.sided,
+    left, right, count = answers.left, answers.right, len(answers.stimuli)
+    if not order:
+        left, right = np.minimum(left, right), np.maximum(left, right)
+    pairs, row = numbered(left * count + right, count**2)
+    once, size = np.ones(1, np.int8), len(parameters)
+    each = np.empty((len(pairs), size**2))
+    for at, pair in enumerate(pairs):
+        one = Comparisons.of_outcomes(
+            answers.stimuli, pair[None] // count, pair[None] % count, once, answers.sided
         )
-        room = pair_model(counts, link, ties, order, None, design)
-        found.append(np.asarray(room.information(parameters, True)))
-    return np.stack(found)
-
-
-def _corrections(seen: Array, spread: Array) -> Array:
-    """CR2's matrix of each person's score: A (H - H M H) A' = H, for H seen and M spread."""
-    values, vectors = np.linalg.eigh(seen)
-    values = np.where(values > 1e-10 * values.max(), values, 0.0)
-    for start in range(0, len(seen), _PEOPLE):  # all at once would take memory several times over
-        some = slice(start, start + _PEOPLE)
-        vectors[some] = _corrected(values[some], vectors[some], spread)
-    return np.asarray(vectors)
+        room = pair_model(one, link, ties, order, None, design)
+        each[at] = np.asarray(room.information(parameters, True)).ravel()
+    known = answers.person if answers.person is not None else np.zeros(len(answers), np.int64)
+    here, person = numbered(known, int(known.max()) + 1)
+    cells, cell = numbered(person * len(pairs) + row, len(here) * len(pairs))
+    table = (np.bincount(cell).astype(np.float64), (cells // len(pairs), cells % len(pairs)))
+    asked = csr_array(table, (len(here), len(pairs)))
+    found = np.zeros((len(here), size**2))
+    (asked @ csr_array(each)).toarray(out=found)
+    return found.reshape(len(here), size, size)
 
 
 def _corrected(values: Array, vectors: Array, spread: Array) -> Array:
-    """The matrices of some people, from the eigenvalues and -vectors of H."""
+    """CR2's matrix of each person's score: A (H - H M H) A' = H, for H seen and M spread.
+
+    values, vectors: of H, the eigenvalues and -vectors.
+    """
     root = np.sqrt(values)
     back = np.divide(1.0, root, out=np.zeros_like(root), where=root > 0)
     half = (vectors * root[:, None, :]) @ np.swapaxes(vectors, 1, 2)

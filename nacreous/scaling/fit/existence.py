@@ -101,6 +101,22 @@ def require_joined(comparisons: Comparisons) -> None:
     )
 
 
+def require_choices(comparisons: Comparisons) -> None:
+    """Raise `InputError` where every answer is a tie: nobody chose anything.
+
+    >>> require_choices(comparisons_of({"left": ["a"], "right": ["b"], "chosen": ["tie"]}))
+    Traceback (most recent call last):
+    nacreous.problem.InputError: nobody chose anything: all answers are ties (1 of 1). Nothing can \
+be told but that all stimuli were called equal; allowed: answers with choices among them
+    """
+    ties, total = float(comparisons.ties.sum()), comparisons.total
+    if ties == total:
+        raise InputError(
+            f"nobody chose anything: all answers are ties ({ties:g} of {total:g}). Nothing can be "
+            "told but that all stimuli were called equal; allowed: answers with choices among them"
+        )
+
+
 def _why_apart(comparisons: Comparisons, part: NDArray[np.int64]) -> str:
     """In one line which stimuli cannot be placed, why, and what would help."""
     lowest, highest = part == 0, part == part.max()

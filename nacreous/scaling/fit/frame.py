@@ -36,7 +36,7 @@ def html_of(scale: Scale) -> str:
     for i in np.argsort(-value, kind="stable"):
         cells = (value[i], se[i], *interval[i])
         numbers = "".join(
-            f'<td style="text-align:right">{"" if np.isnan(cell) else f"{cell:.3f}"}</td>'
+            f'<td style="text-align:right">{"" if np.isnan(cell) else f"{cell:z.3f}"}</td>'
             for cell in cells
         )
         rows.append(f"<tr><th>{escape(scale.stimuli[i])}</th>{numbers}</tr>")

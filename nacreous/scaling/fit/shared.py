@@ -28,8 +28,9 @@ _GROSS = 1.0
 _MOSTLY = 0.8
 #: Spreads of own values that are looked at, in z, and how often the range is halved: to 2 in 100.
 _OWN_VALUES, _HALVINGS = (0.05, 5.0), 8
-#: So many people with values of their own are drawn.
-_DRAWN = 1000
+#: So many people with values of their own are drawn; fewer where each answered so many pairs that
+#: theirs are more in all, of which each then tells as much more.
+_DRAWN, _LEAST_DRAWN, _MOST_BLOCKS = 1000, 100, 200_000
 #: Standard deviations below 0 beyond which 1 of 100 tossing coins would be called reversed.
 _REVERSED = -2.326
 
@@ -190,9 +191,10 @@ def _detectable(blocks: Blocks, metric: Array, leads: Array, critical: float) ->
     alike, makes its mean and spread in a study, and so the share of studies beyond (ours).
     """
     people = len(blocks.people)
-    drawn = np.linspace(0, people - 1, min(people, _DRAWN)).astype(np.int64)
+    most = min(_DRAWN, max(_LEAST_DRAWN, _MOST_BLOCKS * people // len(blocks.person)))
+    drawn = np.linspace(0, people - 1, min(people, most)).astype(np.int64)
     rows = np.flatnonzero(np.isin(blocks.person, drawn))
-    times = max(1, _DRAWN // people)
+    times = max(1, most // people)
     person = np.searchsorted(drawn, np.tile(blocks.person[rows], times))
     person += len(drawn) * np.repeat(np.arange(times), len(rows))
     each = replace(

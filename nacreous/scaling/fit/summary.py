@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from nacreous.problem import InputError
 from nacreous.scaling.fit.errors import kind_of
 from nacreous.scaling.fit.existence import require_joined
+from nacreous.scaling.fit.tie import FEW
 
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
@@ -23,7 +24,7 @@ def summary(fit: Scale) -> str:
     head = f"scale in {fit.unit} ({fit.model}, {how}, {fit.comparisons.total:g} answers)"
     width = max(map(len, fit.stimuli))
     rows = zip(fit.stimuli, fit.scale, strict=True)
-    lines = [f"{label:{width}}  {value:6.3f}" for label, value in rows]
+    lines = [f"{label:{width}}  {value:z6.3f}" for label, value in rows]
     note = "+- is over people; the scale is that of their average answer"
     try:
         lines = [f"{line} +- {se:.3f}" for line, se in zip(lines, fit.se, strict=True)]
@@ -31,7 +32,7 @@ def summary(fit: Scale) -> str:
         note = f"no errors over people: {problem}"
     if kind_of(fit, None) == "people":
         lines.append(note)
-    return "\n".join((*_apart(fit), *_people(fit), head, *lines))
+    return "\n".join((*_apart(fit), *_ties(fit), *_people(fit), head, *lines))
 
 
 def _apart(fit: Scale) -> list[str]:
@@ -42,6 +43,16 @@ def _apart(fit: Scale) -> list[str]:
     except InputError as problem:
         return [f"{problem}; where these stand to each other is the prior's guess"]
     return []
+
+
+def _ties(fit: Scale) -> list[str]:
+    """That ties, more than a few, count half, or that there is nothing else."""
+    tied = float(fit.comparisons.ties.sum() / fit.comparisons.total)
+    if fit.tie_threshold is not None or tied <= FEW:
+        return []
+    if tied == 1:
+        return ["nobody chose anything: all answers are ties, and all stimuli were called equal"]
+    return [f"ties, {100 * tied:.0f} % of the answers, count as half a choice for each"]
 
 
 def _people(fit: Scale) -> list[str]:

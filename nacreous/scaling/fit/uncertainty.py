@@ -37,9 +37,8 @@ class Difference:
     def __repr__(self) -> str:
         """In one line with the interval."""
         names = f"{self.first} - {self.second}"
-        return (
-            f"Difference({names}: {self.value:.3f}, {self.low:.3f} to {self.high:.3f} {self.unit})"
-        )
+        interval = f"{self.low:z.3f} to {self.high:z.3f}"
+        return f"Difference({names}: {self.value:z.3f}, {interval} {self.unit})"
 
 
 def inverse(information: Array, floating: int = 0) -> Array:

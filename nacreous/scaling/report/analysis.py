@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,8 +20,9 @@ from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
-from nacreous.scaling.fit.existence import require_joined
+from nacreous.scaling.fit.existence import require_choices, require_joined
 from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.tie import FEW
 from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, ends_apart, neighbours_of, pairs_of
 from nacreous.scaling.report.groups import Groups, groups_of
 from nacreous.scaling.report.people import People, people_of
@@ -94,6 +96,36 @@ class Analysis:
         return self.side_decides and self.fit.order_effect is None
 
     @property
+    def ties_half(self) -> bool:
+        """Whether ties are more than a few and count as half a choice for each."""
+        return self.fit.tie_threshold is None and self.tied > FEW
+
+    @property
+    def ties_unfitted(self) -> bool:
+        """Whether ties would have been answers of their own, but how wide they are is not told."""
+        likely = self.settings.method == "maximum-likelihood"
+        return self.ties_half and likely and self.settings.ties is None
+
+    @property
+    def pairs(self) -> int:
+        """How many pairs were compared."""
+        return len(self.comparisons.unsided())
+
+    @property
+    def tied(self) -> float:
+        """The share of ties."""
+        return float(self.comparisons.ties.sum() / self.comparisons.total)
+
+    @property
+    def fit_hidden_by(self) -> Literal["side", "ties"] | None:
+        """What would make any scale fit: a side that decided, or halves, without chance in them."""
+        if not self.goodness.describes:
+            return None
+        if self.side_hides_fit:
+            return "side"
+        return "ties" if self.ties_half else None
+
+    @property
     def is_level(self) -> bool:
         """Whether all things stand at one place, as far as three decimals show."""
         return bool(np.ptp(self.fit.scale) < _LEVEL)
@@ -117,7 +149,7 @@ class Analysis:
         """Labels from the top of the scale."""
         return [self.fit.stimuli[at] for at in self.order]
 
-    @property
+    @cached_property
     def differences(self) -> tuple[Pair, ...]:
         """Each thing with all further down, p values by Holm over all; () beyond 60 things."""
         if len(self.fit.stimuli) > MOST_PAIRED:
@@ -158,8 +190,8 @@ def analyse(
 
     data: what `thurstone` takes. What is asked for comes as a `Settings`, or by its names:
     question, model, method, ties, order, prior, unit, level, bootstrap, seed, group, simulated.
-    progress: called with the finished share. Raises `InputError` where there is no scale, and for
-    bad settings.
+    progress: called with the finished share. Raises `InputError` where there is no scale, where all
+    answers are ties, and for bad settings.
 
     >>> import nacreous as nc
     >>> found = nc.scaling.analyse(nc.scaling.paper(), bootstrap=100)
@@ -172,6 +204,7 @@ def analyse(
     show = progress or (lambda _: None)
     answers = data if isinstance(data, Answers) else None
     comparisons = comparisons_of(data)
+    require_choices(comparisons)  # halves of ties would pass for a finding
     require_joined(comparisons)  # with a prior too, whose guess would pass for a finding
     if wanted.group is not None and answers is None:
         raise InputError(f"group is {wanted.group!r}; allowed: none, for the data are counts")

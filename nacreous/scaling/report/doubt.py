@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
+from nacreous.scaling.fit.bootstrap import resampled
 from nacreous.scaling.fit.errors import Errors, endless, errors_of, kind_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_of_diagonal
@@ -57,6 +58,20 @@ class Doubt:
     too_few: bool
     endless: tuple[tuple[str, ...], ...] = ()
 
+    def is_endless(self, first: str, second: str) -> bool:
+        """Whether the answers put no end to the distance of two things."""
+        return any((first in each) != (second in each) for each in self.endless)
+
+    def open_ends(self, stimuli: Sequence[str]) -> NDArray[np.bool_]:
+        """Which ends, bool [n, 2], of the intervals the answers do not set, lower first.
+
+        Of three sets or more those between have neither: the middle of the scale moves too.
+        """
+        last = len(self.endless) - 1
+        rank = {label: at for at, each in enumerate(self.endless) for label in each}
+        ends = [(rank.get(label, -1) > 0, 0 <= rank.get(label, -1) < last) for label in stimuli]
+        return np.array(ends, np.bool_)
+
     @property
     def covariance(self) -> NDArray[np.float64]:
         """float64 [n, n] of the places."""
@@ -73,7 +88,8 @@ class Pair:
     """Two things, the higher one first.
 
     `p_value` is Holm's over all pairs that were looked at; `apart`: it is below 1 - level.
-    `expected`: the share that should choose the first.
+    `expected`: the share that should choose the first. `endless`: the answers put no end to the
+    difference, and `high` is what draws the scale together.
     """
 
     first: str
@@ -84,6 +100,7 @@ class Pair:
     p_value: float
     apart: bool
     expected: float
+    endless: bool = False
 
 
 def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -> Doubt:
@@ -107,7 +124,9 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
     people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
     samples = missing = 0
     if not fixed and people >= FEW_PEOPLE:
-        drawn = fit.bootstrap(settings.bootstrap, "people", settings.seed, progress)
+        drawn = resampled(
+            fit, settings.bootstrap, "people", settings.seed, progress, errors=over_people
+        )
         samples, missing = settings.bootstrap, drawn.without_maximum
         if missing <= MOST_UNPLACED * samples:
             bounds = drawn.intervals(settings.level)
@@ -188,6 +207,7 @@ def _compared(
             p_value=float(p_value),
             apart=bool(p_value < 1 - level),
             expected=float(shares[i, j]),
+            endless=doubt.is_endless(one.first, one.second),
         )
         for one, p_value, (i, j) in zip(found, p_values, pairs, strict=True)
     )

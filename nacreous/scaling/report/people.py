@@ -32,6 +32,11 @@ class People:
     population: Population | None
     covariates: tuple[Covariate, ...]
 
+    @property
+    def spread_told(self) -> bool:
+        """Whether people have values of their own whose standard deviation is known."""
+        return self.population is not None and self.population.spread is not None
+
 
 def people_of(
     answers: Answers | None, settings: Settings, progress: Progress | None = None
@@ -57,6 +62,6 @@ def _permutations(answers: int, level: float) -> int:
 
 def _population(answers: Answers, settings: Settings) -> Population | None:
     try:
-        return population(answers, settings.model, seed=settings.seed)
+        return population(answers, settings.model, seed=settings.seed, level=settings.level)
     except InputError:  # too few people, or too many numbers
         return None

@@ -6,23 +6,29 @@ import csv as tables
 import io
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, is_dataclass
+from dataclasses import asdict, is_dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import nacreous
+from nacreous.scaling.check.population import Population
+from nacreous.scaling.check.triads import Triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.doubt import Pair
 
 __all__ = ["csv", "data_csv", "data_options", "json_text"]
 
+#: What is told of circular triads: those that go round, and not all that beat each other.
+_TRIADS = ("circular", "complete", "tied", "most", "zeta", "p_value", "wins", "named")
 _ROLES = ("person", "left", "right", "chosen", "time", "response_s")
 
 
 def csv(analysis: Analysis) -> str:
-    """A line for each stimulus, from the top of the scale."""
+    """A line for each stimulus, from the top of the scale; inf for an end that is not told."""
     fit, doubt = analysis.fit, analysis.doubt
     wins = analysis.comparisons.matrix
     ties = analysis.comparisons.tie_matrix
@@ -31,9 +37,9 @@ def csv(analysis: Analysis) -> str:
         (
             place + 1,
             fit.stimuli[at],
-            *(f"{value:.6f}" for value in (fit.scale[at],)),
+            f"{fit.scale[at]:z.6f}",
             fit.unit,
-            *(f"{value:.6f}" for value in (*doubt.intervals[at], doubt.se[at])),
+            *(f"{value:z.6f}" for value in (*_ends(analysis)[at], doubt.se[at])),
             *(f"{value:g}" for value in (wins[at].sum(), wins[:, at].sum(), ties[at].sum())),
         )
         for place, at in enumerate(analysis.order)
@@ -43,7 +49,7 @@ def csv(analysis: Analysis) -> str:
 
 def json_text(analysis: Analysis) -> str:
     """Every number of the report; a person's label stands only where the report names it."""
-    fit = analysis.fit
+    fit, ends = analysis.fit, _ends(analysis)
     found = {
         "made_by": f"nacreous {nacreous.__version__}",
         "settings": asdict(analysis.settings),
@@ -56,30 +62,44 @@ def json_text(analysis: Analysis) -> str:
             {
                 "stimulus": fit.stimuli[at],
                 "scale": fit.scale[at],
-                "low": analysis.doubt.intervals[at, 0],
-                "high": analysis.doubt.intervals[at, 1],
+                "low": ends[at, 0],
+                "high": ends[at, 1],
                 "se": analysis.doubt.se[at],
             }
             for at in analysis.order
         ],
         "order_effect": fit.order_effect,
         "tie_threshold": fit.tie_threshold,
+        "ties_unfitted": analysis.ties_unfitted,
         "log_likelihood": fit.log_likelihood,
         "resampled": {
             "by": analysis.doubt.by,
             "samples": analysis.doubt.samples,
             "without_maximum": analysis.doubt.without_maximum,
         },
+        "endless": analysis.doubt.endless,
         "covariance": analysis.doubt.covariance,
-        "neighbours": analysis.neighbours,
-        "differences": analysis.differences,
+        "neighbours": _compared(analysis.neighbours),
+        "differences": _compared(analysis.differences),
         "pairs": _pairs(analysis),
         "goodness": analysis.goodness,
+        "fit_hidden_by": analysis.fit_hidden_by,
         "consistency": analysis.consistency,
         "one_scale_for_all_people": _people(analysis),
         "groups": _groups(analysis),
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def _ends(analysis: Analysis) -> NDArray[np.float64]:
+    """float64 [n, 2], the intervals; without end where the answers put none."""
+    gone = analysis.doubt.open_ends(analysis.fit.stimuli)
+    return np.where(gone, (-np.inf, np.inf), analysis.doubt.intervals)
+
+
+def _compared(pairs: tuple[Pair, ...]) -> list[Pair]:
+    """Pairs; without an upper end where the answers put none."""
+    return [replace(pair, high=np.inf) if pair.endless else pair for pair in pairs]
 
 
 def _left_out(analysis: Analysis) -> dict[str, int] | None:
@@ -110,7 +130,7 @@ def _people(analysis: Analysis) -> Any:
         "differ": people.differ,
         "columns": people.covariates,
         "described_by": None if found is None else found.kind,
-        "spread_in_own_unit": None if found is None else found.spread,
+        **_spread(found),
         "candidates": () if found is None else found.candidates,
         "classes_in_own_unit": [
             {
@@ -123,6 +143,23 @@ def _people(analysis: Analysis) -> Any:
         ]
         if found is not None
         else None,
+    }
+
+
+def _spread(found: Population | None) -> dict[str, Any]:
+    """The spread of people's own values with its interval, or why there is none."""
+    if found is None or found.kind != "spread":
+        reason = "people are not described by a spread"
+    elif found.spread is None:
+        reason = "larger than these answers can tell"
+    else:
+        reason = None
+    low, high = (None, None) if found is None else (found.spread_low, found.spread_high)
+    return {
+        "spread_in_own_unit": None if found is None else found.spread,
+        "spread_low": low,
+        "spread_high": high,
+        "spread_untold": reason,
     }
 
 
@@ -143,6 +180,8 @@ def _groups(analysis: Analysis) -> Any:
 
 def _plain(value: Any) -> Any:
     """What JSON can hold; NaN, which marks pairs never compared, becomes null."""
+    if isinstance(value, Triads):
+        value = {name: getattr(value, name) for name in _TRIADS}
     if is_dataclass(value) and not isinstance(value, type):
         value = {name: getattr(value, name) for name in value.__dataclass_fields__}
     if isinstance(value, Mapping):
@@ -191,8 +230,12 @@ def _repeats(answers: Answers) -> bool:
     known = [column for column in (answers.person, answers.time) if column is not None]
     if not known:
         return False
-    rows = np.column_stack([answers.left, answers.right, *known])
-    return len(np.unique(rows, axis=0)) < len(rows)
+    columns = [answers.left * len(answers.stimuli) + answers.right, *known]
+    order = np.lexsort(columns)
+    same = np.ones(len(order) - 1, bool)
+    for column in columns:
+        same &= column[order[1:]] == column[order[:-1]]
+    return bool(same.any())
 
 
 def _counts_csv(counts: Comparisons) -> str:

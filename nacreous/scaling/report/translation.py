@@ -119,8 +119,13 @@ class Words:
         """Sentences one after another."""
         return Html(self("list.space").join(said))
 
-    def span(self, low: float, high: float) -> Html:
-        """An interval."""
+    def span(self, low: float | None, high: float | None) -> Html:
+        """An interval; None for an end that it has not."""
+        if low is None and high is None:
+            return self("list.span_open")
+        if low is None or high is None:
+            key = "span_down" if low is None else "span_up"
+            return self(f"list.{key}", end=number(low if high is None else high))  # type: ignore[arg-type]
         return self("list.span", low=number(low), high=number(high))
 
     def chain(self, labels: Sequence[object]) -> Html:

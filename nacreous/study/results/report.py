@@ -69,6 +69,8 @@ def _told_most(answers: Answers, columns: list[str], settings: Settings) -> str 
     from nacreous.scaling.report.groups import left_out_of
 
     known = {column: answers.split(column) for column in columns if column in answers.groups}
+    if len(known) == 1:  # whatever can be compared, there is no other
+        return next((column for column, parts in known.items() if parts), None)
     for column, parts in known.items():
         # Whether ties are fitted changes nothing for which groups have a scale of their own.
         if len(parts) - len(left_out_of(parts, settings, with_ties=False)) > 1:

@@ -78,7 +78,8 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
         )
         for at in found.order
     )
-    verdict = {True: "describes", False: "misfits", None: "untested"}[found.goodness.describes]
+    describes = None if found.fit_hidden_by else found.goodness.describes
+    verdict = {True: "describes", False: "misfits", None: "untested"}[describes]
     worst = found.goodness.largest
     return ScaleSoFar(
         question=question,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from nacreous.scaling.check.triads import Triads
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
@@ -29,18 +30,16 @@ def _triads(analysis: Analysis, words: Words) -> list[Html]:
     triads, broken = analysis.consistency.triads, analysis.consistency.transitivity
     if triads is None or broken is None or not triads.complete:
         return []
-    if triads.circular:
-        named = [
-            words("consistency.triad", **dict(zip("abc", map(words.name, triad), strict=True)))
-            for triad in triads.named
-        ]
+    if triads.tied == analysis.pairs:
+        return [words("consistency.no_majority")]
+    if triads.tied:
+        said = _circles_of_coins(triads, words)
+    elif triads.circular:
         said = words(
             "consistency.triads_some",
-            complete=thousands(triads.complete),
+            sets=words.count("triad", triads.complete),
             circular=thousands(triads.circular),
-            named=words("consistency.named", inside=words.listed(named, _MOST_CIRCLES))
-            if named
-            else "",
+            named=_named(triads, words),
         )
     else:
         said = words("consistency.triads_none")
@@ -51,9 +50,31 @@ def _triads(analysis: Analysis, words: Words) -> list[Html]:
         weak=broken.weak,
         moderate=broken.moderate,
         strong=broken.strong,
-        triads=thousands(broken.triads),
+        sets=words.count("triad", broken.triads),
     )
     return [said, rules]
+
+
+def _circles_of_coins(triads: Triads, words: Words) -> Html:
+    """Circles where pairs have no majority: a mean, and said to be one."""
+    return words(
+        "consistency.triads_tied",
+        tied=words.count("pair", triads.tied),
+        sets=words.count("triad", triads.complete),
+        circular=thousands(triads.circular),
+        named=_named(triads, words),
+    )
+
+
+def _named(triads: Triads, words: Words) -> Html:
+    """The circles in brackets; nothing where none is known by name."""
+    named = [
+        words("consistency.triad", **dict(zip("abc", map(words.name, triad), strict=True)))
+        for triad in triads.named
+    ]
+    if not named:
+        return Html("")
+    return words("consistency.named", inside=words.listed(named, _MOST_CIRCLES))
 
 
 def _agreement(analysis: Analysis, words: Words) -> list[Html]:
@@ -71,7 +92,7 @@ def _people(analysis: Analysis, words: Words) -> list[Html]:
     full = len(analysis.fit.stimuli)
     # Only those who saw all the things: a zeta of three things says little beside one of seven.
     known = [
-        (own.triads.zeta, own.person)
+        (own.triads.zeta, own.person, own.triads.tied)
         for own in people
         if own.triads.zeta is not None and len(own.triads.wins) == full
     ]
@@ -79,16 +100,17 @@ def _people(analysis: Analysis, words: Words) -> list[Html]:
         return []
     if not known:
         return [words("consistency.people_none")]
-    zetas = np.array([zeta for zeta, _ in known])
+    zetas = np.array([zeta for zeta, _, _ in known])
     least = int(zetas.argmin())
-    return [
-        words(
-            "consistency.people",
-            median=number(float(np.median(zetas))),
-            least=number(float(zetas[least])),
-            person=words.name(known[least][1]),
-        )
-    ]
+    said = words(
+        "consistency.people",
+        median=number(float(np.median(zetas))),
+        least=number(float(zetas[least])),
+        person=words.name(known[least][1]),
+    )
+    if any(tied for _, _, tied in known):
+        said = words.sentences(said, words("consistency.people_tied"))
+    return [said]
 
 
 def _retest(analysis: Analysis, words: Words) -> list[Html]:

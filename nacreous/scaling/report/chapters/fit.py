@@ -25,8 +25,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     untold = "few" if analysis.goodness.df else "none"
     good = "good_sums" if analysis.people_differ else "good"
     verdict = {None: untold, True: good, False: "bad"}[analysis.goodness.describes]
-    hidden = analysis.goodness.describes and analysis.side_hides_fit
-    parts = [words.paragraph("short.fits_side" if hidden else f"fit.{verdict}")]
+    hidden = analysis.fit_hidden_by
+    key = f"fit.{verdict}" if hidden is None else f"short.fits_{hidden}"
+    parts = [words.paragraph(key, ties=percent(analysis.tied))]
     if analysis.people_differ and verdict != good:
         parts.append(words.paragraph("fit.people_differ"))
     if analysis.goodness.describes is False:
@@ -113,7 +114,12 @@ def _tests(analysis: Analysis, words: Words) -> Html:
     items = [
         (
             words(f"fit.{name}"),
-            words(f"fit.{form}", value=number(value), df=good.df, p=words.equals(chance(p))),
+            words(
+                f"fit.{form}",
+                value=number(value),
+                df=words.count("freedom", good.df),
+                p=words.equals(chance(p)),
+            ),
         )
         for name, form, value, p in rows
         if p is not None

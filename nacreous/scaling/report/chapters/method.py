@@ -21,6 +21,8 @@ __all__ = ["MOST_BYTES", "chapter"]
 _REFERENCES = Path(__file__).parent.parent / "references.toml"
 #: Data larger than this are not put into the page, which phones should still open.
 MOST_BYTES = 2_000_000
+#: Three labels in the lines of a JSON text, at the least.
+_LEAST_TRIAD_BYTES = 30
 _LEAST_ROW_BYTES = 6
 
 
@@ -42,6 +44,7 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.ties"))
     elif analysis.comparisons.ties.any():
         found.append(words("method.ties_half"))
+        found += [words("method.ties_unfitted")] if analysis.ties_unfitted else []
     if wanted.order:
         found.append(words("method.order"))
     if wanted.prior == HIERARCHICAL:
@@ -82,8 +85,8 @@ def again(analysis: Analysis, words: Words) -> Html:
         flags = shlex.join([*record.data_options(analysis), "-o", "report.html"])
         command = f"nacreous scale {name} {flags} {options}"
     scale = _link("scale.csv", "text/csv", record.csv(analysis))
-    text = record.json_text(analysis)
-    if len(text) <= MOST_BYTES:
+    text = "" if _is_long(analysis) else record.json_text(analysis)
+    if 0 < len(text) <= MOST_BYTES:
         everything = _link("scale.json", "application/json", text)
         numbers = words("method.record", csv=scale, json=everything)
     else:
@@ -95,6 +98,13 @@ def again(analysis: Analysis, words: Words) -> Html:
         words("method.versions", versions=versions(), seed=analysis.settings.seed),
     ]
     return Html("".join(f"<p>{line}</p>\n" for line in lines))
+
+
+def _is_long(analysis: Analysis) -> bool:
+    """Whether the circular triads of thousands of people, by name, are too many to be written."""
+    untied = (one.triads for one in analysis.consistency.people if not one.triads.tied)
+    named = sum(triads.circular for triads in untied if triads.won.size)
+    return named * _LEAST_TRIAD_BYTES > MOST_BYTES
 
 
 def versions() -> str:

@@ -44,7 +44,7 @@ def _table(pairs: Iterable[Pair], first: str, words: Words) -> Html:
             words("neighbours.over", first=words.name(pair.first), second=words.name(pair.second)),
             Html(words("neighbours.yes" if pair.apart else "neighbours.no")),
             percent(pair.expected),
-            Html(f"{number(pair.difference)} <small>{words.span(pair.low, pair.high)}</small>"),
+            Html(f"{number(pair.difference)} <small>{_span(pair, words)}</small>"),
             chance(pair.p_value),
         )
         for pair in pairs
@@ -53,3 +53,7 @@ def _table(pairs: Iterable[Pair], first: str, words: Words) -> Html:
         words(f"neighbours.{key}") for key in (first, "verdict", "expected", "difference", "p")
     ]
     return table(heads, rows, ["", "verdict", "n", "n", "n"])
+
+
+def _span(pair: Pair, words: Words) -> Html:
+    return words.span(pair.low, None if pair.endless else pair.high)

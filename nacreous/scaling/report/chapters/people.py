@@ -51,9 +51,7 @@ def described(analysis: Analysis, found: Population, words: Words) -> Html:
     if found.kind == "one scale":
         return words("people.one")
     if found.kind == "spread":
-        own = "z" if found.model == "probit" else "logit"
-        spread = found.spread * factor(own, analysis.fit.unit)
-        return words("people.spread", spread=number(spread))
+        return _spread(analysis, found, words)
     shares = words.listed([percent(one.share) for one in found.classes])
     said = [words("people.classes", count=len(found.classes), shares=shares)]
     if len(found.classes) == 2:
@@ -61,6 +59,21 @@ def described(analysis: Analysis, found: Population, words: Words) -> Html:
         key = "people.opposite" if opposite else "people.related"
         said.append(words(key, r=number(found.classes[1].correlation)))
     return words.sentences(*said)
+
+
+def _spread(analysis: Analysis, found: Population, words: Words) -> Html:
+    """How much people's own values vary, with its interval, or that it is not told."""
+    times = factor(_own_unit(found), analysis.fit.unit)
+    low = number((found.spread_low or 0.0) * times)
+    if found.spread is None or found.spread_high is None:
+        return words("people.spread_untold", low=low, unit=analysis.fit.unit)
+    return words(
+        "people.spread",
+        spread=number(found.spread * times),
+        low=low,
+        high=number(found.spread_high * times),
+        level=f"{100 * analysis.settings.level:g}",
+    )
 
 
 def _ways(analysis: Analysis, people: People, words: Words) -> Html:
@@ -124,7 +137,10 @@ def _own_unit(found: Population) -> str:
 
 def _candidates(found: Population, words: Words) -> Html:
     items = [
-        (_called(one.name, words), words("people.bic", value=number(one.bic, 1)))
+        (
+            _called(one.name, words),
+            words("people.bic_lone" if one.lone else "people.bic", value=number(one.bic, 1)),
+        )
         for one in found.candidates
     ]
     return Html(f'<p class="quiet">{words("people.candidates")}</p>\n' + facts(items))

@@ -34,10 +34,11 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     parts = [words.paragraph("scale.lead"), line]
     if len(fit.stimuli) <= MOST_ROWS:
         bounds = analysis.doubt.intervals
+        ends_open = analysis.doubt.open_ends(fit.stimuli)
         parts.append(
             picture(
                 lambda path, width: interval_plot(
-                    fit, path, intervals=bounds, unit=unit, width_pt=width
+                    fit, path, intervals=bounds, open_ends=ends_open, unit=unit, width_pt=width
                 ),
                 "doubt",
                 words.alt("scale.interval_alt", **ends),
@@ -85,7 +86,9 @@ def doubt(analysis: Analysis, words: Words) -> Html:
     found = analysis.doubt
     sentences = [words("scale.zero")]
     if len(people) > 1:
-        sentences.append(words(f"scale.average.{analysis.fit.model}"))
+        told = analysis.people is not None and analysis.people.spread_told
+        probit = analysis.fit.model == "probit"
+        sentences.append(words(f"scale.average.{'spread' if told and probit else 'wider'}"))
     sentences += [
         words(
             f"scale.doubt.{found.by}",
@@ -127,6 +130,7 @@ def _unplaced(analysis: Analysis, words: Words) -> Html:
 
 def _table(analysis: Analysis, words: Words) -> Html:
     fit, bounds = analysis.fit, analysis.doubt.intervals
+    ends = analysis.doubt.open_ends(fit.stimuli)
     wins = analysis.comparisons.matrix.sum(axis=1)
     ties = analysis.comparisons.tie_matrix.sum(axis=1)
     total = wins + ties + analysis.comparisons.matrix.sum(axis=0)
@@ -136,7 +140,9 @@ def _table(analysis: Analysis, words: Words) -> Html:
             str(rank + 1),
             words.name(fit.stimuli[at]),
             number(fit.scale[at]),
-            words.span(bounds[at, 0], bounds[at, 1]),
+            words.span(
+                *(None if gone else end for end, gone in zip(bounds[at], ends[at], strict=True))
+            ),
             words(of, wins=_count(wins[at]), ties=_count(ties[at]), total=_count(total[at])),
         )
         for rank, at in enumerate(analysis.order)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.people import described
-from nacreous.scaling.report.translation import Html, Words, percent
+from nacreous.scaling.report.translation import Html, Words, number, percent
 
 __all__ = ["chapter"]
 
@@ -13,6 +13,8 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     """The findings, as a list."""
     found = [_side(analysis, words)] if analysis.side_decides else []
     found += [_people(analysis, words)] if analysis.people_differ else []
+    if analysis.ties_unfitted:
+        found.append(words("short.ties_unfitted", ties=percent(analysis.tied)))
     found.append(_places(analysis, words))
     found += [_apart(analysis, words)] if analysis.anything_apart else []
     found.append(_fit(analysis, words))
@@ -44,7 +46,8 @@ def _people(analysis: Analysis, words: Words) -> Html:
 def _places(analysis: Analysis, words: Words) -> Html:
     ranking, asked = analysis.ranking, words.question(analysis.settings.question, analysis.example)
     if not analysis.anything_apart:
-        return words("short.level" if analysis.is_level else "short.open")
+        key = "short.level" if analysis.is_level else "short.open"
+        return words(key, room=_room(analysis, words))
     sure = analysis.neighbours[0].apart
     key = ("first" if asked else "unasked") + ("" if sure else "_open")
     ends = words(
@@ -57,6 +60,15 @@ def _places(analysis: Analysis, words: Words) -> Html:
     if len(ranking) < 3:
         return ends
     return words.sentences(ends, words("short.order", order=words.row(ranking)))
+
+
+def _room(analysis: Analysis, words: Words) -> Html:
+    """How large a difference the answers leave possible."""
+    pairs = analysis.differences or analysis.neighbours
+    if any(pair.endless for pair in pairs):
+        return words("short.room_endless")
+    most = max(max(abs(pair.low), abs(pair.high)) for pair in pairs)
+    return words("short.room", most=number(most), level=f"{100 * analysis.settings.level:g}")
 
 
 def _apart(analysis: Analysis, words: Words) -> Html:
@@ -82,8 +94,8 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes is None:
         return words("short.unfit_few" if analysis.goodness.df else "short.unfit")
     if analysis.goodness.describes:
-        if analysis.side_hides_fit:
-            return words("short.fits_side")
+        if analysis.fit_hidden_by is not None:
+            return words(f"short.fits_{analysis.fit_hidden_by}", ties=percent(analysis.tied))
         if analysis.people_differ:
             return words("short.fits_sums")
         return words("short.fits" if analysis.people_told else "short.fits_counts")

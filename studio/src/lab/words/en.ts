@@ -171,7 +171,7 @@ export const en = {
     "not-full-screen": "not full screen",
     "no-card": "screen not measured",
     "no-distance": "distance unknown",
-    distance: "impossible distance",
+    distance: "distance out of range",
     "no-levels": "levels not checked",
     gamma: "unusual gamma",
     "darkest-step": "dark steps invisible",

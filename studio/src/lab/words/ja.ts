@@ -173,7 +173,7 @@ export const ja: Words = {
     "not-full-screen": "全画面表示でない",
     "no-card": "画面の寸法が不明",
     "no-distance": "観察距離が不明",
-    distance: "ありえない観察距離",
+    distance: "観察距離が範囲外",
     "no-levels": "階調が未確認",
     gamma: "ガンマ値の異常",
     "darkest-step": "暗部が見えない",

@@ -1,0 +1,139 @@
+"""What a cell means: numbers are compared as numbers, ties are ties, times have their unit."""
+
+from __future__ import annotations
+
+from datetime import time, timedelta
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nacreous as nc
+from nacreous import cli
+from nacreous.scaling import Answers
+
+BARE: dict[str, Any] = {"left": ["a", "b", "c"], "right": ["b", "c", "a"], "chosen": ["a"] * 3}
+BARE["chosen"] = ["a", "c", "a"]
+MS = np.array([812, 700, 900], "timedelta64[ms]")
+
+
+def outcomes(left, right, chosen, **options) -> list[str]:
+    table = {"left": left, "right": right, "chosen": chosen}
+    answers = Answers.of_table(table, **options)
+    names = answers.stimuli
+    both = zip(answers.left, answers.right, answers.outcome, strict=True)
+    return [f"{names[one]}{'<=>'[outcome + 1]}{names[other]}" for one, other, outcome in both]
+
+
+@pytest.mark.parametrize(
+    ("labels", "cells"), [(("1", "2"), ("1.0", "2.0")), (("1.0", "2.0"), ("1", "2"))]
+)
+def test_a_chosen_number_is_a_label_before_it_is_a_side(labels, cells):
+    one, two = labels
+    told = outcomes([two, one, two], [one, two, one], [cells[0], cells[0], cells[1]])
+    assert told == [f"{two}<{one}", f"{one}>{two}", f"{two}>{one}"]
+
+
+@pytest.mark.parametrize("labels", [("01", "02"), ("1.png", "2.png"), ("pearl 1", "pearl 2")])
+def test_a_number_that_may_be_a_side_or_a_stimulus_is_asked_about(labels):
+    one, two = labels
+    rows = ([two, one], [one, two], ["1", "2"])
+    with pytest.raises(nc.InputError, match=f'1 and 2, which may be sides or .* "{one}"'):
+        outcomes(*rows)
+    sided = outcomes(*rows, left_word="1", right_word="2")
+    assert sided == [f"{two}>{one}", f"{one}<{two}"]
+    assert len(outcomes([two, two], [one, "pearl 7"], ["2", "1"])) == 2  # 1 is no such stimulus
+
+
+@pytest.mark.parametrize(
+    ("cells", "said"),
+    [
+        (["-1", "1", "0"], "-1, 0 and 1, .* left_word='-1', right_word='1', tie='0'$"),
+        (["-1.0", "1.0", "1.0"], "-1 and 1, .* left_word='-1', right_word='1'$"),
+        (["1", "0", "0"], "0 and 1, .* left_word='1', right_word='0'$"),
+        (["1", "2", "0"], "0, 1 and 2, .* left_word='1', right_word='2', tie='0'$"),
+    ],
+)
+def test_codes_are_asked_about_by_the_values_that_are_there(cells, said):
+    with pytest.raises(nc.InputError, match=f"chosen holds {said}"):
+        outcomes(["A", "B", "C"], ["B", "C", "A"], cells)
+    words = {"left_word": "-1", "right_word": "1", "tie": "0"}
+    if "-1" in cells[0]:
+        told = outcomes(["A", "B", "C"], ["B", "C", "A"], cells, **words)
+        assert told == ["A>B", "B<C", "C=A" if cells[2] == "0" else "C<A"]
+
+
+# --- ties in a column of their own
+
+
+@pytest.mark.parametrize(
+    ("name", "cells"),
+    [("draw", ["0", "1"]), ("tie", [False, True]), ("Is tie", ["no", "yes"]), ("Draw", [None, 1])],
+)
+def test_a_draw_is_no_win(name, cells):
+    table = {"winner": ["A", "B"], "loser": ["B", "C"], name: cells}
+    answers = Answers.of_table(table)
+    assert answers.outcome.tolist() == [1, 0]
+    assert not answers.groups
+
+
+def test_a_tie_that_chosen_does_not_know_is_refused():
+    table = {"left": ["A", "B"], "right": ["B", "C"], "chosen": ["A", "tie"], "tie": [1, 1]}
+    with pytest.raises(nc.InputError, match=r'row 0: tie says .*, and chosen is "A"; allowed'):
+        Answers.of_table(table)
+    assert Answers.of_table(table | {"tie": [0, 1]}).outcome.tolist() == [1, 0]
+    assert "draw" in Answers.of_table(table | {"tie": [0, 1], "draw": [3, 4]}).groups
+
+
+# --- times
+
+
+@pytest.mark.parametrize("role", ["response_s", "response_ms"])
+@pytest.mark.parametrize("unit", ["ms", "us", "ns"])
+def test_a_duration_is_converted_by_its_own_unit(tmp_path, role, unit):
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(BARE | {role: MS.astype(f"timedelta64[{unit}]")})
+    frame.to_parquet(tmp_path / "a.parquet")
+    frame.to_csv(tmp_path / "a.csv", index=False)
+    for answers in (
+        Answers.of_table(frame),
+        Answers.of_table(BARE | {role: MS.astype(f"timedelta64[{unit}]")}),
+        Answers.read(tmp_path / "a.parquet"),
+        Answers.read(tmp_path / "a.csv"),
+    ):
+        assert answers.response_s == pytest.approx([0.812, 0.7, 0.9], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "cells",
+    [
+        ["0 days 00:00:00.812", "NaT", "0 days 00:01:00"],
+        ["00:00:00.812", "", "00:01:00"],
+        ["PT0.812S", None, "PT1M"],
+        [timedelta(milliseconds=812), None, timedelta(minutes=1)],
+        [time(0, 0, 0, 812_000), None, time(0, 1)],
+        ["0.812", ".", "60"],
+    ],
+)
+def test_a_length_of_time_is_read_in_seconds(cells):
+    found = Answers.of_table(BARE | {"response_s": cells}).response_s
+    assert np.array_equal(found, [0.812, np.nan, 60], equal_nan=True)
+
+
+def test_a_length_of_time_says_when_but_a_time_of_day_does_not():
+    for cells in (MS, ["0 days 00:00:00.812", "0 days 00:00:00.700", "0 days 00:00:00.900"]):
+        time_s = Answers.of_table(BARE | {"time": cells}).time
+        assert time_s == pytest.approx([0.812, 0.7, 0.9], rel=1e-12)
+    for role, cell in (("time", "00:00:01"), ("response_s", "00:30"), ("response_s", "-1 days")):
+        with pytest.raises(nc.InputError, match=f'{role} is "{cell}"; allowed: a number'):
+            Answers.of_table(BARE | {role: [cell] * 3})
+
+
+@pytest.mark.parametrize("name", ["rt", "RT", "Response Time", "duration"])
+def test_a_column_that_may_be_response_times_is_not_passed_over_in_silence(tmp_path, capsys, name):
+    path = tmp_path / "a.csv"
+    rows = ["a,b,a", "b,a,a", "a,b,b", "b,a,b"]
+    path.write_text(f"left,right,chosen,{name}\n" + "".join(f"{row},812\n" for row in rows))
+    assert cli.main(["scale", str(path), "-o", str(tmp_path / "a.csv.json")]) == 0
+    told = "".join(capsys.readouterr())
+    assert f"column {name} is not used as response times; allowed: --column " in told

@@ -1,0 +1,63 @@
+"""What is worked out for all people at once is what each person's own answers say."""
+
+import numpy as np
+import pytest
+
+import nacreous as nc
+from nacreous.scaling.check.person import rows_by_person, triads_by_person
+from nacreous.scaling.check.triads import circular_triads
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.case_v import thurstone
+from nacreous.scaling.fit.clustering import _information, _same_pairs
+from nacreous.scaling.fit.errors import errors_of
+from nacreous.scaling.fit.existence import pair_model
+
+
+@pytest.fixture(scope="module")
+def answers() -> Answers:
+    """Some of the answers of each of 12 people, so that nobody answered the same pairs."""
+    made = nc.scaling.simulate(np.linspace(1, -1, 6), people=12, seed=5)
+    return made.take(np.random.default_rng(1).random(len(made)) < 0.8)
+
+
+@pytest.mark.parametrize("order", [False, True])
+@pytest.mark.parametrize("ties", [False, True])
+def test_a_persons_information_is_that_of_the_persons_own_counts(
+    answers: Answers, ties: bool, order: bool
+) -> None:
+    size = len(answers.stimuli) + order + ties
+    parameters = np.linspace(0.8, 0.2, size)
+    found = _information(answers, parameters, ("probit", ties, order, None))
+    for own, (_, rows) in zip(found, rows_by_person(answers), strict=True):
+        counts = answers.take(rows).comparisons()
+        room = pair_model(counts, "probit", ties, order, None, None)
+        assert np.allclose(own, room.information(parameters, True), atol=1e-12)
+
+
+def test_freedom_is_that_of_the_residuals_working_covariance(answers: Answers) -> None:
+    clusters = errors_of(thurstone(answers), "people").clusters
+    assert clusters is not None
+    contrasts = np.eye(len(answers.stimuli)) - 1 / len(answers.stimuli)
+    for contrast, found in zip(contrasts, clusters.freedom(contrasts), strict=True):
+        weights = clusters.lever @ contrast
+        shown = np.einsum("cij,cj->ci", clusters.seen, weights)
+        own = np.diag(np.einsum("ci,ci->c", weights, shown))
+        covariance = own - shown @ clusters.spread @ shown.T
+        assert found == pytest.approx(np.trace(covariance) ** 2 / np.sum(covariance**2))
+
+
+def test_a_persons_triads_are_those_of_the_persons_own_answers(answers: Answers) -> None:
+    people = triads_by_person(answers)
+    for found, (label, rows) in zip(people, rows_by_person(answers), strict=True):
+        own = circular_triads(answers.take(rows))
+        assert (found.person, found.answers) == (label, len(rows))
+        assert found.triads.circular == own.circular
+        assert found.triads.complete == own.complete
+        assert set(found.triads.named) == set(own.named)
+
+
+def test_people_have_the_same_pairs_whichever_side_and_order(answers: Answers) -> None:
+    all_pairs = nc.scaling.simulate(np.linspace(1, -1, 4), people=5, seed=2)
+    shuffled = all_pairs.take(np.random.default_rng(3).permutation(len(all_pairs)))
+    assert _same_pairs(shuffled, 5)
+    assert not _same_pairs(answers, 12)
