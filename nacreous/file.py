@@ -117,9 +117,13 @@ def read_photograph(path: str | PathLike[str]) -> NDArray[np.float32]:
     """Read a photograph (PNG, JPEG or TIFF; 8 or 16 bits; grey or RGB) as linear light.
 
     Returns linear-light sRGB, float32 [row, column, rgb] in 0..1. Samples are taken as sRGB
-    (IEC 61966-2-1) unless the file carries an ICC profile, from which they are converted to sRGB;
-    colours outside sRGB are clipped. Alpha is ignored. The orientation noted by the camera is
-    applied. Raises `InputError` for everything that is no such picture or beyond the limits.
+    (IEC 61966-2-1) unless the file carries an ICC profile of up to 16 MB, or a PNG the chunks cICP,
+    or gAMA and cHRM, from which they are converted to sRGB; of several the first counts: cICP, the
+    profile, sRGB, gAMA and cHRM. Colours outside sRGB are clipped. Alpha is ignored; where a TIFF
+    has colours multiplied by it, they are divided. The orientation noted by the camera is applied.
+
+    Raises `InputError` for everything that is no such picture or beyond the limits, a profile that
+    cannot be read, PQ and HLG, and kinds of TIFF by what they have.
 
     >>> read_photograph("no such nacre.jpg")
     Traceback (most recent call last):

@@ -103,12 +103,12 @@ def test_a_big_tiff_is_a_tiff(tmp_path: Path, dtype: type, order: str) -> None:
 @pytest.mark.parametrize(
     ("pixels", "message"),
     [
-        (LIGHT, "has 32 bits a channel, floating-point or whole; save it with 8 or 16"),
-        (LIGHT.astype(np.float16), "floating-point numbers for 16 bits"),
-        (LIGHT.astype(np.float64), "floating-point numbers for 64 bits"),
-        (LIGHT[..., 0].copy(), "32 bits a pixel, floating-point or whole"),
-        ((LIGHT * 9e8).astype(np.uint32), "has 32 bits a channel, floating-point or whole"),
-        ((LIGHT * 900).astype(np.int16), "signed whole numbers for 16 bits"),
+        (LIGHT, "floating-point numbers of 32 bits; save it with 8 or 16"),
+        (LIGHT.astype(np.float16), "floating-point numbers of 16 bits"),
+        (LIGHT.astype(np.float64), "floating-point numbers of 64 bits"),
+        (LIGHT[..., 0].copy(), "floating-point numbers of 32 bits"),
+        ((LIGHT * 9e8).astype(np.uint32), "a TIFF with 32 bits a channel"),
+        ((LIGHT * 900).astype(np.int16), "signed whole numbers of 16 bits"),
     ],
     ids=["float", "half", "double", "grey", "uint32", "int16"],
 )

@@ -9,10 +9,14 @@
     allow(dead_code, unused_imports)
 )]
 
+#[cfg(feature = "photograph")]
+mod encoding;
 #[cfg(feature = "exr")]
 pub mod exr;
 #[cfg(any(feature = "photograph", feature = "png"))]
 pub mod icc;
+#[cfg(feature = "photograph")]
+mod jpeg;
 #[cfg(feature = "panorama")]
 pub mod panorama;
 #[cfg(feature = "photograph")]
@@ -20,7 +24,11 @@ pub mod photograph;
 pub mod picture;
 #[cfg(feature = "png")]
 pub mod png;
+#[cfg(feature = "photograph")]
+mod png_colour;
 #[cfg(any(feature = "panorama", feature = "photograph", feature = "png"))]
 pub mod profile;
 #[cfg(feature = "panorama")]
 mod radiance;
+#[cfg(feature = "photograph")]
+mod tiff;

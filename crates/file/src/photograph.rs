@@ -1,24 +1,26 @@
 //! A photograph from a user's file, as linear light.
 //!
-//! PNG, JPEG and TIFF, 8 or 16 bits, grey or RGB. Without a colour profile the samples are taken
-//! as sRGB, whatever their depth; with one they are converted to sRGB (out-of-gamut colours are
-//! clipped). Alpha is ignored: the colour of a transparent pixel is used as it stands. The
-//! orientation that a camera noted (EXIF) is applied. Limits: [`crate::picture`].
+//! PNG, JPEG and TIFF, 8 or 16 bits, grey or RGB. Where a file does not say what its samples stand for they
+//! are taken as sRGB, whatever their depth; by an ICC profile, and in a PNG by `cICP`, `gAMA` and `cHRM`
+//! ([`crate::png_colour`]), they are converted to sRGB (out-of-gamut colours are clipped). Alpha is ignored: the
+//! colour of a transparent pixel is used as it stands, and where a TIFF has it multiplied by alpha, divided by it.
+//! The orientation that a camera noted (EXIF) is applied. Limits: [`crate::picture`].
 //!
-//! TIFF also as BigTIFF. Not read: CMYK, TIFF of floats or of more than 16 bits, which are refused by name, and the
-//! PNG chunks `gAMA` and `cICP`.
+//! TIFF also as BigTIFF. Not read, and refused by name: CMYK, and what [`crate::tiff`] says of TIFF.
 
 use std::io::Cursor;
 use std::path::Path;
 
 use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, tiff::TiffDecoder};
-use image::error::UnsupportedErrorKind;
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageFormat, Limits};
+use image::{DynamicImage, ImageDecoder, ImageFormat, Limits};
 
+use crate::encoding::Encoding;
+use crate::jpeg::check_jpeg;
 use crate::picture::{
     LinearPicture, PIXELS_MAX, PictureFileError, SIDE_MAX, check_size, guarded, read_bytes,
 };
-use crate::profile::{Samples, light_from_profile};
+use crate::png_colour::png_encoding;
+use crate::tiff::{TiffHeader, is_big_tiff};
 
 const ALLOWED: PictureFileError = PictureFileError::Format { allowed: "PNG, JPEG, TIFF" };
 
@@ -38,81 +40,78 @@ pub fn read_photograph(path: &Path) -> Result<LinearPicture, PictureFileError> {
 /// Another format, a damaged file, a kind of pixel that is not read here, a colour profile that
 /// does not fit, and a size beyond the limits, found in the header before anything is decoded.
 pub fn decode_photograph(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
-    let mut decoder = open(bytes)?;
+    let format =
+        if is_big_tiff(bytes) { Ok(ImageFormat::Tiff) } else { image::guess_format(bytes) };
+    let (encoding, picture) = match format {
+        Ok(ImageFormat::Png) => decode_png(bytes)?,
+        Ok(ImageFormat::Jpeg) => decode_jpeg(bytes)?,
+        Ok(ImageFormat::Tiff) => decode_tiff(bytes)?,
+        _ => return Err(ALLOWED),
+    };
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    Ok(LinearPicture { width, height, rgb: encoding.light(picture)? })
+}
+
+fn decode_png(bytes: &[u8]) -> Result<(Encoding, DynamicImage), PictureFileError> {
+    // The `image` crate allocates rows as it opens a PNG, so the header is read before.
+    let mut header = png::Decoder::new(Cursor::new(bytes));
+    let info = header.read_header_info().map_err(|e| PictureFileError::damaged(&e))?;
+    check_size(info.width.into(), info.height.into())?;
+    let said = png_encoding(bytes)?; // before the decoder, which calls what it lacks damage
+    let mut decoder = PngDecoder::with_limits(Cursor::new(bytes), limits()).map_err(damaged)?;
+    // It passes over a profile that it cannot unpack.
+    let profile = decoder.icc_profile().map_err(damaged)?.map(Encoding::Profile);
+    let packed = || PictureFileError::ColourProfile("iCCP cannot be unpacked".to_owned());
+    Ok((said.or(profile).ok_or_else(packed)?, decoded(decoder)?))
+}
+
+fn decode_jpeg(bytes: &[u8]) -> Result<(Encoding, DynamicImage), PictureFileError> {
+    let has_profile = check_jpeg(bytes)?;
+    let mut decoder = JpegDecoder::new(Cursor::new(bytes)).map_err(damaged)?;
+    let profile = decoder.icc_profile().map_err(damaged)?;
+    if has_profile && profile.is_none() {
+        return Err(PictureFileError::ColourProfile("pieces of it are missing".to_owned()));
+    }
+    Ok((profile.map_or(Encoding::SRGB, Encoding::Profile), decoded(decoder)?))
+}
+
+fn decode_tiff(bytes: &[u8]) -> Result<(Encoding, DynamicImage), PictureFileError> {
+    let header = TiffHeader::new(bytes)?;
+    header.check()?;
+    let profile = header.profile()?;
+    let picture = decoded(TiffDecoder::new(Cursor::new(bytes)).map_err(damaged)?)?;
+    let picture = if header.has_associated_alpha() { without_alpha(picture) } else { picture };
+    Ok((profile.map_or(Encoding::SRGB, Encoding::Profile), picture))
+}
+
+/// By value, as `map_err` hands it on.
+#[allow(clippy::needless_pass_by_value)]
+fn damaged(problem: image::ImageError) -> PictureFileError {
+    PictureFileError::damaged(&problem)
+}
+
+/// The samples, upright.
+fn decoded(mut decoder: impl ImageDecoder) -> Result<DynamicImage, PictureFileError> {
     let (width, height) = decoder.dimensions();
     check_size(width.into(), height.into())?;
-    decoder.set_limits(limits()).map_err(|problem| PictureFileError::damaged(&problem))?;
-    check_kind(decoder.original_color_type())?;
-    let damaged = |problem: image::ImageError| PictureFileError::damaged(&problem);
-    let profile = decoder.icc_profile().map_err(damaged)?;
+    decoder.set_limits(limits()).map_err(damaged)?;
     let orientation = decoder.orientation().map_err(damaged)?;
     let mut picture = DynamicImage::from_decoder(decoder).map_err(damaged)?;
     picture.apply_orientation(orientation);
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    let rgb = match profile {
-        None => {
-            let light = light_from_srgb16();
-            let samples = picture.into_rgb16().into_raw();
-            samples.into_iter().map(|sample| light[usize::from(sample)]).collect()
-        }
-        Some(profile) if picture.color().has_color() => {
-            light_from_profile(&profile, Samples::Rgb(picture.into_rgb16().into_raw()))?
-        }
-        Some(profile) => {
-            light_from_profile(&profile, Samples::Grey(picture.into_luma16().into_raw()))?
-        }
-    };
-    Ok(LinearPicture { width, height, rgb })
+    Ok(picture)
 }
 
-/// A decoder that has read no more than the header.
-fn open<'a>(bytes: &'a [u8]) -> Result<Box<dyn ImageDecoder + 'a>, PictureFileError> {
-    let damaged = |problem: image::ImageError| PictureFileError::damaged(&problem);
-    let file = Cursor::new(bytes);
-    let format =
-        if is_big_tiff(bytes) { Ok(ImageFormat::Tiff) } else { image::guess_format(bytes) };
-    Ok(match format {
-        Ok(ImageFormat::Png) => {
-            // The `image` crate allocates rows as it opens a PNG, so the header is read before.
-            let mut header = png::Decoder::new(file.clone());
-            let info = header.read_header_info().map_err(|e| PictureFileError::damaged(&e))?;
-            check_size(info.width.into(), info.height.into())?;
-            Box::new(PngDecoder::with_limits(file, limits()).map_err(damaged)?)
+/// Colours that were multiplied by alpha, divided by it; black where nothing is left of them.
+fn without_alpha(picture: DynamicImage) -> DynamicImage {
+    let mut rgba = picture.into_rgba16();
+    for image::Rgba([colours @ .., alpha]) in rgba.pixels_mut() {
+        for colour in colours {
+            let whole = u64::from(*colour) * u64::from(u16::MAX) + u64::from(*alpha) / 2;
+            let divided = whole.checked_div(u64::from(*alpha)).unwrap_or(0);
+            *colour = divided.min(u64::from(u16::MAX)) as u16;
         }
-        Ok(ImageFormat::Jpeg) => {
-            check_jpeg(bytes)?;
-            Box::new(JpegDecoder::new(file).map_err(damaged)?)
-        }
-        Ok(ImageFormat::Tiff) => {
-            Box::new(TiffDecoder::new(file).map_err(|problem| match problem {
-                image::ImageError::Unsupported(problem) => {
-                    PictureFileError::Unsupported(foreign_tiff(problem.kind()))
-                }
-                other => PictureFileError::damaged(&other),
-            })?)
-        }
-        _ => return Err(ALLOWED),
-    })
-}
-
-/// What a TIFF has that is not read here.
-fn foreign_tiff(kind: UnsupportedErrorKind) -> String {
-    let what = match kind {
-        UnsupportedErrorKind::Color(ExtendedColorType::Unknown(bits)) => {
-            format!("{bits} bits a pixel, floating-point or whole")
-        }
-        // TIFF 6.0, section 19: the kinds of numbers by their own numbers.
-        UnsupportedErrorKind::GenericFeature(feature) => feature
-            .replace("sample format 2", "signed whole numbers")
-            .replace("sample format 3", "floating-point numbers"),
-        other => format!("{other:?}"),
-    };
-    format!("is a TIFF of another kind ({what}); save it with 8 or 16 bits a channel, grey or RGB")
-}
-
-/// TIFF with offsets of eight bytes: 43 in place of 42, from either end.
-fn is_big_tiff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"II\x2b\0") || bytes.starts_with(b"MM\0\x2b")
+    }
+    rgba.into()
 }
 
 /// Limits for the decoders themselves: 16 bytes for each pixel allowed, decoded and in between.
@@ -122,64 +121,6 @@ fn limits() -> Limits {
     limits.max_image_height = Some(SIDE_MAX);
     limits.max_alloc = Some(16 * PIXELS_MAX);
     limits
-}
-
-fn check_kind(kind: ExtendedColorType) -> Result<(), PictureFileError> {
-    let problem = match kind {
-        ExtendedColorType::Cmyk8 | ExtendedColorType::Cmyk16 => {
-            "has CMYK pixels, whose colours depend on a printer; save it as RGB"
-        }
-        ExtendedColorType::Rgb32F | ExtendedColorType::Rgba32F => {
-            "has 32 bits a channel, floating-point or whole; save it with 8 or 16"
-        }
-        _ => return Ok(()),
-    };
-    Err(PictureFileError::Unsupported(problem.to_owned()))
-}
-
-/// Walks the segments of a JPEG (ITU-T T.81, annex B) for two things that its decoder forgives: a
-/// file cut short, whose rest would come out grey, and CMYK.
-fn check_jpeg(bytes: &[u8]) -> Result<(), PictureFileError> {
-    const START_OF_SCAN: u8 = 0xda;
-    const END_OF_IMAGE: [u8; 2] = [0xff, 0xd9];
-    let cut = || PictureFileError::Damaged("the JPEG ends before its picture".to_owned());
-    let mut rest = &bytes[2..];
-    loop {
-        let marker = rest.windows(2).position(|pair| pair[0] == 0xff && pair[1] != 0xff);
-        rest = &rest[marker.ok_or_else(cut)?..];
-        let [_, code, high, low, ..] = *rest else { return Err(cut()) };
-        if code == START_OF_SCAN {
-            break;
-        }
-        // Start of frame, all sorts but the tables DHT, JPG and DAC in between.
-        if matches!(code, 0xc0..=0xcf) && !matches!(code, 0xc4 | 0xc8 | 0xcc) {
-            let channels = rest.get(9).ok_or_else(cut)?;
-            check_kind(if *channels == 4 {
-                ExtendedColorType::Cmyk8
-            } else {
-                ExtendedColorType::Rgb8
-            })?;
-        }
-        let length = 2 + usize::from(u16::from_be_bytes([high, low]));
-        rest = rest.get(length..).ok_or_else(cut)?;
-    }
-    // Inside a scan 0xff is always escaped, so the first such pair is the end.
-    if rest.windows(2).any(|pair| pair == END_OF_IMAGE) { Ok(()) } else { Err(cut()) }
-}
-
-/// The linear light of each 16-bit sRGB sample (IEC 61966-2-1).
-fn light_from_srgb16() -> Vec<f32> {
-    (0..=u16::MAX)
-        .map(|sample| {
-            let encoded = f64::from(sample) / f64::from(u16::MAX);
-            let light = if encoded <= 0.040_45 {
-                encoded / 12.92
-            } else {
-                libm::pow((encoded + 0.055) / 1.055, 2.4)
-            };
-            light as f32
-        })
-        .collect()
 }
 
 #[cfg(test)]
@@ -205,16 +146,6 @@ mod tests {
         encoder.set_depth(png::BitDepth::One);
         drop(encoder.write_header().unwrap());
         file
-    }
-
-    #[test]
-    fn half_of_full_code_is_a_fifth_of_full_light() {
-        // IEC 61966-2-1: 0.5 encodes 0.214041; the linear toe ends at 0.04045.
-        let light = light_from_srgb16();
-        assert!((light[32_768] - 0.214_05).abs() < 1e-5);
-        assert!((light[1310] - 1310.0 / 65_535.0 / 12.92).abs() < 1e-9);
-        assert_eq!((light[0], light[65_535]), (0.0, 1.0));
-        assert!(light.windows(2).all(|pair| pair[0] < pair[1]));
     }
 
     #[test]
