@@ -123,7 +123,7 @@ def _arrows(
     place: Any,
     bounds: NDArray[np.floating[Any]],
     gone: NDArray[np.bool_],
-    y: NDArray[np.float64],
+    y: NDArray[np.floating[Any]],
     mark: tuple[str, str],
 ) -> None:
     """Dots from an end that the answers do not set to beyond the outermost one."""
