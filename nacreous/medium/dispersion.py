@@ -15,9 +15,8 @@ from nacreous.value import value_class
 
 Array = NDArray[np.float64]
 
-#: What a layer's n and k may be, as stacks take them: metals stay well below 100.
-MOST_INDEX = 100.0
-ALLOWED = {"n": f"above 0, up to {MOST_INDEX:g}", "k": f"0 to {MOST_INDEX:g}"}
+#: What n and k may be; stacks take them up to 100, which metals exceed in the far infrared.
+ALLOWED = {"n": "above 0", "k": "0 or more"}
 
 
 @value_class
@@ -41,6 +40,11 @@ class Dispersion:
     def with_range(self) -> tuple[float, float]:
         """First and last wavelength in nm."""
         return float(self.nm[0]), float(self.nm[-1])
+
+
+def fits(name: str, values: Array) -> NDArray[np.bool_]:
+    """Which values of "n" or "k" a medium can have."""
+    return values > 0 if name == "n" else values >= 0
 
 
 def dispersion_of_rows(nm: Array, values: Array) -> Dispersion:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous.file import named, read_bytes
-from nacreous.medium.dispersion import ALLOWED, MOST_INDEX, Dispersion
+from nacreous.medium.dispersion import ALLOWED, Dispersion, fits
 from nacreous.medium.record import parts_of_csv, parts_of_yaml
 from nacreous.number import array_of
 from nacreous.problem import InputError
@@ -61,15 +61,11 @@ class PublishedIndex:
             raise InputError(
                 f"formula {self.n.formula} has no n at {nm[~np.isfinite(n)].flat[0]:g} nm"
             )
-        wrong = ~((n > 0) & (n <= MOST_INDEX))
-        if wrong.any():
-            raise InputError(
-                f"formula {self.n.formula} has n = {n[wrong].flat[0]:g} at "
-                f"{nm[wrong].flat[0]:g} nm; allowed: {ALLOWED['n']}"
-            )
+        _check("n", n, nm)
         index = n.astype(np.complex128)
         if self.k is not None:
             index.imag = self.k.at(nm)
+            _check("k", index.imag, nm)
         return index[()]
 
     def __repr__(self) -> str:
@@ -87,8 +83,9 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     a table lie straight lines. Without k the medium is lossless. Wavelengths are taken as in
     vacuum and n as absolute: in air both would differ by 0.03 %.
 
-    Raises `InputError` that names the file and what is wrong in it, such as the row of an n
-    that is not above 0 and up to 100, or of a k that is not 0 to 100.
+    Raises `InputError` that names the file and what is wrong in it, such as a table in which no n
+    is above 0, or every k below it. Single rows of that kind, which some published tables have, are
+    refused where a wavelength is asked for that needs them.
 
     >>> from tempfile import TemporaryDirectory
     >>> text = "DATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n    coefficients: "
@@ -119,6 +116,15 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     except InputError as problem:
         raise InputError(f"{path}: {problem}") from None
     return found
+
+
+def _check(name: str, values: NDArray[np.float64], nm: NDArray[np.float64]) -> None:
+    wrong = ~fits(name, values)
+    if wrong.any():
+        raise InputError(
+            f"{name} is {values[wrong].flat[0]:g} at {nm[wrong].flat[0]:g} nm in the medium's "
+            f"file; allowed: {ALLOWED[name]}"
+        )
 
 
 def _text(place: Path) -> str:
