@@ -2,11 +2,11 @@
 //!
 //! PNG, JPEG and TIFF, 8 or 16 bits, grey or RGB. Where a file does not say what its samples stand for they
 //! are taken as sRGB, whatever their depth; by an ICC profile, and in a PNG by `cICP`, `gAMA` and `cHRM`
-//! ([`crate::png_colour`]), they are converted to sRGB (out-of-gamut colours are clipped). Alpha is ignored: the
+//! (`png_colour.rs`), they are converted to sRGB (out-of-gamut colours are clipped). Alpha is ignored: the
 //! colour of a transparent pixel is used as it stands, and where a TIFF has it multiplied by alpha, divided by it.
 //! The orientation that a camera noted (EXIF) is applied. Limits: [`crate::picture`].
 //!
-//! TIFF also as BigTIFF. Not read, and refused by name: CMYK, and what [`crate::tiff`] says of TIFF.
+//! TIFF also as BigTIFF. Not read, and refused by name: CMYK, and what `tiff.rs` says of TIFF.
 
 use std::io::Cursor;
 use std::path::Path;
