@@ -46,7 +46,7 @@ def running(folder: Path, place: str) -> Iterator[Running]:
         yield made
 
 
-def finished(running: Running, parameters: dict[str, str]) -> Session:
+def finished(running: Running, parameters: dict[str, str], simulated: bool = False) -> Session:
     """Somebody who came by an address with these parameters, and answered everything."""
     token = draw()
     session = running.enter(token, "en", {}, parameters)
@@ -54,8 +54,13 @@ def finished(running: Running, parameters: dict[str, str]) -> Session:
     session = running.session_of(token)
     for trial in running.plan(session):
         assert running.ending(session) is None
-        running.hand_in(session, trial.number, Response("left")).result()
+        response = Response("left", simulated=simulated)
+        running.hand_in(session, trial.number, response).result()
     return running.session_of(token)
+
+
+def test_simulated_observers_are_given_no_code(running: Running) -> None:
+    assert running.ending(finished(running, GIVEN, simulated=True)) is None
 
 
 def test_who_has_finished_is_told_a_code_of_their_own_and_goes_back_with_it(

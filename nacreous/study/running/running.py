@@ -185,8 +185,13 @@ class Running:
         self.store.finish(session.id)
 
     def ending(self, session: Session) -> Ending | None:
-        """What a participant is given at the end; None before it, and of an erased one."""
+        """What a participant is given at the end; None before it, and of an erased one.
+
+        Simulated observers are given nothing: whoever pays by the code would pay them.
+        """
         if session.finished_at is None or session.erased_at is not None:
+            return None
+        if self.store.simulated(session.id):
             return None
         completion = self.frozen.design.completion
         code = completion.code or session.completion_code

@@ -115,6 +115,12 @@ def count(connection: sa.Connection, session: str) -> int:
     return int(connection.execute(query).scalar_one())
 
 
+def any_simulated(connection: sa.Connection, session: str) -> bool:
+    """Whether a simulated observer answered in a session."""
+    mine = (answers.c.session == session) & answers.c.simulated
+    return connection.execute(sa.select(answers.c.seq).where(mine).limit(1)).first() is not None
+
+
 def _receipt(session: str, answer: Answer, at: str, *, again: bool) -> Receipt:
     received = check.read(at)
     if received is None:

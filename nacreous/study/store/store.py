@@ -243,6 +243,11 @@ class Store(Lab):
         with self.reading() as connection:
             return answering.count(connection, session)
 
+    def simulated(self, session: str) -> bool:
+        """Whether a simulated observer answered in a session."""
+        with self.reading() as connection:
+            return answering.any_simulated(connection, session)
+
     def progress(self, study: str) -> Progress:
         """Who, how far, how long."""
         with self.reading() as connection:
