@@ -128,13 +128,13 @@ def test_pairs_are_drawn_with_chances_in_proportion_to_their_bits():
     """Of the first pair of a batch, whose bits are those before it."""
     answers = simulate([0.0, 0.3, 1.5, 1.6], people=12, seed=5)
     drawn = Counter()
-    for seed in range(2000):
+    for seed in range(800):
         [pair] = next_pairs(answers, method="drawn", seed=seed)
         drawn[frozenset((pair.left, pair.right)), pair.bits] += 1
     total = sum(bits for _, bits in drawn)
     assert len(drawn) == 6
     for (_, bits), often in drawn.items():
-        assert often / 2000 == pytest.approx(bits / total, abs=4 * np.sqrt(0.25 / 2000))
+        assert often / 800 == pytest.approx(bits / total, abs=4 * np.sqrt(0.25 / 800))
     assert max(bits for _, bits in drawn) > 1.5 * min(bits for _, bits in drawn)
 
 
