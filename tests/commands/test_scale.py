@@ -261,3 +261,17 @@ def test_a_long_bootstrap_shows_progress_and_ctrl_c_leaves_nothing(tmp_path: Pat
         shown = watched.shows(b"nothing was written")
         assert shown.endswith(b"nacreous: interrupted; nothing was written\r\n")
     assert [path.name for path in tmp_path.iterdir()] == ["answers.csv"]
+
+
+def test_a_small_scale_loads_neither_all_of_scipys_statistics_nor_databases_nor_pandas(tmp_path):
+    (tmp_path / "a.csv").write_text("left,right,chosen\na,b,a\na,b,b\n", encoding="utf-8")
+    code = (
+        "import sys; from nacreous.__main__ import run;"
+        "sys.argv = ['nacreous', 'scale', 'a.csv', '--bootstrap', '0', '-o', 'b.csv'];"
+        "assert run() == 0;"
+        "print(sorted({'scipy.stats', 'sqlalchemy', 'alembic', 'pandas'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "[]"
