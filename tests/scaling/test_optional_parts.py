@@ -38,7 +38,7 @@ def test_a_lone_person_in_a_group_is_named_and_the_other_groups_are_compared(lon
 
 
 def test_the_lone_persons_answers_count_in_the_scale_of_all(lone):
-    assert len(lone.answers) == len(survey(people=19))
+    assert lone.comparisons.total == len(survey(people=19))
 
 
 def test_a_group_whose_answers_give_no_scale_is_named_and_the_others_are_compared():
