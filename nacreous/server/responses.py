@@ -187,13 +187,13 @@ class ProgressTold(BaseModel):
 
 
 class StimulusTold(BaseModel):
-    """A stimulus on the scale, with its interval."""
+    """A stimulus on the scale, with its interval, of which null is an end that answers do not set."""
 
     label: str
     picture: str
     value: float
-    low: float
-    high: float
+    low: float | None
+    high: float | None
 
 
 class ScaleTold(BaseModel):

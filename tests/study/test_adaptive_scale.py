@@ -99,3 +99,16 @@ def test_a_manifest_without_the_choice_means_the_most_telling_pairs(running: Run
     made = type(design).check(older, "study.json", Path())
     assert made.pairs.chosen_by == "greedy"
     assert "choice" not in made.model_dump(exclude_none=True)["pairs"]
+
+
+def test_an_end_that_no_answer_sets_is_none_on_the_page(tmp_path: Path) -> None:
+    pairs = {"kind": "adaptive", "number": 7, "choice": "greedy"}
+    frozen = frozen_study(tmp_path, "abcde", pairs=pairs)
+    with Store.open(frozen.folder) as store:
+        made = opened(store, frozen)
+        for seed in range(4):
+            one = by_scale({**SCALE, "a": 99.0}, np.random.default_rng(seed))
+            take_part(made, one)
+        found = {one.label: one for one in scale_so_far(made, "deeper").stimuli}
+    assert [label for label, one in found.items() if one.high is None] == ["a"]
+    assert {label for label, one in found.items() if one.low is None} == set("bcde")

@@ -19,13 +19,16 @@ __all__ = ["Placed", "ScaleSoFar", "called_simulated", "counted", "question_of",
 
 @dataclass(frozen=True)
 class Placed:
-    """A stimulus at its place, with its interval. picture: its file's SHA-256."""
+    """A stimulus at its place, with its interval. picture: its file's SHA-256.
+
+    low, high: None where the answers set no end to the interval on that side.
+    """
 
     label: str
     picture: str
     value: float
-    low: float
-    high: float
+    low: float | None
+    high: float | None
 
 
 @dataclass(frozen=True)
@@ -68,13 +71,16 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
     answers = counted(running, question, simulated)
     found = analyse(answers, running.settings, bootstrap=0)
     pictures = {stimulus.label: stimulus.sha256 for stimulus in running.frozen.stimuli}
+    unset = found.doubt.open_ends(found.fit.stimuli)
     stimuli = tuple(
         Placed(
             found.fit.stimuli[at],
             pictures[found.fit.stimuli[at]],
             float(found.fit.scale[at]),
-            float(found.doubt.intervals[at, 0]),
-            float(found.doubt.intervals[at, 1]),
+            *(
+                None if gone else float(end)
+                for end, gone in zip(found.doubt.intervals[at], unset[at], strict=True)
+            ),
         )
         for at in found.order
     )

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 9d1b66d3a27961092f125f37b75943a9bb2c1a8f8170ef7049251d8bcc64de46
+ * 3fa68962a3132d2194fa4ac75ba956dc49b6593418482275242782f3cd2c62e5
  */
 
 export type JsonValue = unknown;
@@ -370,14 +370,14 @@ export interface ScaleTold {
   people_told: boolean;
 }
 /**
- * A stimulus on the scale, with its interval.
+ * A stimulus on the scale, with its interval, of which null is an end that answers do not set.
  */
 export interface StimulusTold {
   label: string;
   picture: string;
   value: number;
-  low: number;
-  high: number;
+  low: number | null;
+  high: number | null;
 }
 /**
  * What is asked of a participant's screen, and what follows where it falls short.

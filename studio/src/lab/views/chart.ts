@@ -11,6 +11,8 @@ const AXIS = 54;
 const TOP = 12;
 const VALUE = 64;
 const RIGHT = 4;
+/** What dots and an arrow take beside the outermost place. */
+const ARROW = 28;
 
 type Attributes = Record<string, string | number>;
 
@@ -53,11 +55,14 @@ export function chart(scale: Scale, width: number, captions: Captions): SVGEleme
   const thumb = height - 10;
   const longest = Math.max(...rows.map((row) => row.label.length));
   const gutter = thumb + 20 + Math.min(Math.max(24, longest * 9), width * 0.24);
-  const low = Math.min(...rows.map((row) => row.low));
-  const high = Math.max(...rows.map((row) => row.high));
+  const low = Math.min(...rows.map((row) => row.low ?? row.value));
+  const high = Math.max(...rows.map((row) => row.high ?? row.value));
   const pad = 0.04 * (high - low) || 1;
   const inside = width - gutter - VALUE - RIGHT;
-  const x = (value: number) => gutter + ((value - low + pad) / (high - low + 2 * pad)) * inside;
+  const left = rows.some((row) => row.low === null) ? ARROW : 0;
+  const right = rows.some((row) => row.high === null) ? ARROW : 0;
+  const x = (value: number) =>
+    gutter + left + ((value - low + pad) / (high - low + 2 * pad)) * (inside - left - right);
   const bottom = TOP + rows.length * height;
   const svg = shape("svg", {
     class: captions.mark === "" ? "chart" : "chart simulated",
@@ -89,7 +94,7 @@ export function chart(scale: Scale, width: number, captions: Captions): SVGEleme
   svg.append(
     shape("text", { class: "axis", x: gutter + inside / 2, y: bottom + 44 }, captions.axis),
     ...rows.map((row, place) =>
-      line(row, TOP + (place + 0.5) * height, x, { thumb, gutter, width }),
+      line(row, TOP + (place + 0.5) * height, x, { thumb, gutter, width, inside }),
     ),
   );
   return svg;
@@ -99,7 +104,12 @@ function line(
   row: Placed,
   y: number,
   x: (value: number) => number,
-  { thumb, gutter, width }: { thumb: number; gutter: number; width: number },
+  {
+    thumb,
+    gutter,
+    width,
+    inside,
+  }: { thumb: number; gutter: number; width: number; inside: number },
 ): SVGElement {
   const clip = Math.max(3, Math.floor((gutter - thumb - 20) / 9));
   const label = row.label.length > clip ? `${row.label.slice(0, clip - 1)}…` : row.label;
@@ -115,8 +125,36 @@ function line(
       preserveAspectRatio: "xMidYMid slice",
     }),
     shape("text", { class: "label", x: thumb + 12, y: y + 5 }, label),
-    shape("line", { class: "interval", x1: x(row.low), x2: x(row.high), y1: y, y2: y }),
+    ...interval(row, y, x, { from: gutter + 2, to: gutter + inside - 6 }),
     shape("circle", { class: "place", cx: x(row.value), cy: y, r: 7 }),
     shape("text", { class: "value", x: width - RIGHT, y: y + 5 }, numeral(row.value)),
   );
+}
+
+/** The bar; where the answers set no end to it, dots go on to an arrow at the drawing's edge. */
+function interval(
+  { value, low, high }: Placed,
+  y: number,
+  x: (value: number) => number,
+  edge: { from: number; to: number },
+): SVGElement[] {
+  const bar = shape("line", {
+    class: "interval",
+    x1: x(low ?? value),
+    x2: x(high ?? value),
+    y1: y,
+    y2: y,
+  });
+  const gone = [
+    ...(low === null ? [{ end: edge.from, side: -1 }] : []),
+    ...(high === null ? [{ end: edge.to, side: 1 }] : []),
+  ];
+  const open = gone.flatMap(({ end, side }) => [
+    shape("line", { class: "unset", x1: x(value), x2: end, y1: y, y2: y }),
+    shape("path", {
+      class: "unset",
+      d: `M${end - side * 7},${y - 6} L${end},${y} l${-side * 7},6`,
+    }),
+  ]);
+  return [bar, ...open];
 }

@@ -126,6 +126,9 @@ class Drawing {
         " ",
         fill(words.interval, { level: 100 * found.level }),
       ),
+      ...(found.stimuli.some((one) => one.low === null || one.high === null)
+        ? [element("p", {}, words.unset_note)]
+        : []),
       element("p", {}, verdict(found, words)),
       table(found, words),
     );
@@ -172,7 +175,9 @@ function table(found: Scale, words: ScaleWords): HTMLElement {
   const rows = found.stimuli.map((one) =>
     row(heads, [
       element("th", { scope: "row" }, one.label),
-      ...[one.value, one.low, one.high].map((value) => element("td", {}, numeral(value))),
+      ...[one.value, one.low, one.high].map((value) =>
+        element("td", {}, value === null ? words.unset : numeral(value)),
+      ),
     ]),
   );
   const body = element("tbody", { role: "rowgroup" }, ...rows);

@@ -199,6 +199,9 @@ export const en = {
     from_simulated: "{answers} answers of {people} simulated observers.",
     interval:
       "Bars: {level} % intervals, one person’s answers taken together. The middle of the scale is 0.",
+    unset: "not set",
+    unset_note:
+      "Where a bar goes on as dots to an arrow, the answers so far set no end to it: all of them place these stimuli beyond others. More answers may set it.",
     people_differ:
       "People do not share one scale: they differ by more than chance. The report says in which way.",
     describes: "One scale describes these answers.",
