@@ -57,9 +57,9 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--identifying",
         action="store_true",
-        help="with what may identify a person: the browser's full name, texts in screen checks, "
-        "whom an invitation was for, parameters of the address, completion codes; of the log who "
-        "and details",
+        help="with what may identify a person: the browser's full name, whatever a page sent "
+        "beside what it measures, whom an invitation was for, parameters of the address, "
+        "completion codes; of the log who and details",
     )
     _add_study(parser)
     parser.set_defaults(run=export)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import zip_longest
+from typing import Any
 
 import sqlalchemy as sa
 
@@ -65,7 +66,9 @@ def _check_counters(connection: sa.Connection, place: str, made: Parts) -> None:
     """After its last number SQLite refuses every row; nobody counts so far."""
     counted = [name for name in _COUNTED if ("table", name) in made]
     for name in ("sqlite_sequence", *counted):
-        highest = sa.select(sa.func.max(sa.column("seq"))).select_from(sa.table(name))
+        highest: sa.Select[tuple[Any]] = sa.select(sa.func.max(sa.column("seq"))).select_from(
+            sa.table(name)
+        )
         number = connection.execute(highest).scalar_one()
         if number is not None and not (isinstance(number, int) and number <= _MOST_ROWS):
             raise InputError(
