@@ -196,7 +196,7 @@ def person_of(store: Store, study: str, number: int) -> Session:
         if session.number == number:
             return session
     allowed = f"0 to {len(people) - 1}" if people else "none, for nobody has entered"
-    raise InputError(f"number is {number}; allowed: {allowed}")
+    raise InputError(f"person is {number}; allowed: {allowed}")
 
 
 def _told(copied: Copied) -> str:
