@@ -8,6 +8,7 @@ export PATH := VIRTUAL_ENV / "bin:" + justfile_directory() / ".tools/bin:" + env
 export UV_PYTHON_DOWNLOADS := "never"
 export NODE_DISABLE_COMPILE_CACHE := "1" # npm would leave one in the temporary folder
 unexport CONDA_PREFIX
+unexport PYTHONDONTWRITEBYTECODE # tests start hundreds of programs, each of which would compile all it imports
 unexport PYTHONHOME
 unexport PYTHONPATH
 unexport UV_PYTHON
