@@ -18,6 +18,8 @@ from nacreous.problem import InputError
         (lambda: colour.hvc_from_xyz([41.2, 21.3, 1.9]), "xyz[0] is 41.2; allowed: -10 to 10"),
         (lambda: colour.munsell_notation([[0.1, 5, 5], [90, 5, 5]]), "hue of hvc[1] is 90"),
         (lambda: colour.rgb_from_hvc([270, 5, 5]), "hue of hvc is 270"),
+        (lambda: colour.rgb_from_hvc([0.1, 62, 5]), "value of hvc is 62; allowed: up to 25 (10"),
+        (lambda: colour.munsell_notation([[0.1, 62, 5]]), "value of hvc is 62"),
         (lambda: colour.xyz_from_hvc([270, 5, 5]), "hue of hvc is 270"),
     ],
 )

@@ -92,6 +92,7 @@ def test_numpys_numbers_are_numbers_wherever_one_is_wanted() -> None:
     assert nc.render("paper", size=np.int64(8), samples=np.int8(1)).linear.shape == (8, 8, 3)
     scale = thurstone(paper())
     assert scale.bootstrap(np.int64(10), seed=np.uint8(2)) == scale.bootstrap(10, seed=2)
+    assert nc.render("paper", size=np.array(8), samples=1).linear.shape == (8, 8, 3)
     assert nc.grow(seed=np.array(3)) == nc.grow(seed=3)
     assert scale.bootstrap(np.array(10), seed=np.array(2)) == scale.bootstrap(10, seed=2)
     stack = nc.LayerStack([400.0], np.array(20.0), np.array(1.53))

@@ -159,6 +159,20 @@ def rewrite(file: Path, own: str, foreign: str) -> None:
         )
 
 
+def test_a_virtual_table_under_one_of_sqlites_own_names_is_refused(
+    folder: Path, tmp_path: Path
+) -> None:
+    copy = tmp_path / "copy.sqlite"
+    backup(folder, copy)
+    with closing(sqlite3.connect(copy)) as connection:
+        connection.executescript(
+            "PRAGMA writable_schema = ON; INSERT INTO sqlite_master VALUES ('table', "
+            "'sqlite_stat4', 'sqlite_stat4', 0, 'CREATE VIRTUAL TABLE sqlite_stat4 USING fts5(x)')"
+        )
+    with pytest.raises(InputError, match="the table sqlite_stat4, which no store has"):
+        restore(copy, tmp_path / "new.sqlite")
+
+
 def test_a_trigger_under_one_of_sqlites_own_names_is_refused(folder: Path, tmp_path: Path) -> None:
     copy = tmp_path / "copy.sqlite"
     backup(folder, copy)

@@ -15,6 +15,13 @@ from alembic.script import ScriptDirectory
 _ALONE = threading.Lock()
 _TOKEN = re.compile(r"'(?:[^']|'')*'|\"(?:[^\"]|\"\")*\"|\w+|\S")
 
+#: What SQLite makes by itself: another under such a name could be anything.
+_BY_ITSELF = {
+    "sqlite_sequence": "CREATE TABLE sqlite_sequence(name,seq)",
+    "sqlite_stat1": "CREATE TABLE sqlite_stat1(tbl,idx,stat)",
+    "sqlite_stat4": "CREATE TABLE sqlite_stat4(tbl,idx,neq,nlt,ndlt,sample)",
+}
+
 #: What a database holds: kind and name of each part, and its SQL in words.
 Parts = dict[tuple[str, str], list[str]]
 
@@ -71,7 +78,7 @@ def parts_of(connection: sa.Connection) -> Parts:
 def _by_itself(kind: str, name: str, sql: str | None) -> bool:
     """Counters, statistics, and what keeps a constraint, which has no SQL of its own."""
     if kind == "table":
-        return name in ("sqlite_sequence", "sqlite_stat1", "sqlite_stat4")
+        return sql == _BY_ITSELF.get(name, "")
     return kind == "index" and sql is None
 
 
