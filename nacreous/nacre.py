@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
 from nacreous.medium import Medium, is_function, medium_of, sampled
-from nacreous.number import number_of, row_of, said, within
+from nacreous.number import alone, number_of, row_of, said, within
 from nacreous.problem import InputError
+from nacreous.thinness import thin_layers
 from nacreous.unchanging import keep
 from nacreous.value import value_class
 
@@ -29,8 +30,10 @@ class LayerStack:
     """Aragonite layers, surface first, each followed by a protein layer, then the substrate.
 
     thickness_nm: aragonite layers in nm, from the surface inward; 1 to 5000 values, each above 0,
-    up to 1e6.
-    protein_nm: thickness of every protein layer, 0 to 1e6 nm, or one for each.
+    up to 1e6; one of them at least 1, for a stack of sheets all thinner than two cells of aragonite
+    is one in micrometres.
+    protein_nm: thickness of every protein layer, 0 to 1e6 nm, or one for each; however thin, for a
+    series of stacks may lead to none.
     aragonite, protein, ambient, substrate: media of layers, surroundings and core. Each is an
     index n or complex n + ik (0 < n <= 100, 0 <= k <= 100, k > 0 absorbs); a pair (n_o, n_e) of
     them for a uniaxial medium with its axis along the normal; an `IndexTable`; a function that
@@ -73,7 +76,8 @@ class LayerStack:
         substrate: Medium = 1.53,
         cover: Sequence[tuple[Medium, float]] = (),
     ) -> None:
-        given = dict(zip(_MEDIA, (aragonite, protein, ambient, substrate), strict=True))
+        media = map(alone, (aragonite, protein, ambient, substrate))
+        given: dict[str, Medium] = dict(zip(_MEDIA, media, strict=True))
         layers = row_of("thickness_nm", thickness_nm)
         nm = _protein(protein_nm)
         # All layers are checked with one thickness of protein: a wrong one if there is any.
@@ -85,6 +89,8 @@ class LayerStack:
             raise InputError(
                 f"protein_nm has {np.size(nm)} values; allowed: one, or {layers.size}, one a layer"
             )
+        if (verdict := thin_layers(layers.tolist())) is not None:
+            raise InputError(f"thickness_nm {verdict}")
         # Copied only now that it is known to be short enough.
         keep(self, thickness_nm=layers, protein_nm=nm, **given, cover=_cover(cover), _compiled=core)
 

@@ -6,7 +6,7 @@ NumPy is loaded by the checks that need it: whoever asks for `said` alone may do
 from __future__ import annotations
 
 import reprlib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nacreous.problem import InputError
 
@@ -46,6 +46,7 @@ def number_of(name: str, value: object) -> float:
     """A finite or infinite float, or one clear message."""
     import numpy as np
 
+    value = alone(value)
     if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
         try:
             return float(value)
@@ -57,12 +58,16 @@ def number_of(name: str, value: object) -> float:
 def whole_of(name: str, value: object, least: int, most: int) -> int:
     """A whole number in a range, ends included, or one clear message.
 
+    Floats are refused though they be whole, as `range(5.0)` and NumPy's `default_rng(5.0)` do: of
+    two seeds beyond 2^53 they may make one.
+
     >>> whole_of("columns", 2.5, 2, 100)
     Traceback (most recent call last):
     nacreous.problem.InputError: columns is 2.5; allowed: a whole number, 2 to 100
     """
     import numpy as np
 
+    value = alone(value)
     if isinstance(value, int | np.integer) and not isinstance(value, bool):
         number = int(value)
         if least <= number <= most:
@@ -87,12 +92,20 @@ def index_of(name: str, value: object) -> complex:
     """A complex index, or one clear message."""
     import numpy as np
 
+    value = alone(value)
     if isinstance(value, (int, float, complex, np.number)) and not isinstance(value, bool):
         try:
             return complex(value)
         except OverflowError:
             pass
     raise InputError(f"{name} is {said(value)}; allowed: a number n or a complex number n + ik")
+
+
+def alone(value: Any) -> Any:
+    """What an array without dimensions holds, as NumPy's own functions take it."""
+    import numpy as np
+
+    return value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
 
 
 def said(value: object) -> str:

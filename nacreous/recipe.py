@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 from nacreous import __version__, _core
-from nacreous.number import said
+from nacreous.number import alone, said
 from nacreous.problem import InputError
 from nacreous.ready import Json, ready
 
@@ -148,6 +148,8 @@ def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
 def _whole(name: str, value: int) -> int:
     """A whole number within its range; that samples is a square is for the renderer to see."""
     most, allowed = _COUNTS[name]
+    if type(value).__module__ == "numpy":
+        value = alone(value)
     if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
         return int(value)
     raise InputError(f"{name} is {said(value)}; allowed: {allowed}")

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nacreous import _core
-from nacreous.colour.samples import WAVELENGTH_NM, Array, array_of, relative_of, white_of
+from nacreous.colour.samples import (
+    WAVELENGTH_NM,
+    Array,
+    array_of,
+    light_of,
+    relative_of,
+    white_of,
+)
+from nacreous.number import said
 from nacreous.problem import InputError
 
 Observer = Literal["1931-2", "1964-10"]
@@ -21,12 +30,11 @@ def linear_from_hex(code: str) -> tuple[float, float, float]:
     >>> linear_from_hex("#ff0000")
     (1.0, 0.0, 0.0)
     """
-    try:
-        codes = [int(code[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    except ValueError:
-        codes = []
-    if len(code) != 7 or code[0] != "#" or not codes:
+    if not isinstance(code, str):
+        raise InputError(f'colour is {said(code)}; allowed: "#rrggbb" with hexadecimal digits')
+    if not re.fullmatch("#[0-9a-fA-F]{6}", code):
         raise InputError(f'colour is "{code}"; allowed: "#rrggbb" with hexadecimal digits')
+    codes = [int(code[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     red, green, blue = decode(codes).tolist()
     return red, green, blue
 
@@ -74,19 +82,26 @@ def lab_from_xyz(xyz: ArrayLike, white: ArrayLike | None = None) -> Array:
     White is D65's for the 2-degree observer unless given; of XYZ from RGB it is better
     `xyz_from_rgb([1, 1, 1])`, whose chromaticity the standard of sRGB rounds (0.03 in b*).
 
-    XYZ may be negative (colours outside any gamut); the straight line near 0 goes on. The
-    components of white are positive, or `InputError` is raised.
+    XYZ and white are on one scale: where white is not given, Y of white is 1, and XYZ in percent
+    are to be divided by 100, or L* is up to 522. Floating-point XYZ above white are taken for light
+    brighter than it; whole numbers above 10 are refused. XYZ may be negative (colours outside any
+    gamut); the straight line near 0 goes on. The components of white are positive, or `InputError`
+    is raised.
 
     >>> lab_from_xyz([0.18, 0.18, 0.18], white=[1, 1, 1]).round(2).tolist()
     [49.5, 0.0, 0.0]
     >>> lab_from_xyz(white_xyz("D65")).tolist()
     [100.0, 0.0, 0.0]
     """
-    return _core.lab_from_xyz(array_of("xyz", xyz), _white_or_d65(white))
+    reference = _white_or_d65(white)
+    return _core.lab_from_xyz(light_of("xyz", xyz, max(reference)), reference)
 
 
 def xyz_from_lab(lab: ArrayLike, white: ArrayLike | None = None) -> Array:
     """XYZ `[..., 3]` of L*, a*, b*, relative to the XYZ of white `[3]`; D65 unless given.
+
+    L* is 0 black to 100 white, not 0 to 1 and not 0 to 255, which cannot be told from dark colours
+    and from lights.
 
     >>> xyz_from_lab([100, 0, 0], white=[1, 1, 1]).tolist()
     [1.0, 1.0, 1.0]
@@ -102,8 +117,8 @@ def _white_or_d65(white: ArrayLike | None) -> tuple[float, float, float]:
 def delta_e_2000(first: ArrayLike, second: ArrayLike) -> Array:
     """CIEDE2000 colour difference `[...]` of L*, a*, b* `[..., 3]`; about 1 is just visible.
 
-    All parametric factors are 1 (ISO/CIE 11664-6; Sharma, Wu and Dalal 2005). The arrays are
-    broadcast against each other.
+    All parametric factors are 1 (ISO/CIE 11664-6; Sharma, Wu and Dalal 2005). L* is 0 to 100, as
+    `lab_from_xyz` gives it. The arrays are broadcast against each other.
 
     >>> float(delta_e_2000([50, 2.6772, -79.7751], [50, 0, -82.7485]).round(4))
     2.0425
@@ -122,22 +137,27 @@ def delta_e_2000(first: ArrayLike, second: ArrayLike) -> Array:
 def rgb_from_xyz(xyz: ArrayLike, space: Space = "srgb") -> Array:
     """Linear RGB `[..., 3]` of XYZ relative to D65, in sRGB (IEC 61966-2-1) or Display P3.
 
+    Y of white is 1, in XYZ and in RGB: XYZ in percent are to be divided by 100. Floating-point
+    numbers above that are taken for light brighter than white; whole numbers above 10 are refused.
     Components leave 0..1 where the space cannot show the colour; see `map_to_gamut`. XYZ seen under
     another white goes through `adapt` first.
 
     >>> rgb_from_xyz(xyz_from_rgb([0.2, 0.5, 0.8])).round(9).tolist()
     [0.2, 0.5, 0.8]
     """
-    return _core.rgb_from_xyz(array_of("xyz", xyz), str(space))
+    return _core.rgb_from_xyz(light_of("xyz", xyz), str(space))
 
 
 def xyz_from_rgb(rgb: ArrayLike, space: Space = "srgb") -> Array:
-    """XYZ `[..., 3]` relative to D65 of linear RGB.
+    """XYZ `[..., 3]` relative to D65 of linear RGB, of which 1 is white; codes go through `decode`.
+
+    Floating-point numbers above 1 are light brighter than white, as a renderer's highlights are;
+    whole numbers above 10 are refused, for they are codes. All functions of linear RGB do so.
 
     >>> xyz_from_rgb([1, 1, 1]).round(4).tolist()
     [0.9505, 1.0, 1.0891]
     """
-    return _core.xyz_from_rgb(array_of("rgb", rgb), str(space))
+    return _core.xyz_from_rgb(light_of("rgb", rgb), str(space))
 
 
 def p3_from_srgb(rgb: ArrayLike) -> Array:
@@ -161,12 +181,13 @@ def srgb_from_p3(rgb: ArrayLike) -> Array:
 def encode(rgb: ArrayLike) -> Array:
     """Code values `[..., 3]` of linear RGB by the sRGB transfer function, the same for Display P3.
 
-    Code values of linear components within 0..1 lie within 0..1; the function is odd about 0.
+    Code values of linear components within 0..1 lie within 0..1; the function is odd about 0. Light
+    brighter than white has codes above 1. Whole numbers above 10 are codes already, and refused.
 
     >>> encode([0.0, 0.5, 1.0]).round(4).tolist()
     [0.0, 0.7354, 1.0]
     """
-    return _core.encode_rgb(array_of("rgb", rgb))
+    return _core.encode_rgb(light_of("rgb", rgb))
 
 
 def decode(encoded: ArrayLike) -> Array:
@@ -183,16 +204,16 @@ def decode(encoded: ArrayLike) -> Array:
 def adapt(xyz: ArrayLike, from_white: ArrayLike, to_white: ArrayLike) -> Array:
     """XYZ `[..., 3]` that look under `to_white` as `xyz` do under `from_white`: linear Bradford.
 
-    Whites are XYZ `[3]` that all three cones see, or `InputError` is raised.
+    Whites are XYZ `[3]` that all three cones see, or `InputError` is raised. `xyz` are on the scale
+    of `from_white`, the result on that of `to_white`.
 
     >>> white_of_screen = xyz_from_rgb([1, 1, 1])
     >>> paper = adapt(white_xyz("A"), from_white=white_xyz("A"), to_white=white_of_screen)
     >>> rgb_from_xyz(paper).round(9).tolist()
     [1.0, 1.0, 1.0]
     """
-    return _core.adapt_xyz(
-        array_of("xyz", xyz), white_of("from_white", from_white), white_of("to_white", to_white)
-    )
+    seen, wanted = white_of("from_white", from_white), white_of("to_white", to_white)
+    return _core.adapt_xyz(light_of("xyz", xyz, max(seen)), seen, wanted)
 
 
 def map_to_gamut(
@@ -209,13 +230,15 @@ def map_to_gamut(
     >>> map_to_gamut([-0.2, 0.7, 0.1], "soft").round(3).tolist()
     [0.022, 0.622, 0.222]
     """
-    return _core.map_to_gamut(array_of("rgb", rgb), str(method), str(space))
+    return _core.map_to_gamut(light_of("rgb", rgb), str(method), str(space))
 
 
 def out_of_gamut_share(rgb: ArrayLike) -> float:
     """Share, 0 to 1, of linear colours `[..., 3]` that leave 0..1, by more than 1e-6.
 
+    A linear colour of 1 is white; whole numbers above 10 are codes, and refused.
+
     >>> out_of_gamut_share([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]])
     0.5
     """
-    return _core.out_of_gamut_share(array_of("rgb", rgb))
+    return _core.out_of_gamut_share(light_of("rgb", rgb))

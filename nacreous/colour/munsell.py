@@ -7,6 +7,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
 from nacreous.colour.samples import Array, array_of, bounded_of, relative_of
+from nacreous.problem import InputError
+
+#: Light ten times as bright as white, the most that `hvc_from_rgb` takes, has 23.4.
+_MOST_VALUE = 25.0
 
 
 def hvc_from_rgb(rgb: ArrayLike) -> Array:
@@ -67,8 +71,13 @@ def munsell_notation(hvc: ArrayLike) -> NDArray[np.str_]:
 
 
 def _hvc_of(hvc: ArrayLike) -> Array:
-    """Hue, value and chroma, of which no hue is in degrees."""
+    """Hue, value and chroma, of which no hue is in degrees and no value in percent."""
     array = array_of("hvc", hvc)
     if array.shape[-1:] == (3,):
         bounded_of("hue of hvc", array[..., 0], 4 * np.pi, "hue is in rad")
+        highest = np.max(array[..., 1], initial=0.0)
+        if _MOST_VALUE < highest < np.inf:
+            raise InputError(
+                f"value of hvc is {highest:g}; allowed: up to {_MOST_VALUE:g} (10 is white)"
+            )
     return array

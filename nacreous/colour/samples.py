@@ -35,6 +35,26 @@ def array_of(quantity: str, values: ArrayLike) -> Array:
     return np.asarray(array, dtype=np.float64, order="C")
 
 
+def light_of(quantity: str, values: ArrayLike, white: float = 1.0) -> Array:
+    """Linear light, where `white` is white's largest component; not codes, and not percentages.
+
+    Lamps and what mirrors them are hundreds of times as bright as white, so no number is too large
+    for light. But nobody counts light in whole numbers: those are codes, or XYZ in percent.
+    """
+    array = array_of(quantity, values)
+    if np.asarray(values).dtype.kind not in "iu":
+        return array
+    beyond = np.argwhere(np.abs(array) > _MOST_RELATIVE * max(white, 1.0))
+    if len(beyond):
+        place = tuple(beyond[0].tolist())
+        raise InputError(
+            f"{_at(quantity, place)} is {array[place]:.0f}, of type {np.asarray(values).dtype}; "
+            "allowed: floating-point numbers where 1 is white, as decode(codes / 255) gives, "
+            "and percentages / 100"
+        )
+    return array
+
+
 def relative_of(quantity: str, values: ArrayLike) -> Array:
     """Numbers of which 1 is white, not 255 and not 100."""
     return bounded_of(quantity, values, _MOST_RELATIVE, "1 is white, and no surface reaches 10")
@@ -46,11 +66,14 @@ def bounded_of(quantity: str, values: ArrayLike, most: float, why: str) -> Array
     beyond = np.argwhere(np.isfinite(array) & (np.abs(array) > most))
     if len(beyond):
         place = tuple(beyond[0].tolist())
-        where = "".join(f"[{index}]" for index in place)
         raise InputError(
-            f"{quantity}{where} is {array[place]:g}; allowed: {-most:g} to {most:g} ({why})"
+            f"{_at(quantity, place)} is {array[place]:g}; allowed: {-most:g} to {most:g} ({why})"
         )
     return array
+
+
+def _at(quantity: str, place: tuple[int, ...]) -> str:
+    return quantity + "".join(f"[{index}]" for index in place)
 
 
 def white_of(quantity: str, values: ArrayLike) -> tuple[float, float, float]:

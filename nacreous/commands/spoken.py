@@ -20,7 +20,7 @@ _TIMES = ("response_s", "response_ms")
 #: Arguments whose option has the same name, but for dashes.
 _SAME = (
     *("model", "method", "ties", "order", "prior", "unit", "level", "bootstrap", "seed", "group"),
-    *("tie", "repeats", "skip_rows", "skip_unanswered", "encoding", "language"),
+    *("tie", "repeats", "skip_rows", "skip_unanswered", "encoding", "language", "question"),
 )
 _OPTIONS = {name: f"--{name.replace('_', '-')}" for name in _SAME}
 _OPTIONS |= {"left_word": "--left", "right_word": "--right"}

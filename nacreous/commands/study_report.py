@@ -49,7 +49,7 @@ def run(args: argparse.Namespace) -> int:
 
     standard.check_output(args.output, [".html"])
     frozen = open_frozen(args.study)
-    question = args.question or frozen.design.questions[0].id
+    question = frozen.design.questions[0].id if args.question is None else args.question
     place = args.store or os.environ.get("NACREOUS_STORE") or args.study
     with Store.open(place, make=False) as store, bar("resampling") as show:
         standard.require_apart([args.output], [store.place])

@@ -33,7 +33,9 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     parser.set_defaults(run=backup)
     parser = _add(actions, "restore", "make a store from a backup")
     parser.add_argument("backup", help="what `nacreous study backup` wrote")
-    _add_place(parser)
+    _add_place(
+        parser, "a folder, made if its name has no ending and is not there; a new .sqlite file; or "
+    )
     parser.set_defaults(run=restore)
     parser = _add(actions, "export", "write all answers as .csv, .parquet or a Psych-DS folder")
     _add_place(parser)
@@ -55,9 +57,9 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--identifying",
         action="store_true",
-        help="with what may identify a person: the browser's full name, texts in screen checks, "
-        "whom an invitation was for, parameters of the address, completion codes; of the log who "
-        "and details",
+        help="with what may identify a person: the browser's full name, whatever a page sent "
+        "beside what it measures, whom an invitation was for, parameters of the address, "
+        "completion codes; of the log who and details",
     )
     _add_study(parser)
     parser.set_defaults(run=export)
@@ -82,10 +84,13 @@ def backup(args: argparse.Namespace) -> int:
 
 
 def restore(args: argparse.Namespace) -> int:
-    """Check, copy, and say how much."""
+    """Check, copy, and say how much, and where."""
     from nacreous.study.store import restore
+    from nacreous.study.store.engine import engine_of
+    from nacreous.study.store.fault import place_of
 
-    say(f"restored: {_told(restore(args.backup, args.place))}")
+    told = _told(restore(args.backup, args.place))
+    say(f"{place_of(engine_of(args.place))}: restored, {told}")
     return 0
 
 
@@ -161,12 +166,12 @@ def _add(
     )
 
 
-def _add_place(parser: argparse.ArgumentParser) -> None:
+def _add_place(
+    parser: argparse.ArgumentParser, kinds: str = "the study's folder, a file, or "
+) -> None:
     """Where the store is, or nothing for what NACREOUS_STORE says."""
     parser.add_argument(
-        "place",
-        nargs="?",
-        help="the study's folder, a file, or postgresql://... (what NACREOUS_STORE says)",
+        "place", nargs="?", help=f"{kinds}postgresql://... (what NACREOUS_STORE says)"
     )
 
 
@@ -191,7 +196,7 @@ def person_of(store: Store, study: str, number: int) -> Session:
         if session.number == number:
             return session
     allowed = f"0 to {len(people) - 1}" if people else "none, for nobody has entered"
-    raise InputError(f"number is {number}; allowed: {allowed}")
+    raise InputError(f"person is {number}; allowed: {allowed}")
 
 
 def _told(copied: Copied) -> str:

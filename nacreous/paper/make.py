@@ -6,6 +6,7 @@ import json
 import platform
 from collections.abc import Callable
 from dataclasses import dataclass
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
@@ -64,8 +65,10 @@ def make(
     `InputError` for a folder or a size that cannot be used.
     """
     least, most = SIZES_PX
-    if isinstance(size_px, bool) or not isinstance(size_px, int) or not least <= size_px <= most:
+    whole = isinstance(size_px, Integral) and not isinstance(size_px, bool)
+    if not whole or not least <= size_px <= most:
         raise InputError(f"size is {size_px}; allowed: {least} to {most} pixels")
+    size_px = int(size_px)
     show = report or (lambda _: None)
     with folder.whole(path, FILES, RECORD, MAKER) as temporary:
         taken = pictures.take(size_px, lambda share: show(_RENDERING * share))

@@ -186,6 +186,7 @@ class Growth(Nacre):
 
     def contradictions(self) -> Iterator[Contradiction]:
         """Dates in two forms or in the wrong order, noise above the thickness, no layers."""
+        yield from super().contradictions()
         yield from self._wrong_dates()
         thinnest_nm, other = min(
             (self.thickness_winter_nm, "thickness_winter_nm"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Any
 
 from pydantic import Field, model_validator
@@ -10,6 +11,7 @@ from nacreous.spec.complaint import Contradiction
 from nacreous.spec.key import key, quantity
 from nacreous.spec.medium import MEDIUM, NAMES, Medium, medium_of
 from nacreous.spec.section import Section, contradiction
+from nacreous.thinness import thin_layers, thin_protein
 
 
 class Nacre(Section):
@@ -38,6 +40,12 @@ class Nacre(Section):
         examples=list(NAMES),
         source="paper 3.2.3; 1.43 to 1.56 in later work",
     )
+
+    def contradictions(self) -> Iterator[Contradiction]:
+        """A protein layer that is thinner than an atom."""
+        yield from super().contradictions()
+        if (verdict := thin_protein(self.protein_nm)) is not None:
+            yield Contradiction("protein_nm", verdict)
 
     @property
     def aragonite_medium(self) -> complex | tuple[complex, complex] | str:
@@ -75,6 +83,12 @@ class Layers(Nacre):
         max_length=5000,
         strict=False,
     )
+
+    def contradictions(self) -> Iterator[Contradiction]:
+        """Layers that are all thinner than two cells of aragonite."""
+        yield from super().contradictions()
+        if (verdict := thin_layers(self.thickness_nm)) is not None:
+            yield Contradiction("thickness_nm", verdict)
 
     @model_validator(mode="before")
     @classmethod

@@ -72,6 +72,25 @@ class Section(BaseModel):
         given = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**given | changes)
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refused: a section never changes.
+
+        >>> from nacreous.spec import Pearl
+        >>> Pearl().depth = 0.7
+        Traceback (most recent call last):
+        nacreous.problem.InputError: Pearl.depth cannot be set; allowed: replace(depth=...), ...
+        """
+        raise InputError(
+            f"{type(self).__name__}.{name} cannot be set; "
+            f"allowed: replace({name}=...), which makes another {type(self).__name__}"
+        )
+
+    def __delattr__(self, name: str) -> None:
+        """Refused likewise."""
+        raise InputError(
+            f"{type(self).__name__}.{name} cannot be deleted; allowed: a new {type(self).__name__}"
+        )
+
     #: What `copy.replace` of Python 3.13 calls.
     __replace__ = replace
 

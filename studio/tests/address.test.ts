@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { parametersOf, placesOf } from "../src/participant/address";
+import { canBeKept, parametersOf, placesOf } from "../src/participant/address";
 
 describe("the parameters of an address", () => {
   test("are those that the study declares, decoded, the first of each", () => {
@@ -11,6 +11,17 @@ describe("the parameters of an address", () => {
 
   test("are none where none are declared", () => {
     expect(parametersOf("?PROLIFIC_PID=5f0c", [])).toEqual({});
+  });
+
+  test("are refused where the server would refuse them: too long, hidden or control characters", () => {
+    for (const good of ["7".repeat(200), "😀".repeat(200), "آن\u200cها", "5f 0c", "真珠　"]) {
+      expect(canBeKept({ SONA: good })).toBe(true);
+    }
+    for (const letter of ["\0", "\n", "\t", "\x1b", "\x7f", "\x85", "\u202e", "\u2028", "\ue000"]) {
+      expect(canBeKept({ PROLIFIC_PID: "5f", SONA: `5f${letter}0c` })).toBe(false);
+    }
+    expect(canBeKept({ SONA: "7".repeat(201) })).toBe(false);
+    expect(canBeKept({})).toBe(true);
   });
 
   test("tell people apart who share a browser, and leave the last to who comes without", () => {

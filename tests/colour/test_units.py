@@ -1,6 +1,7 @@
 """Numbers in another unit than the one that is wanted are refused by name."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,6 +18,8 @@ from nacreous.problem import InputError
         (lambda: colour.hvc_from_xyz([41.2, 21.3, 1.9]), "xyz[0] is 41.2; allowed: -10 to 10"),
         (lambda: colour.munsell_notation([[0.1, 5, 5], [90, 5, 5]]), "hue of hvc[1] is 90"),
         (lambda: colour.rgb_from_hvc([270, 5, 5]), "hue of hvc is 270"),
+        (lambda: colour.rgb_from_hvc([0.1, 62, 5]), "value of hvc is 62; allowed: up to 25 (10"),
+        (lambda: colour.munsell_notation([[0.1, 62, 5]]), "value of hvc is 62"),
         (lambda: colour.xyz_from_hvc([270, 5, 5]), "hue of hvc is 270"),
     ],
 )
@@ -26,6 +29,63 @@ def test_codes_percentages_and_degrees_are_refused_where_one_is_white_and_hue_in
     with pytest.raises(InputError) as refusal:
         call()
     assert str(refusal.value).startswith(said)
+
+
+LIGHT: tuple[Callable[[Any], Any], ...] = (
+    colour.encode,
+    colour.lab_from_xyz,
+    colour.map_to_gamut,
+    colour.out_of_gamut_share,
+    colour.p3_from_srgb,
+    colour.rgb_from_xyz,
+    colour.srgb_from_p3,
+    colour.xyz_from_rgb,
+    lambda light: colour.adapt(light, colour.white_xyz("A"), colour.white_xyz("D65")),
+)
+
+
+@pytest.mark.parametrize("function", LIGHT)
+@pytest.mark.parametrize(
+    "codes",
+    [
+        [[0, 1, 0], [0, 0, 255]],
+        [[95, 100, 108]] * 2,
+        [[0, 0, -100]] * 2,
+        np.full((2, 3), 65535, np.uint16),
+        np.full((2, 3), 300, np.int32),
+    ],
+)
+def test_whole_numbers_that_no_light_is_counted_in_are_refused(
+    function: Callable[[Any], Any], codes: object
+) -> None:
+    with pytest.raises(InputError, match=r"\[[01]\]\[[0-2]\] is -?\d+, of type u?int\d+; allowed"):
+        function(codes)
+
+
+@pytest.mark.parametrize("function", LIGHT)
+def test_light_hundreds_of_times_as_bright_as_white_is_taken(
+    function: Callable[[Any], Any],
+) -> None:
+    """What a renderer's picture has where a pearl mirrors a lamp."""
+    assert np.isfinite(function([[300.0, 255.0, 100.0]])).all()
+    assert np.isfinite(function([[1, 0, 1]])).all()
+
+
+def test_xyz_in_percent_are_taken_beside_a_white_in_percent() -> None:
+    percent = colour.lab_from_xyz([41, 21, 2], white=[95, 100, 109])
+    assert percent == pytest.approx(colour.lab_from_xyz([0.41, 0.21, 0.02], [0.95, 1.0, 1.09]))
+    seen = colour.adapt([41, 21, 2], [95, 100, 109], [96, 100, 82])
+    assert seen == pytest.approx(
+        100 * colour.adapt([0.41, 0.21, 0.02], [0.95, 1, 1.09], [0.96, 1, 0.82])
+    )
+
+
+@pytest.mark.parametrize(
+    "code", ["#+f+f+f", "#f f f ", "#1_1_1_", "#１１１１１１", "red", 0xFF0000, None]
+)
+def test_a_colours_code_is_six_hexadecimal_digits_and_nothing_else(code: Any) -> None:
+    with pytest.raises(InputError, match=r'colour is .*; allowed: "#rrggbb"'):
+        colour.linear_from_hex(code)
 
 
 @pytest.mark.parametrize(

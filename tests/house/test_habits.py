@@ -62,6 +62,22 @@ def test_a_changed_section_is_checked_like_a_new_one() -> None:
             copy.replace(pearl, depth=7)
 
 
+def test_a_section_that_is_written_to_says_how_to_make_another() -> None:
+    pearl, scene = nc.Pearl(), Scene(lamps=[Lamp(position_mm=(0, 2, 300))])
+    for section, name in (
+        *((pearl, "depth"), (pearl, "depht"), (pearl.nacre, "protein_nm"), (scene, "lamps")),
+        *((scene.camera, "glare"), (scene.lamps[0], "intensity"), (pearl, "model_config")),
+    ):
+        kind = type(section).__name__
+        with pytest.raises(nc.InputError, match=rf"{kind}\.{name} cannot be set; allowed: replace"):
+            setattr(section, name, 7)
+        with pytest.raises(
+            nc.InputError, match=rf"{kind}\.{name} cannot be deleted; allowed: a new"
+        ):
+            delattr(section, name)
+    assert pearl == nc.Pearl()
+
+
 def test_a_key_that_only_its_model_has_survives_a_change_of_another() -> None:
     pearl = nc.Pearl.load("paper")  # of the illuminant model
     assert pearl.replace(depth=0.9).replace(depth=pearl.depth) == pearl
@@ -76,6 +92,16 @@ def test_numpys_numbers_are_numbers_wherever_one_is_wanted() -> None:
     assert nc.render("paper", size=np.int64(8), samples=np.int8(1)).linear.shape == (8, 8, 3)
     scale = thurstone(paper())
     assert scale.bootstrap(np.int64(10), seed=np.uint8(2)) == scale.bootstrap(10, seed=2)
+    assert nc.render("paper", size=np.array(8), samples=1).linear.shape == (8, 8, 3)
+    assert nc.grow(seed=np.array(3)) == nc.grow(seed=3)
+    assert scale.bootstrap(np.array(10), seed=np.array(2)) == scale.bootstrap(10, seed=2)
+    stack = nc.LayerStack([400.0], np.array(20.0), np.array(1.53))
+    assert stack == nc.LayerStack([400.0], 20.0, 1.53)
+    for wrong in (5.0, np.float64(5.0), np.array(5.0), np.array(True), np.array([2])):
+        with pytest.raises(nc.InputError, match=r"seed is .*; (wanted|allowed): a whole number"):
+            nc.grow(seed=wrong)
+        with pytest.raises(nc.InputError, match=r"seed is .*; allowed: a whole number"):
+            scale.bootstrap(10, seed=wrong)
     for wrong in (np.float64(5.5), np.float64("nan"), np.bool_(True), np.array([1, 2])):
         with pytest.raises(nc.InputError, match="Texture: seed is"):
             Texture(seed=wrong)

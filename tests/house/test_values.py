@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
-import pydantic
 import pytest
 from dask.base import tokenize
 
@@ -57,9 +56,9 @@ def test_a_result_refuses_that_a_field_is_set_or_deleted(result: Any) -> None:
     named = getattr(result, "__dataclass_fields__", None) or getattr(result, "_fields", None)
     named = named or getattr(type(result), "model_fields", None) or ["recipe", "anything"]
     for name in [*named, "anything"]:
-        with pytest.raises((AttributeError, pydantic.ValidationError)):
+        with pytest.raises((AttributeError, nc.InputError)):
             setattr(result, name, 1)
-        with pytest.raises((AttributeError, pydantic.ValidationError)):
+        with pytest.raises((AttributeError, nc.InputError)):
             delattr(result, name)
 
 

@@ -76,6 +76,29 @@ def test_a_stack_says_what_is_wrong(given: dict[str, Any], message: str) -> None
     assert refusal(lambda: nc.LayerStack(**{"thickness_nm": [400.0], **given})).startswith(message)
 
 
+UM = "(is it in um?)"
+
+
+@pytest.mark.parametrize("thickness_nm", [[0.38, 0.41], [0.41]])
+def test_layers_in_micrometres_are_refused(thickness_nm: list[float]) -> None:
+    message = f"thickness_nm is at most 0.41; allowed: a layer of 1 nm or more {UM}"
+    assert refusal(lambda: nc.LayerStack(thickness_nm, 0.02)) == message
+    nacre = {"thickness_nm": thickness_nm}
+    assert refusal(lambda: nc.Pearl(nacre=nacre)) == f"Pearl: nacre.{message}"
+
+
+def test_a_pearls_protein_in_micrometres_is_refused() -> None:
+    message = f"nacre.protein_nm is 0.02; allowed: 0, or 0.1 nm or more {UM}"
+    assert refusal(lambda: nc.grow("paper", protein_nm=0.02)) == f"grow: {message}"
+    nacre = {"thickness_nm": [400.0], "protein_nm": 0.02}
+    assert refusal(lambda: nc.Pearl(nacre=nacre)) == f"Pearl: {message}"
+
+
+def test_a_last_days_layer_may_be_as_thin_as_one_likes_beside_others() -> None:
+    assert nc.LayerStack([1e-3, 400.0], 0.0).total_um == pytest.approx(0.400001)
+    assert len(nc.LayerStack([1.0], 0.01, cover=[(1.33, 0.01)])) == 1
+
+
 def test_a_billion_layers_are_refused_without_a_copy_of_them() -> None:
     """Measured in a process of its own: a copy takes 8 GB.
 
@@ -100,7 +123,9 @@ def test_what_is_refused_later_stays_short() -> None:
     assert len(refusal(lambda: nc.LayerStack(["thick"] * 100_000))) < 120
 
 
-@pytest.mark.parametrize("thickness_nm", [[1e-3], [1e6], [400] * 5000, 400.0, range(400, 410)])
+@pytest.mark.parametrize(
+    "thickness_nm", [[1.0], [1e-3, 1.0], [1e6], [400] * 5000, 400.0, range(400, 410)]
+)
 def test_a_stack_takes_its_bounds_whole_numbers_and_a_single_layer(thickness_nm: Any) -> None:
     stack = nc.LayerStack(thickness_nm, protein_nm=0, aragonite=np.float64(1.53), protein=2 + 1j)
     np.testing.assert_array_equal(stack.thickness_nm, np.atleast_1d(np.array(thickness_nm, float)))

@@ -196,15 +196,15 @@ def test_a_plate_out_of_step_is_the_mean_over_a_fringe_of_one_in_step() -> None:
         found = []
         for share in np.arange(400) / 400:
             nm = 5e4 + share * 550.0 / 2 / along
-            # The film as covers of a last layer of nothing.
+            # The film as covers of the last nanometre of the plate.
             coherent = nc.LayerStack(
-                [1e-9],
+                [1.0],
                 0.0,
                 1.5,
                 1.5,
                 1.0,
                 1.2,
-                [(1.65, 300.0), (1.4, 30.0), (1.65, 250.0), (1.4, 30.0), (1.5, nm)],
+                [(1.65, 300.0), (1.4, 30.0), (1.65, 250.0), (1.4, 30.0), (1.5, nm - 1.0)],
             )
             found.append(energies(coherent, angle, 550.0).R[0, 0])
         ours = on_plate(film, 0.05, angle, 550.0, 1.2).R[0, 0]

@@ -203,16 +203,16 @@ def test_who_has_finished_is_given_the_code_and_the_way_back_and_nobody_before(
     assert (second.number, second.parameters) == (first.number + 1, {"PROLIFIC_PID": "other"})
 
 
-def test_an_address_that_cannot_be_kept_is_said_to_be_no_good(browser, tmp_path):
+def test_an_address_that_cannot_be_kept_is_said_to_be_no_good_before_anything_is_asked(
+    browser, tmp_path
+):
     folder = frozen(PLAIN + BACK, tmp_path / "study")
-    with (
-        served(folder) as server,
-        guarded(browser, server.url, expected="Failed to load resource") as guard,
-    ):
-        person = guard.open(f"/?PROLIFIC_PID={'7' * 201}")
-        person.agree()
-        person.at("unknown")
-        assert_kind(person)
+    with served(folder) as server, guarded(browser, server.url) as guard:
+        for value in ("7" * 201, "5f%0a0c", "5f%E2%80%AE", "5f%00"):
+            person = guard.open(f"/?PROLIFIC_PID={value}")
+            person.at("unknown")
+            assert_kind(person)
+            person.page.close()
 
 
 def test_another_person_may_begin_at_the_same_computer(plain):

@@ -79,7 +79,7 @@ def test_who_has_finished_is_told_a_code_of_their_own_and_goes_back_with_it(
     assert without.code != ending.code
 
 
-def test_nothing_is_kept_but_declared_parameters_of_a_bounded_length_that_can_be_printed(
+def test_nothing_is_kept_but_declared_parameters_that_say_something_and_can_be_printed(
     running: Running,
 ) -> None:
     for given, told in (
@@ -87,8 +87,12 @@ def test_nothing_is_kept_but_declared_parameters_of_a_bounded_length_that_can_be
         ({"SONA": "7" * 201}, "parameter SONA is 201 characters long; allowed: 1 to 200"),
         ({"SONA": ""}, "parameter SONA is 0 characters long; allowed: 1 to 200"),
         *(
+            ({"SONA": blank}, "parameter SONA is blank; allowed: text, or no such parameter")
+            for blank in (" ", "   ", "\u3000", "\xa0 ")
+        ),
+        *(
             ({"SONA": f"secret{letter}"}, "parameter SONA has control characters; allowed: none")
-            for letter in "\0\n\x1b\x7f\x85\u202e\ud800"
+            for letter in "\0\n\x1b\x7f\x85\u202e\u200b\ue000\ud800"
         ),
     ):
         with pytest.raises(InputError) as caught:

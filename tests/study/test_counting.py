@@ -152,7 +152,10 @@ def test_an_export_of_several_questions_is_asked_which(tmp_path: Path) -> None:
         take_part(running, by_scale(SCALE, np.random.default_rng(1)))
         export(store, running.study, tmp_path / "answers.csv")
         wanted = counts(store, running.study, "rounder").matrix
-    with pytest.raises(InputError, match="question is None; allowed: deeper, rounder"):
+    with pytest.raises(
+        InputError,
+        match=r"none is chosen; wanted: question=\"deeper\" or another of deeper, rounder",
+    ):
         exported_answers(tmp_path / "answers.csv")
     read = exported_answers(tmp_path / "answers.csv", "rounder")
     assert read is not None

@@ -117,7 +117,7 @@ def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, c
         (("open", "--everyone", "--invited"), "not allowed with"),
         (("readmit", "3"), "does not exist; wanted: a store"),
         (("revoke", "--invitation", "7"), "invitation is 7; allowed: those that"),
-        (("revoke", "--person", "7"), "number is 7; allowed: none, for nobody has entered"),
+        (("revoke", "--person", "7"), "person is 7; allowed: none, for nobody has entered"),
         (("revoke",), "one of the arguments --invitation --person is required"),
     ],
 )

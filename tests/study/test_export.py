@@ -2,18 +2,31 @@
 
 import csv
 import json
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import polars as pl
 import pyarrow.parquet
 import pytest
+from pydantic import BaseModel
 
 import nacreous as nc
 from nacreous.problem import InputError
 from nacreous.study.results import exported_answers
+from nacreous.study.running.screen_check import (
+    Card,
+    Monitor,
+    Plates,
+    ScreenCheck,
+    Vision,
+    Window,
+)
+from nacreous.study.running.screening import ScreenFlag
 from nacreous.study.store import Store, answers_of, counts, export
+from nacreous.study.store.disclosure import SCREEN_CHECK
 from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
@@ -206,7 +219,15 @@ def test_a_study_without_answers_has_a_header(place: str, tmp_path: Path) -> Non
 
 
 SCREEN = {
-    "window": {"width_px": 1920.0, "height_px": 1080.0, "note": "Mikimoto's laptop"},
+    "window": {
+        **{"width_px": 1920.0, "height_px": 1080.0, "note": "Mikimoto's laptop"},
+        **{"gamut": "Toba", "at": "Ise", "flags": ["Shima"], "phone": 5551234},
+    },
+    "screen": "Tokyo",
+    "card": {"px_per_mm": 4.0, "Mr Ago": True, "more": {"px_per_mm": "Ago"}},
+    "Mr Kashiko": 1,
+    "phone": 5551234,
+    "darkest_step": 819012345678,
     "agent": "Firefox 131.0",
     "gamut": "p3",
     "gamma": 2.2,
@@ -215,7 +236,12 @@ SCREEN = {
     "remarks": ["my name is Kokichi"],
     "flags": ["no-card"],
 }
-FREE = ("laptop", "131.0", "555-1234", "Kokichi", "Mr Mikimoto")
+#: What was sent with an answer; only the first is of our pages.
+NOTICED = {"away": 2, "early": "Nagasaki", "shrunk": [1], "Mr Omura": True, "fax": 5554321}
+FREE = (
+    *("laptop", "131.0", "555-1234", "Kokichi", "Mr Mikimoto", "Toba", "Ise", "Shima", "5551234"),
+    *("Tokyo", "Ago", "Kashiko", "819012345678", "Nagasaki", "Omura", "5554321"),
+)
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".parquet", ""])
@@ -230,7 +256,7 @@ def test_all_that_is_collected_of_people_is_exported_and_what_identifies_on_requ
         store.consent(session)
         store.screen(session, {"gamma": 1.0})
         store.screen(session, SCREEN)
-        store.answer(session, pair_answer(0, "q", "a", "b", "left"))
+        store.answer(session, pair_answer(0, "q", "a", "b", "left", flags=NOTICED))
         store.finish(session)
         known = store.session(session)
         export(store, STUDY, plain)
@@ -250,13 +276,38 @@ def test_all_that_is_collected_of_people_is_exported_and_what_identifies_on_requ
     kept = {name: last[name] for name in ("gamut", "gamma", "distance_tries_mm", "flags")}
     assert kept == {name: SCREEN[name] for name in kept}
     assert last["window"] == {"width_px": 1920.0, "height_px": 1080.0}
+    assert last["card"] == {"px_per_mm": 4.0}
+    assert json.loads(row["flags"]) == {"away": 2}
     assert not any(text in str(row) for text in FREE)
+    assert json.loads(more["flags"]) == NOTICED
     assert (more["browser_name"], more["invitation"]) == ("Firefox 131.0", "Mr Mikimoto")
     assert {**json.loads(more["screen_checks"])[1], "at": None} == {**SCREEN, "at": None}
     assert paths[1].stat().st_mode & 0o077 == 0
     exported = exported_answers(paths[1])
     assert exported is not None
     assert list(exported.groups) == ["group_browser"]
+
+
+def test_every_measurement_of_our_pages_is_in_every_export() -> None:
+    def keys(model: type[BaseModel]) -> dict[str, object]:
+        tables = {"window": Window, "screen": Monitor, "card": Card, "vision": Vision}
+        plates = {"contrast": Plates, "colour": Plates}
+        inner = tables if model is ScreenCheck else plates if model is Vision else {}
+        return {name: keys(inner[name]) if name in inner else None for name in model.model_fields}
+
+    def told(shape: object) -> object:
+        if not isinstance(shape, Mapping):
+            return None
+        return {name: told(one) for name, one in shape.items()}
+
+    told_of_check = told({name: SCREEN_CHECK[name] for name in SCREEN_CHECK if name != "flags"})
+    wanted = keys(ScreenCheck)
+    wanted.pop("agent")  # its family is a column of its own
+    assert told_of_check == wanted
+    assert SCREEN_CHECK["flags"] == frozenset(get_args(ScreenFlag))
+    for name in ("distance_by", "gamut"):
+        words = [get_args(one) for one in get_args(ScreenCheck.model_fields[name].annotation)]
+        assert SCREEN_CHECK[name] == frozenset(word for some in words for word in some)
 
 
 def test_nothing_of_an_erased_person_is_exported_with_the_answers(

@@ -1,5 +1,6 @@
 """The schema and the steps that lead to it."""
 
+import json
 from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
 from pathlib import Path
@@ -7,21 +8,21 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 from alembic.autogenerate import compare_metadata
-from alembic.runtime.environment import EnvironmentContext
 from alembic.runtime.migration import MigrationContext
 
 from nacreous.problem import InputError
 from nacreous.study.store import Copied, NotAllowed, Store, restore
 from nacreous.study.store.engine import engine_of, writing
-from nacreous.study.store.migrate import _script
 from nacreous.study.store.schema import metadata
+from nacreous.study.store.steps import take
 from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
 AT = "2026-03-01T09:30:00.000000Z"
 #: One person who gave one answer, in the first schema.
 OLD = {
-    "studies": {"hash": STUDY, "manifest": "{}", "state": "open", "next_number": 1, "added_at": AT},
+    "studies": {"hash": STUDY, "state": "open", "next_number": 1, "added_at": AT}
+    | {"manifest": json.dumps({"design_hash": STUDY})},
     "sessions": {
         **{"id": "one", "study": STUDY, "number": 0, "token_hash": "7a" * 32, "language": "en"},
         **{"groups": "{}", "consented_at": AT, "started_at": AT},
@@ -36,15 +37,9 @@ OLD = {
 
 def make_old(place: str, newest: str = "0001", **session: str) -> None:
     """A store of an older schema, the first unless another is named; session: more of its row."""
-    config, script = _script()
     engine = writing(engine_of(place))
-
-    def steps(revision, _context):
-        return script._upgrade_revs(newest, revision)
-
-    with engine.begin() as connection, EnvironmentContext(config, script, fn=steps) as environment:
-        environment.configure(connection=connection)
-        environment.run_migrations()
+    with engine.begin() as connection:
+        take(connection, newest)
         for table, row in {**OLD, "sessions": {**OLD["sessions"], **session}}.items():
             names = ", ".join(f'"{name}"' for name in row)
             values = ", ".join(f":{name}" for name in row)

@@ -75,7 +75,7 @@ def test_mistakes_are_one_line_and_make_nothing(folder: Path, tmp_path: Path) ->
     for arguments, told in (
         (("export", empty), "does not exist; wanted: a store"),
         (("export", folder, "--study", "ff"), "has 0 studies of 'ff'"),
-        (("erase", folder, 3), "number is 3; allowed: 0 to 2"),
+        (("erase", folder, 3), "person is 3; allowed: 0 to 2"),
         (("backup", empty, "-o", tmp_path / "a.sqlite"), "does not exist; wanted: a store"),
         (("restore", tmp_path / "a.sqlite", empty), "does not exist"),
     ):

@@ -52,6 +52,11 @@ def exported_answers(
     asked = sorted({str(row["question"]) for row in rows})
     if len(asked) == 1 and question is None:
         question = asked[0]
+    elif question is None:
+        raise InputError(
+            f"{path}: answers several questions, and none is chosen; "
+            f'wanted: question="{asked[0]}" or another of {", ".join(asked)}'
+        )
     elif question not in asked:
         raise InputError(f"{path}: question is {question!a}; allowed: {', '.join(asked)}")
     which = [

@@ -8,6 +8,7 @@ logins are not, for whoever is logged in is logged in to one server.
 from __future__ import annotations
 
 import contextlib
+import json
 import sqlite3
 import tempfile
 from collections.abc import Iterator
@@ -21,10 +22,11 @@ import sqlalchemy as sa
 from nacreous import file
 from nacreous.missing import missing
 from nacreous.problem import InputError
-from nacreous.study.store.engine import BESIDE, engine_of, writing
+from nacreous.study.store.engine import BESIDE, engine_of, given_place, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
 from nacreous.study.store.migrate import check_revision, upgrade
 from nacreous.study.store.schema import answers, logins, metadata, sessions, studies
+from nacreous.study.store.studies import is_intact
 
 #: Rows read and written at a time.
 _ROWS = 2000
@@ -59,21 +61,46 @@ def backup(place: str | PathLike[str] | None, output: str | PathLike[str]) -> Co
 def restore(backup: str | PathLike[str], place: str | PathLike[str] | None) -> Copied:
     """Make a store from a backup, whole or not at all; an older schema is brought up to date.
 
-    The backup is checked first. There must be no store at `place` yet. Raises `InputError`
-    otherwise, `StoreError` where the machine refuses.
+    The backup is checked first. There must be no store at `place` yet; a folder is made where a
+    name without an ending says none that is there. Raises `InputError` otherwise, `StoreError`
+    where the machine refuses.
     """
     if not Path(backup).is_file():
         raise missing(backup)
     counts = _checked(Path(backup))
-    engine = engine_of(place)
-    try:
-        if engine.dialect.name == "sqlite":
-            _restore_file(Path(backup), Path(place_of(engine)))
-        else:
-            _restore_rows(Path(backup), engine)
-    finally:
-        engine.dispose()
+    with _made_folder(place):
+        engine = engine_of(place)
+        try:
+            if engine.dialect.name == "sqlite":
+                _restore_file(Path(backup), Path(place_of(engine)))
+            else:
+                _restore_rows(Path(backup), engine)
+        finally:
+            engine.dispose()
     return counts
+
+
+@contextlib.contextmanager
+def _made_folder(place: str | PathLike[str] | None) -> Iterator[None]:
+    """The folder that a name without an ending means; none is left where nothing comes of it."""
+    given = given_place(place)
+    folder = Path(given)
+    if "://" in given or folder.suffix or not folder.parent.is_dir():
+        yield
+        return
+    try:
+        folder.mkdir()
+    except FileExistsError:
+        yield
+        return
+    except OSError as problem:
+        raise InputError(f"{folder}: cannot be made ({problem.strerror})") from None
+    try:
+        yield
+    except BaseException:
+        with contextlib.suppress(OSError):
+            folder.rmdir()
+        raise
 
 
 def _restore_file(backup: Path, target: Path) -> None:
@@ -171,9 +198,24 @@ def _checked(path: Path) -> Copied:
             with translated(str(path)), engine.connect() as reading:
                 if check_revision(reading, str(path)) is None:
                     raise InputError(f"{path}: is empty; wanted: a backup of a store")
+                _check_manifests(reading, str(path))
                 return Copied(*(_count(reading, table) for table in (studies, sessions, answers)))
         finally:
             engine.dispose()
+
+
+def _check_manifests(connection: sa.Connection, place: str) -> None:
+    """What the answers are answers to has not been changed since it was frozen."""
+    for row in connection.execute(sa.select(studies.c.hash, studies.c.manifest)):
+        try:
+            intact = is_intact(row.hash, json.loads(row.manifest))
+        except (TypeError, ValueError, RecursionError):
+            intact = False
+        if not intact:
+            raise InputError(
+                f"{place}: the manifest of study {ascii(row.hash)[1:13]} has been changed since it "
+                "was frozen; wanted: as it was made"
+            )
 
 
 def _count(connection: sa.Connection, table: sa.Table) -> int:

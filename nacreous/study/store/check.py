@@ -85,6 +85,8 @@ def parameters(given: Mapping[str, str]) -> str:
         # The value, which may identify somebody, stands in no message: messages are logged.
         if isinstance(value, str) and printable(value) != value:
             raise InputError(f"parameter {name} has control characters; allowed: none")
+        if isinstance(value, str) and value and not value.strip():
+            raise InputError(f"parameter {name} is blank; allowed: text, or no such parameter")
         text(f"parameter {name}", value, LONGEST_PARAMETER)
     return canonical("parameters", given)
 

@@ -33,7 +33,12 @@ COLUMNS = (
     Column("excluded", "Why this person's answers are not to be counted; empty: they are."),
     Column("simulated", "Whether a program gave this answer.", None, ("true", "false")),
     Column("erased", "Whether the person was erased.", None, ("true", "false")),
-    Column("flags", "What was noticed while the answer was given, as JSON."),
+    Column(
+        "flags",
+        "What was noticed while the answer was given, as JSON: early, away (how often), resized, "
+        "not_kept (true), shrunk (the factor). Only with what may identify a person: whatever else "
+        "a page sent.",
+    ),
 )
 
 #: Of people, a row for everyone who has entered, before and after `PERSON`.

@@ -37,15 +37,21 @@ def engine_of(place: str | PathLike[str] | None) -> sa.Engine:
     Traceback (most recent call last):
     nacreous.problem.InputError: store is mysql:...; allowed: a path, or postgresql://...
     """
-    given = os.environ.get(VARIABLE) if place is None else os.fspath(place)
-    if not given:
-        raise InputError(f"store is empty; wanted: a path or a URL, as an argument or {VARIABLE}")
+    given = given_place(place)
     if "://" not in given:
         return _sqlite(Path(given))
     if given.partition("://")[0] not in ("postgresql", "postgres"):
         scheme = given.partition(":")[0]
         raise InputError(f"store is {scheme}:...; allowed: a path, or postgresql://...")
     return _postgresql(given)
+
+
+def given_place(place: str | PathLike[str] | None) -> str:
+    """The place as it was given, or as NACREOUS_STORE says. Raises `InputError` for none."""
+    given = os.environ.get(VARIABLE) if place is None else os.fspath(place)
+    if not given:
+        raise InputError(f"store is empty; wanted: a path or a URL, as an argument or {VARIABLE}")
+    return given
 
 
 def _sqlite(path: Path) -> sa.Engine:

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import sqlalchemy as sa
-from alembic.config import Config
-from alembic.runtime.environment import EnvironmentContext
 from alembic.runtime.migration import MigrationContext
-from alembic.script import ScriptDirectory
 
 from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.study.store.engine import keep_log, keep_private, make_private, writing
 from nacreous.study.store.fault import place_of, translated
 from nacreous.study.store.foreign import check_own
+from nacreous.study.store.steps import script, take
 
 #: Held while tables change, so that two programs that start at once do not both make them.
 _LOCK = 0x4E414352
@@ -41,49 +38,44 @@ def upgrade(engine: sa.Engine, *, make: bool = True) -> None:
 
 
 def _upgrade(engine: sa.Engine, place: str, make: bool) -> None:
-    config, script = _script()
+    _, steps = script()
     with writing(engine).begin() as connection:
         if connection.dialect.name == "postgresql":
             connection.execute(sa.text("SELECT pg_advisory_xact_lock(:key)"), {"key": _LOCK})
         revision = check_revision(connection, place)
         if revision is None and not make:
             raise InputError(f"{place}: is empty; wanted: a store")
-        if revision == script.get_current_head():
-            return
-        with EnvironmentContext(
-            config, script, fn=lambda revision, _context: _steps(script, revision)
-        ) as environment:
-            environment.configure(connection=connection)
-            environment.run_migrations()
+        if revision != steps.get_current_head():
+            take(connection)
 
 
 def check_revision(connection: sa.Connection, place: str) -> str | None:
     """The schema's version; None for an empty database. Refuses what this program cannot use."""
-    _, script = _script()
+    _, steps = script()
     tables = sa.inspect(connection).get_table_names()
-    if not tables:
+    if not tables and not _holds_more(connection):
         return None
     if "alembic_version" not in tables or "answers" not in tables:
         raise InputError(f"{place}: holds other tables; wanted: a store, or an empty database")
-    revision = MigrationContext.configure(connection).get_current_revision()
-    known = {step.revision for step in script.walk_revisions()}
+    heads = MigrationContext.configure(connection).get_current_heads()
+    if len(heads) > 1:
+        raise InputError(
+            f"{place}: names {len(heads)} schemas; wanted: a store as Nacreous made it"
+        )
+    revision = heads[0] if heads else None
+    known = {step.revision for step in steps.walk_revisions()}
     if revision not in known:
         raise InputError(
             f"{place}: has schema {revision!a}, which this version of Nacreous does not know; "
-            f"allowed: up to {script.get_current_head()}"
+            f"allowed: up to {steps.get_current_head()}"
         )
-    if connection.dialect.name == "sqlite":
-        check_own(connection, place)
+    if connection.dialect.name == "sqlite" and revision is not None:
+        check_own(connection, place, revision)
     return revision
 
 
-def _steps(script: ScriptDirectory, revision: Any) -> Any:
-    return script._upgrade_revs("head", revision)
-
-
-def _script() -> tuple[Config, ScriptDirectory]:
-    config = Config()
-    config.set_main_option("script_location", "nacreous.study.store:migrations")
-    config.set_main_option("version_locations", "nacreous.study.store:migrations")
-    config.set_main_option("path_separator", "newline")
-    return config, ScriptDirectory.from_config(config)
+def _holds_more(connection: sa.Connection) -> bool:
+    """Views, in an SQLite file without tables."""
+    if connection.dialect.name != "sqlite":
+        return False
+    return bool(connection.exec_driver_sql("SELECT count(*) FROM sqlite_master").scalar_one())

@@ -1,19 +1,19 @@
 """What is known of whoever gave an answer, as columns of an export: times, browser, screen checks.
 
-What may identify a person is left out unless it is asked for: the browser's full name, texts that a
-screen check holds beside its own words, whom an invitation was for, the address's parameters, and a
-completion code of the person's own.
+What may identify a person is left out unless it is asked for: the browser's full name, what a
+screen check holds beside our own keys, numbers and words, whom an invitation was for, the address's
+parameters, and a completion code of the person's own.
 """
 
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from nacreous.study.store import check
+from nacreous.study.store.disclosure import browser_family, plain_check
 from nacreous.study.store.record import Session
 from nacreous.study.task.column import Column
 from nacreous.study.task.flag import Flag
@@ -38,15 +38,18 @@ PERSON = (
         "two of three). It excludes nobody. Empty: nothing, an erased person, or a study of "
         "another version.",
     ),
-    Column("browser", "The browser's family, without its version; empty where unknown."),
+    Column(
+        "browser",
+        "The browser's family, without its version; empty where it is none that pages tell apart.",
+    ),
     Column(
         "screen_checks",
         "Every check of the screen, in order, as a JSON list of objects: at (UTC); flags (what "
         "fell short); window and screen (width_px, height_px in CSS pixels; device_pixel_ratio, "
         "colour_depth in bits); full_screen; card.px_per_mm; picture_width_mm; distance_mm, "
         "distance_by, distance_tries_mm; gamma; darkest_step (grey code, 0 to 255); gamut; hdr; "
-        "vision (plates read right, of how many); simulated; and what other versions of the page "
-        "measured.",
+        "vision (plates read right, of how many); simulated. Only with what may identify a person: "
+        "whatever else a page sent, in other keys, texts or numbers beyond 1000000.",
     ),
 )
 #: Only where what may identify a person is asked for.
@@ -61,8 +64,6 @@ IDENTIFYING = (
     Column("completion_code", "The code of the person's own, told to who has finished."),
 )
 
-#: The keys of a screen check whose texts are words of ours, and not what somebody wrote.
-_WORDS = frozenset(("flags", "distance_by", "gamut"))
 _AGENT = "agent"
 
 
@@ -112,7 +113,7 @@ def _values(
         "entered_at": [check.written("entered_at", one.started_at) for one in people],
         "consented_at": [_written(one.consented_at) for one in people],
         "finished_at": [_written(one.finished_at) for one in people],
-        "browser": [_family(agent) for agent in agents],
+        "browser": [browser_family(agent) for agent in agents],
         "person_flags": [_marks(known.flags.get(one.number, ())) for one in people],
         "screen_checks": [_told(known.checks.get(one.number, []), identifying) for one in people],
         "browser_name": [agent or None for agent in agents],
@@ -126,21 +127,11 @@ def _written(at: Any) -> str | None:
     return None if at is None else check.written("at", at)
 
 
-def _family(agent: str) -> str | None:
-    """A browser's name up to its version.
-
-    >>> _family("Mobile Safari 17.4"), _family("")
-    ('Mobile Safari', None)
-    """
-    found = re.match(r"[A-Za-z][A-Za-z ]{0,30}", agent)
-    return found[0].strip() if found else None
-
-
 def _told(checks: Sequence[Mapping[str, Any]], identifying: bool) -> str | None:
     """Checks as JSON."""
     if not checks:
         return None
-    return _json([dict(one) if identifying else _without_texts(one) for one in checks])
+    return _json([dict(one) if identifying else plain_check(one) for one in checks])
 
 
 def _marks(flags: Sequence[Flag]) -> str | None:
@@ -150,18 +141,3 @@ def _marks(flags: Sequence[Flag]) -> str | None:
 
 def _json(value: Any) -> str:
     return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
-
-
-def _without_texts(value: Mapping[str, Any]) -> dict[str, Any]:
-    """A check without what somebody may have written, at any depth."""
-    kept = {}
-    for key, one in value.items():
-        if key == "at" or key in _WORDS:
-            kept[key] = one
-        elif isinstance(one, Mapping):
-            kept[key] = _without_texts(one)
-        elif isinstance(one, list):
-            kept[key] = [part for part in one if isinstance(part, int | float)]
-        elif not isinstance(one, str):
-            kept[key] = one
-    return kept

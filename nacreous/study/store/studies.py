@@ -11,6 +11,7 @@ import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
 from nacreous.problem import InputError
+from nacreous.study.design.manifest import hash_of as sealed_hash
 from nacreous.study.store import check, journal
 from nacreous.study.store.refusal import NotAllowed
 from nacreous.study.store.schema import studies
@@ -28,6 +29,17 @@ def hash_of(manifest: Mapping[str, Any]) -> str:
     if not isinstance(given, str) or not re.fullmatch("[0-9a-f]{64}", given):
         raise InputError("manifest: study_hash is missing or no SHA-256; wanted: a frozen study")
     return given
+
+
+def is_intact(study: str, manifest: Mapping[str, Any]) -> bool:
+    """Whether a manifest is the one of a hash: computed again of what `nacreous study new` made.
+
+    A manifest without `study_hash`, which programs may keep, is known by its name alone.
+    """
+    if not isinstance(manifest, Mapping) or hash_of(manifest) != study:
+        return False
+    sealed = {key: value for key, value in manifest.items() if key != "study_hash"}
+    return "study_hash" not in manifest or sealed_hash(sealed) == study
 
 
 def add(connection: sa.Connection, at: str, study: str, manifest: str) -> None:

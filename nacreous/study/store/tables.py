@@ -21,6 +21,7 @@ from nacreous.study.store.codebook import (
     PLAN,
     group_column,
 )
+from nacreous.study.store.disclosure import plain_flags
 from nacreous.study.store.flags import WATCHED, flags_of_people
 from nacreous.study.store.person_columns import Known, PersonColumns
 from nacreous.study.task.column import Column
@@ -95,7 +96,7 @@ def _answers(store: Store, study: str, identifying: bool) -> Table:
     def made(part: Mapping[str, Sequence[Any]]) -> pa.Table:
         import pyarrow as pa
 
-        values = {**_given(part), **people.of(part["number"])}
+        values = {**_given(part, identifying), **people.of(part["number"])}
         values[CHOSEN_BY.name] = pa.array([chosen_by] * len(part["seq"]), pa.string())
         levels = levels_of(pa.array(part["groups"], pa.string()).dictionary_encode(), groups)
         values.update({groups[name].name: level for name, level in levels.items()})
@@ -116,12 +117,14 @@ _OTHERS = (
 )
 
 
-def _given(part: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+def _given(part: Mapping[str, Sequence[Any]], identifying: bool) -> dict[str, Any]:
     """What is known of the answers themselves."""
     import pyarrow as pa
 
+    flags = part["flags"] if identifying else [plain_flags(one) for one in part["flags"]]
     return {
         **{name: pa.array(part[name], pa.string()) for name in (*_TEXTS, "person")},
+        "flags": pa.array(flags, pa.string()),
         "sequence": pa.array(part["seq"], pa.int64()),
         "trial": pa.array(part["trial"], pa.int32()),
         "response_ms": pa.array(part["response_ms"], pa.float64()),

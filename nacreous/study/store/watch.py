@@ -14,10 +14,10 @@ from nacreous.scaling.check.response import MOST_FAST
 from nacreous.study.task.flag import LONGEST_PAUSE_S, Flag
 from nacreous.study.task.row import Row
 
-__all__ = ["Watch"]
+__all__ = ["NOTICED", "Watch"]
 
 #: What our page notices with an answer. Another client may write what it likes.
-_NOTICED = ("away", "early", "not_kept", "resized", "shrunk")
+NOTICED = ("away", "early", "not_kept", "resized", "shrunk")
 #: What everyone does now and then is a flag from more than this share of answers on: pressing
 #: before a pair may be answered, as with answers that are too fast.
 _OFTEN = {"early": MOST_FAST}
@@ -54,7 +54,7 @@ class Watch:
         for number, flags in zip(part["number"], part["flags"], strict=True):
             if flags != "{}":  # as nearly all are
                 names = (name for name, value in json.loads(flags).items() if value)
-                self._noticed.update((number, name) for name in names if name in _NOTICED)
+                self._noticed.update((number, name) for name in names if name in NOTICED)
 
     def flags(self) -> Iterator[tuple[int, list[Flag]]]:
         """By the number of each person who has answered."""
@@ -94,7 +94,7 @@ class Watch:
         longest_s = int(self._longest_us[number]) / 1e6
         if longest_s >= LONGEST_PAUSE_S:
             yield Flag("pause", f"{longest_s:.0f} s")
-        for name in sorted(_NOTICED):
+        for name in sorted(NOTICED):
             count = self._noticed[number, name]
             if count > _OFTEN.get(name, 0.0) * answers:
                 yield Flag(f"answer-{name}", f"{count}/{answers}")

@@ -7,6 +7,17 @@ export function parametersOf(search: string, declared: string[]): Record<string,
   return Object.fromEntries(found.filter(([, value]) => value !== ""));
 }
 
+/** What the server counts as hidden; joiners within Persian words and emoji are none. */
+const HIDDEN = /[^\P{C}\u200c\u200d]|[\p{Zl}\p{Zp}]/u;
+const LONGEST = 200;
+
+/** Whether the server will keep them; a link that was cut off or patched up says nothing. */
+export function canBeKept(parameters: Record<string, string>): boolean {
+  return Object.values(parameters).every(
+    (value) => [...value].length <= LONGEST && !HIDDEN.test(value),
+  );
+}
+
 /** At least one name. */
 export type Places = [string, ...string[]];
 

@@ -3,7 +3,7 @@
 import { Problem } from "../shared/http";
 import { fill, preferred, said } from "../shared/language";
 import type { Language } from "../shared/language";
-import { parametersOf, placesOf } from "./address";
+import { canBeKept, parametersOf, placesOf } from "./address";
 import type { Places } from "./address";
 import { Answers } from "./answers";
 import { Api, study as studyOf } from "./api";
@@ -111,6 +111,7 @@ export class Sitting {
     if (found === null) {
       const bar = barred(this.study, own);
       if (bar !== null) throw new Ended(bar);
+      if (!canBeKept(parameters)) throw new Ended("unknown"); // before anything is asked
       return entering.enter(keep).catch((reason: unknown) => this.barredNow(reason));
     }
     await keep();
