@@ -8,6 +8,7 @@ export PATH := VIRTUAL_ENV / "bin:" + justfile_directory() / ".tools/bin:" + env
 export UV_PYTHON_DOWNLOADS := "never"
 export NODE_DISABLE_COMPILE_CACHE := "1" # npm would leave one in the temporary folder
 unexport CONDA_PREFIX
+unexport PYTHONDONTWRITEBYTECODE # tests start hundreds of programs, each of which would compile all it imports
 unexport PYTHONHOME
 unexport PYTHONPATH
 unexport UV_PYTHON
@@ -47,8 +48,8 @@ test-rust *options: setup
 # Run the Python tests, the examples in docstrings, README, docs and examples/ included
 [group("trust")]
 test-python *options: setup
-    @# Tests of servers and pages mostly wait; a file's tests stay together, for they share what they made.
-    tests/own-temporary-folder pytest --numprocesses 2 --dist loadfile {{ options }}
+    @# Tests of servers and pages mostly wait, so three at a time suit two processors; a file's tests stay together, for they share what they made.
+    tests/own-temporary-folder pytest --numprocesses 3 --dist loadfile {{ options }}
 
 # Check the pages' types and format, and run the tests that need no server
 [group("trust")]

@@ -1,7 +1,6 @@
 """Stores to test with: what takes `place` runs on SQLite and on PostgreSQL."""
 
 from collections.abc import Iterator
-from itertools import count
 from pathlib import Path
 
 import httpx
@@ -15,8 +14,6 @@ from nacreous.study.running import Running
 from nacreous.study.store import Store
 from tests.support.database import Server, start
 from tests.support.server_process import in_thread, prepare, small_study, some_pages
-
-_NAMES = count()
 
 
 @pytest.fixture(scope="session")
@@ -32,7 +29,7 @@ def place(request: pytest.FixtureRequest, tmp_path: Path) -> str:
     if request.param == "sqlite":
         return str(tmp_path / "answers.sqlite")
     server: Server = request.getfixturevalue("postgresql")
-    return server.create(f"store_{next(_NAMES)}")
+    return server.emptied("store")
 
 
 @pytest.fixture

@@ -24,8 +24,6 @@ def work_for(line: Connection, folder: Path, place: str) -> None:
 
     The study and the store are opened anew and only read.
     """
-    import nacreous.scaling.report.analysis  # noqa: F401 (takes a second; now, not later)
-
     _give_back()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C on a terminal is for the server
     if sys.platform != "win32":

@@ -27,7 +27,10 @@ P = ParamSpec("P")
 
 
 class Worker:
-    """Starts its process when it is entered, as by `with`, and ends it at the end."""
+    """Starts its process when it is first asked, and ends it when it is left, as by `with`.
+
+    A study that no experimenter looks at needs none.
+    """
 
     def __init__(self, folder: Path, place: str) -> None:
         self._opened = (folder, place)
@@ -42,9 +45,7 @@ class Worker:
         return await run_in_threadpool(self._ask, work, args, kwargs)
 
     def __enter__(self) -> Worker:
-        """Start, without waiting until it is ready."""
-        with self._one:
-            self._connected()
+        """Nothing is started yet."""
         return self
 
     def __exit__(
