@@ -13,6 +13,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from nacreous.frames import without_pandas
 from nacreous.problem import InputError
 from nacreous.study.design import open_frozen
 from nacreous.study.running import Running
@@ -25,6 +26,7 @@ def work_for(line: Connection, folder: Path, place: str) -> None:
     The study and the store are opened anew and only read.
     """
     _give_back()
+    without_pandas()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C on a terminal is for the server
     if sys.platform != "win32":
         os.nice(10)

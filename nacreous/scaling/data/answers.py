@@ -225,6 +225,22 @@ class Answers:
                 parts[level] = self.take(rows)._with_own_people()
         return parts
 
+    def sizes(self, column: str) -> dict[str, tuple[int, int]]:
+        """How many people and answers each part of `split` has; people are 0 where unknown.
+
+        >>> table = {"left": ["a", "b"], "right": ["b", "a"], "chosen": ["a"] * 2}
+        >>> Answers.of_table(table | {"person": ["x", "x"], "eye": ["L", "R"]}).sizes("eye")
+        {'L': (1, 1), 'R': (1, 1)}
+        """
+        group = self._group(column)
+        found = {}
+        for index, level in enumerate(group.levels):
+            here = group.code == index
+            people = 0 if self.person is None else len(np.unique(self.person[here]))
+            if answers := int(here.sum()):
+                found[level] = (people, answers)
+        return found
+
     def _group(self, column: str) -> Grouping:
         column = name_of(column)
         if column in self.groups:

@@ -217,6 +217,7 @@ def analyse(
     doubt = doubt_of(fit, wanted, watch)
     rest = None if progress is None else lambda share: show(_RESAMPLING + share * _DEALING)
     people = people_of(answers, wanted, rest)
+    consistent = consistency(comparisons if answers is None else answers, own.scale)
     groups = None
     if wanted.group is not None and answers is not None:
         groups = groups_of(answers, wanted, fit.tie_threshold is not None)
@@ -229,7 +230,7 @@ def analyse(
         doubt=doubt,
         neighbours=neighbours_of(fit, doubt, wanted.level),
         goodness=goodness(own, wanted.level),
-        consistency=consistency(comparisons if answers is None else answers, own.scale),
+        consistency=consistent,
         people=people,
         groups=groups,
         example=example,
