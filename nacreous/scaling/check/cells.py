@@ -116,7 +116,7 @@ class Cells:
 
     @property
     def tie_residuals(self) -> NDArray[np.float64]:
-        """float64 [row], standard deviations by which too many are ties; 0 where none are fitted."""
+        """float64 [row], standard deviations by which too many are ties; 0 where none can be."""
         if self.outcomes == 2:
             return np.zeros(len(self.first))
         tied, rest = self._least[:, 2], self._least[:, 0] + self._least[:, 1]
