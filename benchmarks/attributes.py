@@ -107,7 +107,8 @@ def main() -> None:
             f"({len(low)} studies)",
             flush=True,
         )
-    table_of_few(args.few)
+    if args.few:
+        table_of_few(args.few)
 
 
 if __name__ == "__main__":

@@ -148,6 +148,21 @@ def test_few_stimuli_that_happen_to_lie_on_the_line_do_not_make_weights_certain(
         assert one.se**2 > 1.1 * found.line.covariance[number, number]
 
 
+def test_a_stimulus_that_always_wins_does_not_make_weights_those_of_these_stimuli_alone():
+    random = np.random.default_rng(3)
+    attributes = random.standard_normal((9, 2))
+    values = 0.5 * attributes[:, 0] + 0.4 * random.standard_normal(9)
+    values[2] = 6.0
+    table = {
+        str(k + 1): {"a": float(a), "b": float(b)} for k, (a, b) in enumerate(attributes.tolist())
+    }
+    found = fit_attributes(simulate(values, 12, person_spread=0.3, seed=2), table)
+    assert found.free is None
+    assert found.unexplained > 0.4
+    alone = np.sqrt(np.diag(found.line.covariance))
+    assert all(one.se > 1.5 * se for one, se in zip(found.weights, alone, strict=True))
+
+
 def test_people_who_differ_make_weights_less_sure(answers):
     known, unknown = fit_attributes(answers, TABLE), fit_attributes(answers.comparisons(), TABLE)
     assert known.clustered

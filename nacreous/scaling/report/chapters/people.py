@@ -56,7 +56,7 @@ def described(analysis: Analysis, found: Population, words: Words) -> Html:
         return _spread(analysis, found, words)
     if found.kind == "spread or classes":
         few = analysis.answers is not None and len(analysis.answers.people) < _MOSTLY_TOLD
-        more = words(f"people.untold_{'few' if few else 'more'}", least=str(_MOSTLY_TOLD))
+        more = words("people.untold_few" if few else "people.untold_more", least=_MOSTLY_TOLD)
         return words.sentences(words("people.untold"), more)
     shares = words.listed([percent(one.share) for one in found.classes])
     said = [words("people.classes", count=len(found.classes), shares=shares)]
