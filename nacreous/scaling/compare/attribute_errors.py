@@ -61,7 +61,8 @@ def satterthwaite(people: Array, stimuli: Array, freedom: Array | float, rest: i
     total = people + stimuli
     share = np.divide(stimuli, total, out=np.zeros(len(total)), where=total > 0)
     lost = (1 - share) ** 2 / freedom + share**2 / rest
-    return np.divide(1.0, lost, out=np.full(len(lost), np.inf), where=lost > 0)
+    found: Array = np.divide(1.0, lost, out=np.full(len(lost), np.inf), where=lost > 0)
+    return found
 
 
 def weight_errors(fit: Scale) -> WeightErrors:
