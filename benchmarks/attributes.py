@@ -7,8 +7,8 @@ first eight differ from person to person by a standard deviation of 0.3. Stimuli
 their own besides ("own", a standard deviation in z), or a square of the first attribute may be left
 out of the model. A null weight should reach p < 0.05 in 5 % of cases.
 
-Then few stimuli: 7, with 3 attributes of which one has a weight, each pair once by 12 people whose own
-values differ by 0.3 z, with and without ties.
+Then few stimuli: 7, with 3 attributes of which one has a weight, each pair once by 12 people whose
+own values differ by 0.3 z, with and without ties.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What we write as CSV holds no cell that a spreadsheet takes for a formula, and is read as it was."""
+"""What we write as CSV holds no cell that a spreadsheet takes for a formula, and is read back."""
 
 from __future__ import annotations
 

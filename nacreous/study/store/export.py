@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING
 
 from nacreous import file, folder
 from nacreous.problem import InputError
+from nacreous.scaling.data.spreadsheet import defused, plain
 from nacreous.study.store import answers as answering
 from nacreous.study.store import check
 from nacreous.study.store.answers import ROWS
 from nacreous.study.store.codebook import description, group_column
 from nacreous.study.store.coded import Coded
-from nacreous.scaling.data.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
 from nacreous.study.store.tables import TABLES, Table, levels_of
 from nacreous.study.task.tasks import task_of
