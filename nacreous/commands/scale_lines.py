@@ -132,6 +132,8 @@ def _people_told(found: Analysis) -> list[str]:
         said += f"; correlation {last:z.2f}" if len(described.classes) == 2 else ""
     elif described.kind == "spread":
         said = _spread_told(described)
+    elif described.kind == "spread or classes":
+        said = "values of their own or classes of people: these answers cannot tell which"
     else:
         said = "too slightly to describe how"
     return [*lines, said]

@@ -184,6 +184,23 @@ def told(study, language="en") -> str:
     return unescape(re.sub(r"<[^>]+>", "", text))
 
 
+def test_labels_that_are_read_from_right_to_left_stand_apart_from_the_words_around_them():
+    """Unicode's bidirectional algorithm (UAX 9) would put a row of them in the other order."""
+    scale = {"A": 0.0, "שלום": 1.0, "مرحبا": 0.5}
+    data = nc.scaling.simulate(scale, 20, seed=1)
+    study = nc.scaling.analyse(data, bootstrap=0, question="איזה טוב?")
+    for language in ("en", "ja"):
+        page = study.text("a.html", language)
+        assert "unicode-bidi: isolate" in page
+        for label in ("שלום", "مرحبا"):
+            assert f'<b class="name" dir="auto">{label}</b>' in page
+            for found in re.finditer(label, re.sub(r"<text\b.*?</text>", "", page)):
+                assert found.string[: found.start()].endswith(('dir="auto">', "\u2068"))
+        assert "<title>" in page
+        assert "\u2068איזה טוב?\u2069" in page[: page.index("</title>")]
+        assert '<b class="name">A</b>' in page
+
+
 def test_the_papers_report_says_what_the_paper_found(paper):
     said = told(paper)
     for sentence in (

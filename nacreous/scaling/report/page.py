@@ -18,7 +18,7 @@ from nacreous.scaling.report.chapters import (
     scale,
     short,
 )
-from nacreous.scaling.report.translation import Html, Words, markup, thousands
+from nacreous.scaling.report.translation import Html, Words, apart, thousands
 
 __all__ = ["html"]
 
@@ -54,7 +54,7 @@ def html(analysis: Analysis, language: str = "en", screens: Mapping[str, int] | 
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{_title(analysis, words, markup)}</title>
+<title>{_title(analysis, words, apart)}</title>
 <style>
 {_STYLE.read_text(encoding="utf-8")}</style>
 </head>

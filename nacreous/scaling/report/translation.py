@@ -9,6 +9,7 @@ from functools import cache
 from html import escape
 from pathlib import Path
 from typing import Any
+from unicodedata import bidirectional
 
 from nacreous.printable import printable_lines
 from nacreous.problem import InputError
@@ -50,6 +51,35 @@ def language_of(label: object) -> str:
     return ' lang="ja"' if re.search(japanese, text) else ""
 
 
+def direction_of(label: object) -> str:
+    """The attribute that sets a label apart that is read from right to left, "" for others.
+
+    Without it the order of labels in a row, and of signs between them, would turn.
+
+    >>> direction_of("שלום"), direction_of("pearl 1")
+    (' dir="auto"', '')
+    """
+    return ' dir="auto"' if _turns(str(label)) else ""
+
+
+def apart(value: object) -> Html:
+    """The value as HTML without marks, set apart where it is read from right to left.
+
+    For text that can hold no element: titles, attributes, and what is not known to be a label.
+
+    >>> apart("a < b"), len(apart("שלום"))
+    ('a &lt; b', 6)
+    """
+    text = markup(value)
+    if isinstance(value, Html) or not _turns(text):
+        return text
+    return Html(f"\N{FIRST STRONG ISOLATE}{text}\N{POP DIRECTIONAL ISOLATE}")
+
+
+def _turns(text: str) -> bool:
+    return any(bidirectional(letter) in ("R", "AL") for letter in text)
+
+
 class Words:
     """All texts of one language, by their keys in en.toml or ja.toml.
 
@@ -65,7 +95,7 @@ class Words:
 
     def __call__(self, key: str, **values: object) -> Html:
         """The text of a key as HTML, with the values in their places."""
-        safe = {name: markup(value) for name, value in values.items()}
+        safe = {name: apart(value) for name, value in values.items()}
         return Html(escape(self._texts[key], quote=False).format(**safe))
 
     def plain(self, key: str) -> str:
@@ -77,9 +107,9 @@ class Words:
         return self._texts["paper.question"] if asked is None and example else asked
 
     def quoted(self, text: str) -> Html:
-        """A question as it was put, in the glyphs of its language."""
-        language = language_of(text)
-        return Html(f"<span{language}>{markup(text)}</span>") if language else markup(text)
+        """A question as it was put, in the glyphs and the direction of its language."""
+        look = language_of(text) + direction_of(text)
+        return Html(f"<span{look}>{markup(text)}</span>") if look else markup(text)
 
     def count(self, noun: str, number: float) -> Html:
         """A number with its noun: "1 person", "2 people".
@@ -92,7 +122,8 @@ class Words:
 
     def name(self, label: object) -> Html:
         """A stimulus, a person or a group, set so that it stands out of the sentence."""
-        return Html(f'<b class="name"{language_of(label)}>{markup(str(label))}</b>')
+        look = language_of(label) + direction_of(label)
+        return Html(f'<b class="name"{look}>{markup(str(label))}</b>')
 
     def listed(self, items: Sequence[object], most: int = 30) -> Html:
         """Items in a row: "a, b and c"; beyond `most` the rest is only counted."""
@@ -144,9 +175,10 @@ class Words:
         """What stands under an axis."""
         return self._texts[f"scale.unit.{unit.rstrip(chr(39))}"]
 
-    def alt(self, key: str, **values: object) -> str:
-        """What a drawing shows, as plain text."""
-        return self._texts[key].format(**values)
+    def alt(self, key: str, **values: object) -> Html:
+        """What a drawing shows, for an attribute."""
+        safe = {name: apart(value) for name, value in values.items()}
+        return Html(escape(self._texts[key]).format(**safe))
 
     def paragraph(self, key: str, **values: object) -> Html:
         """A text as a paragraph."""

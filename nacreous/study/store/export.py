@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING
 
 from nacreous import file, folder
 from nacreous.problem import InputError
+from nacreous.scaling.data.spreadsheet import defused, plain
 from nacreous.study.store import answers as answering
 from nacreous.study.store import check, people
 from nacreous.study.store.answers import COUNTED, ROWS
 from nacreous.study.store.codebook import description, group_column
 from nacreous.study.store.coded import Coded
-from nacreous.study.store.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
 from nacreous.study.store.tables import TABLES, Table, levels_of
 from nacreous.study.task.tasks import task_of
@@ -52,7 +52,7 @@ def export(
     folder, which must not be there yet: `dataset_description.json` describes every column, and
     `data/` holds all three. A file or folder is whole or absent.
     bom: begin a .csv with a byte order mark, by which Excel knows UTF-8. In CSV texts that a
-    spreadsheet would take for a formula are defused (`nacreous.study.store.spreadsheet`).
+    spreadsheet would take for a formula are defused (`nacreous.scaling.data.spreadsheet`).
     identifying: with what may identify a person (`nacreous.study.store.person_columns`), readable
     by the owner alone. Raises `InputError` where it cannot be written.
     """

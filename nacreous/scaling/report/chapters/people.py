@@ -14,6 +14,8 @@ from nacreous.scaling.report.translation import Html, Words, chance, number, per
 __all__ = ["chapter", "described"]
 
 _MOST_COVARIATES = 20
+#: People from which on classes and spread are told apart in most studies (docs/people.md).
+_MOSTLY_TOLD = 15
 #: Correlation of two classes' scales below which one is called near the reverse of the other.
 _OPPOSITE = -0.8
 
@@ -52,6 +54,10 @@ def described(analysis: Analysis, found: Population, words: Words) -> Html:
         return words("people.one")
     if found.kind == "spread":
         return _spread(analysis, found, words)
+    if found.kind == "spread or classes":
+        few = analysis.answers is not None and len(analysis.answers.people) < _MOSTLY_TOLD
+        more = words("people.untold_few" if few else "people.untold_more", least=_MOSTLY_TOLD)
+        return words.sentences(words("people.untold"), more)
     shares = words.listed([percent(one.share) for one in found.classes])
     said = [words("people.classes", count=len(found.classes), shares=shares)]
     if len(found.classes) == 2:
