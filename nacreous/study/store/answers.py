@@ -26,6 +26,11 @@ COUNTED = {
     **dict.fromkeys((*PLACES, "chosen", "who"), "text"),
     **{"trial": "int64", "response_ms": "float64"},
 }
+#: What flags of an answer's person hang on, and how it is held.
+WATCHED = {
+    **dict.fromkeys(("session", "kind", "question", *PLACES, "chosen", "flags"), "text"),
+    **{"received_at": "string", "response_ms": "float64", "simulated": "bool"},
+}
 REFUSED = "answer refused"
 #: Answers of one session that are kept after they were refused. A second tab or device gives a few;
 #: more only a program that would fill the disk.
@@ -185,6 +190,12 @@ def counting_parts(
     if connection.execute(out.limit(1)).first():
         query = query.where(sa.or_(answers.c.session.is_(None), answers.c.session.not_in(out)))
     yield from lines.tables(connection, query, COUNTED, {"response_ms"}, ROWS)
+
+
+def watched_parts(connection: sa.Connection, study: str) -> Iterator[pa.Table]:
+    """What flags hang on (`WATCHED`), of all answers in the order of arrival."""
+    query = sa.select(*(answers.c[name] for name in WATCHED)).where(answers.c.study == study)
+    yield from lines.tables(connection, query, WATCHED, {"session", "response_ms"}, ROWS)
 
 
 def _joined(study: str, *columns: Any) -> sa.Select[Any]:

@@ -55,14 +55,14 @@ class Coded:
         parts, kind = self._parts.pop(name), self._kinds[name]
         if kind != "text":
             return pa.chunked_array(parts, pa.type_for_alias(kind)).combine_chunks()
-        rows = np.concatenate([np.zeros(0, np.int32), *parts])
+        rows = np.concatenate([np.zeros(0, np.int16), *parts])
         del parts  # which are as large once more
         indices = pa.array(rows, mask=rows < 0 if rows.min(initial=0) < 0 else None)
         return pa.DictionaryArray.from_arrays(indices, pa.array(self._codes[name], pa.string()))
 
 
-def _indices(texts: Any, codes: dict[str, int]) -> NDArray[np.int32]:
-    """The code of each text, -1 of None; one that is new gets the next."""
+def _indices(texts: Any, codes: dict[str, int]) -> NDArray[np.int16] | NDArray[np.int32]:
+    """The code of each text, -1 of None; one that is new gets the next. Few take two bytes each."""
     import pyarrow as pa
 
     if isinstance(texts, pa.ChunkedArray):
@@ -71,4 +71,6 @@ def _indices(texts: Any, codes: dict[str, int]) -> NDArray[np.int32]:
         found = pa.array(texts, pa.string()).dictionary_encode()
     own = [codes.setdefault(text, len(codes)) for text in found.dictionary.to_pylist()]
     places = np.asarray(found.indices.fill_null(len(own)), np.int64)
+    if len(codes) <= np.iinfo(np.int16).max:
+        return np.array([*own, -1], np.int16)[places]
     return np.array([*own, -1], np.int32)[places]

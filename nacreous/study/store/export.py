@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from nacreous import file, folder
 from nacreous.problem import InputError
 from nacreous.scaling.data.spreadsheet import defused, plain
+from nacreous.study.memory import give_back
 from nacreous.study.store import answers as answering
 from nacreous.study.store import check, people
 from nacreous.study.store.answers import COUNTED, ROWS
@@ -107,7 +108,7 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     groups = {group_column(name).name: level for name, level in levels_of(given).items()}
     found = task_of({}).answers({**held, "person": person}, groups)
     del held, person, given, groups
-    _give_back()
+    give_back()
     return found
 
 
@@ -125,13 +126,6 @@ def _of_people(
         pa.DictionaryArray.from_arrays(rows, named),
         pa.DictionaryArray.from_arrays(rows, given),
     )
-
-
-def _give_back() -> None:
-    """Let Arrow give back what it has freed, which of two million answers is 130 MB."""
-    import pyarrow as pa
-
-    pa.default_memory_pool().release_unused()
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:

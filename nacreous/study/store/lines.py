@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 __all__ = ["KINDS", "tables"]
 
-#: How a column is held, by what it is called here.
-KINDS = ("text", "int64", "float64", "bool")
+#: How a column is held: "text" is an Arrow dictionary of the part, the others are Arrow's own.
+KINDS = ("text", "string", "int64", "float64", "bool")
 
 
 def tables(
@@ -32,7 +32,7 @@ def tables(
     """What a query of answers finds, in the order of arrival, from so many places at a time.
 
     query: whose columns bear the names of `kinds`, and which selects from `answers`. nullable: the
-    columns that may be NULL. Texts come as Arrow dictionaries of the part.
+    columns that may be NULL.
     """
     columns = {column.name: column for column in query.selected_columns}
     fields = [(columns[name], kind, name in nullable) for name, kind in kinds.items()]
@@ -60,7 +60,7 @@ def _printed(fields: _Fields) -> sa.ColumnElement[str]:
 
     Nothing stands for NULL, texts are between quotation marks, and numbers have all their digits.
     """
-    forms = {"text": '"%w"', "int64": "%lld", "float64": "%!.17g", "bool": "%d"}
+    forms = {"text": '"%w"', "string": '"%w"', "int64": "%lld", "float64": "%!.17g", "bool": "%d"}
     form, values = [], []
     for column, kind, nullable in fields:
         form.append("%s" if nullable else forms[kind])
@@ -74,7 +74,8 @@ def _concatenated(fields: _Fields) -> sa.ColumnElement[str]:
 
     def value(column: sa.ColumnElement[Any], kind: str) -> sa.ColumnElement[str]:
         quoted = sa.literal('"').concat(sa.func.replace(column, '"', '""')).concat('"')
-        return sa.func.coalesce(quoted if kind == "text" else sa.cast(column, sa.Text), "")
+        text = quoted if kind in ("text", "string") else sa.cast(column, sa.Text)
+        return sa.func.coalesce(text, "")
 
     return sa.func.concat_ws(",", *(value(column, kind) for column, kind, _ in fields))
 
