@@ -135,7 +135,7 @@ def test_japanese_is_read_in_the_encodings_of_japan(tmp_path):
     ("labels", "python"),
     [
         (["Émail", "Nacré", "Doré"], "cp1252"),
-        (["Pearl’s", "“two”", "—"], "cp1252"),
+        (["Pearl’s", "“two”", "a—b"], "cp1252"),
         (["été", "Régis", "éb"], "latin-1"),
         (["ﾃﾘ", "ﾏｷ", "ｲﾛ"], "cp932"),
         (["光", "沢", "光沢"], "cp932"),

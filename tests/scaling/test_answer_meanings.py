@@ -82,7 +82,61 @@ def test_a_tie_that_chosen_does_not_know_is_refused():
     with pytest.raises(nc.InputError, match=r'row 0: tie says .*, and chosen is "A"; allowed'):
         Answers.of_table(table)
     assert Answers.of_table(table | {"tie": [0, 1]}).outcome.tolist() == [1, 0]
-    assert "draw" in Answers.of_table(table | {"tie": [0, 1], "draw": [3, 4]}).groups
+    with pytest.raises(nc.InputError, match='row 1: tie says that this is no tie, .* is "tie"'):
+        Answers.of_table(table | {"tie": [0, 0]})
+
+
+@pytest.mark.parametrize(
+    ("yes", "no"),
+    [
+        *[("WAHR", "FALSCH"), ("VRAI", "FAUX"), ("VERDADERO", "FALSO"), ("Ja", "Nein")],
+        *[
+            ("oui", "non"),
+            ("はい", "いいえ"),
+            ("真", "偽"),
+            ("ИСТИНА", "ЛОЖЬ"),
+            ("DOĞRU", "YANLIŞ"),
+        ],
+        *[("T", "F"), ("on", "off"), ("x", ""), ("tie", ""), ("draw", "win"), ("1", "NA")],
+        *[("1.0", "0.0"), ("ＴＲＵＥ", "ＦＡＬＳＥ"), ("Unentschieden", ""), ("-", "1")[::-1]],
+    ],
+)
+def test_a_tie_is_none_in_the_words_of_any_spreadsheet(yes, no):
+    cells = [yes, no, no, yes]
+    won = {"winner": ["A", "A", "B", "B"], "loser": ["B", "B", "A", "A"], "tie": cells}
+    answers = Answers.of_table(won)
+    assert answers.outcome.tolist() == [0, 1, 1, 0]
+    assert not answers.groups
+    table = {"left": ["A", "B"], "right": ["B", "A"], "chosen": ["A", "A"], "tie": [yes, no]}
+    with pytest.raises(nc.InputError, match='row 0: tie says that this is a tie, .* is "A"'):
+        Answers.of_table(table)
+
+
+@pytest.mark.parametrize(
+    ("columns", "said"),
+    [
+        ({"tie": ["2", "0"]}, 'column tie holds "2"; allowed: 1 and 0, yes and no or TRUE and'),
+        ({"Draw": ["-1", "0"]}, 'column Draw holds "-1"; allowed'),
+        ({"引き分け": ["?", ""]}, 'column 引き分け holds "\\?"; allowed'),
+        ({"tie": ["1", "0"], "draw": ["3", "4"]}, "columns tie and draw may say which"),
+        ({"result": ["win", "draw"]}, 'column result holds "draw", and may say which'),
+        ({"tie": ["1", "0", ""]}, 'row 2: tie is empty, beside "1", "0"; allowed: one of them'),
+    ],
+)
+def test_a_column_that_may_be_about_ties_is_no_group(columns, said):
+    rows = len(next(iter(columns.values())))
+    table = {"winner": ["A", "B", "C"][:rows], "loser": ["B", "C", "A"][:rows], **columns}
+    with pytest.raises(nc.InputError, match=said):
+        Answers.of_table(table)
+
+
+def test_words_for_a_tie_are_words_in_any_letters_unless_a_stimulus_is_called_so():
+    cells = ["Tie", "TIE", "Draw", "drawn", "引き分け"]
+    told = outcomes(["A"] * 5, ["B"] * 5, cells, repeats=True)
+    assert told == ["A=B"] * 5
+    assert outcomes(["Draw"], ["B"], ["Draw"]) == ["Draw>B"]
+    with pytest.raises(nc.InputError, match='chosen is "draw"; allowed'):
+        outcomes(["Draw"], ["B"], ["draw"])
 
 
 # --- times

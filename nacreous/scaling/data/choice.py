@@ -15,21 +15,23 @@ from nacreous.scaling.data.likeness import number_of
 from nacreous.scaling.data.program import JSPSYCH, program_of
 from nacreous.scaling.data.roles import WORDS, Names
 from nacreous.scaling.data.table import Table
+from nacreous.scaling.data.truth import TIED
 
 _LEFT, _RIGHT, _TIE, _UNKNOWN = -2, -3, -4, -5
 
-#: Words for the sides, in small letters: as people and keyboards say them.
+#: Words for the sides and for neither, in small letters: as people and keyboards say them.
 SIDES = {
     **dict.fromkeys(("left", "l", "arrowleft", "{leftarrow}", "左"), _LEFT),
     **dict.fromkeys(("right", "r", "arrowright", "{rightarrow}", "右"), _RIGHT),
+    **dict.fromkeys(TIED, _TIE),
 }
 #: What words of other languages probably mean; only guessed at, in messages.
 _GUESSES = {
     "left_word": {"links", "gauche", "izquierda", "sinistra", "esquerda", "first", "erste"},
     "right_word": {"rechts", "droite", "derecha", "destra", "direita", "second", "zweite"},
     "tie": {
-        *("equal", "same", "=", "gleich", "égal", "igual", "uguale", "draw", "both", "neither"),
-        *("no difference", "unentschieden", "同じ", "引き分け", "差なし"),
+        *("equal", "same", "=", "gleich", "égal", "igual", "uguale", "both", "neither"),
+        *("no difference", "unentschieden", "égalité", "empate", "同じ", "差なし"),
     },
 }
 _EITHER = (("yes", "no"), ("true", "false"), ("y", "n"), ("f", "j"))
@@ -160,8 +162,10 @@ def _meanings(
     shown: for each row its value, and indices into labels of the left and the right one.
     """
     known = _known(names, labels)
+    named = {label.casefold() for label in labels}
+    words = {word: side for word, side in SIDES.items() if word not in named}
     numbers = {number: known[word] for word in known if (number := number_of(word))}
-    meanings = [_meaning(cell, known, numbers) for cell in found]
+    meanings = [_meaning(cell, known, numbers, words) for cell in found]
     codes = {
         cell: code[1].replace("-0", "0")
         for cell, meaning in zip(found, meanings, strict=True)
@@ -197,16 +201,21 @@ def _known(names: Names, labels: tuple[str, ...]) -> dict[str, int]:
     return known | {label: index for index, label in enumerate(labels)}
 
 
-def _meaning(cell: str, known: dict[str, int], numbers: dict[str, int]) -> int:
-    """An index into labels, a side or a tie; numbers are compared as numbers, 1.0 with 1."""
+def _meaning(
+    cell: str, known: dict[str, int], numbers: dict[str, int], words: dict[str, int]
+) -> int:
+    """An index into labels, a side or a tie; numbers are compared as numbers, 1.0 with 1.
+
+    words: in small letters, those that are no label in letters of any size.
+    """
     for each in dict.fromkeys((cell, unlisted(cell))):
         if each in known:
             return known[each]
         number = number_of(each)
         if number is not None and number in numbers:
             return numbers[number]
-        if each.casefold() in SIDES:
-            return SIDES[each.casefold()]
+        if each.casefold() in words:
+            return words[each.casefold()]
     return _UNKNOWN
 
 

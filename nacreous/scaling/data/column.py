@@ -17,8 +17,15 @@ from nacreous.scaling.data.label import LONGEST_LABEL, natural
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
 
-#: What programs write into a cell that holds nothing, in small letters.
-NOTHING = frozenset({"null", "none", "nan", "na", "n/a", "undefined", "."})
+#: What programs and people write into a cell that holds nothing, in small letters.
+NOTHING = frozenset(
+    {
+        *("null", "none", "nan", "na", "n/a", "n.a.", "undefined", "nat", "<na>", "#n/a", "#null!"),
+        *(".", "-", "--", "–", "—", "−"),
+    }
+)
+#: What is a label beside a plus, as of two poles.
+_MINUS = frozenset("-–—−")
 
 
 @value_class
@@ -74,6 +81,20 @@ def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
     )
 
 
+def is_nothing(text: Any) -> NDArray[np.bool_]:
+    """Bool [row], where a text column is empty or has a word for nothing (`NOTHING`).
+
+    A dash is a label where a plus is one.
+    """
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    plus = bool(pc.any(pc.is_in(text, pa.array(["+", "＋"], text.type))).as_py())
+    words = NOTHING - _MINUS if plus else NOTHING
+    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(words), text.type))
+    return np.asarray(pc.or_(text.is_null(), pc.fill_null(word, True)))
+
+
 def refuse_nothing(
     name: str, text: Any, faults: Faults, labels: Iterable[str] = frozenset()
 ) -> None:
@@ -81,10 +102,9 @@ def refuse_nothing(
     import pyarrow as pa
     import pyarrow.compute as pc
 
-    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(NOTHING), text.type))
-    word = pc.and_not(word, pc.is_in(text, pa.array(sorted(labels), text.type)))
+    label = np.asarray(pc.is_in(text, pa.array(sorted(labels), text.type)))
     faults.say_of_rows(
-        np.flatnonzero(np.asarray(pc.fill_null(word, False))),
+        np.flatnonzero(is_nothing(text) & ~label & np.asarray(text.is_valid())),
         lambda row: (
             f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a label"
         ),

@@ -26,7 +26,12 @@ from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.preview import without_previews
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
-from nacreous.scaling.data.tie_column import refuse_other_ties, tie_column, ties_of
+from nacreous.scaling.data.tie_column import (
+    refuse_other_ties,
+    refuse_tie_words,
+    tie_column,
+    ties_of,
+)
 from nacreous.scaling.data.time_column import time_column
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
 from nacreous.scaling.data.wide import long_of
@@ -90,6 +95,8 @@ def fields_of(
         _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in {*column.values(), tied}]
+    if won and tied is None:
+        refuse_tie_words(table, others)
     counts = counts_of(table, column["count"], faults) if "count" in column else None
     fields = Fields(
         stimuli=labels,

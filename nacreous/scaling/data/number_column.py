@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.column import is_nothing, text_column
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.table import Table
@@ -59,7 +59,7 @@ def _filled(text: Any, least: float) -> Any:
     import pyarrow.compute as pc
 
     text = pc.replace_substring_regex(text, r"^\[\s*['\"]?([^,\[\]'\"]*)['\"]?\s*\]$", r"\1")
-    nothing = pc.is_in(pc.utf8_lower(text), pa.array([*sorted(NOTHING), "", "nat"], text.type))
+    nothing = pc.or_(pc.equal(text, ""), pa.array(is_nothing(text)))
     if least == 0:
         nothing = pc.or_(
             nothing, pc.fill_null(pc.match_substring_regex(text, r"^-1(\.0*)?$"), False)
