@@ -82,7 +82,7 @@ def test_a_tie_that_chosen_does_not_know_is_refused():
     with pytest.raises(nc.InputError, match=r'row 0: tie says .*, and chosen is "A"; allowed'):
         Answers.of_table(table)
     assert Answers.of_table(table | {"tie": [0, 1]}).outcome.tolist() == [1, 0]
-    with pytest.raises(nc.InputError, match='row 1: tie says that this is no tie, .* is "tie"'):
+    with pytest.raises(nc.InputError, match=r'row 1: tie says that this is no tie, .* is "tie"'):
         Answers.of_table(table | {"tie": [0, 0]})
 
 
@@ -108,7 +108,7 @@ def test_a_tie_is_none_in_the_words_of_any_spreadsheet(yes, no):
     assert answers.outcome.tolist() == [0, 1, 1, 0]
     assert not answers.groups
     table = {"left": ["A", "B"], "right": ["B", "A"], "chosen": ["A", "A"], "tie": [yes, no]}
-    with pytest.raises(nc.InputError, match='row 0: tie says that this is a tie, .* is "A"'):
+    with pytest.raises(nc.InputError, match=r'row 0: tie says that this is a tie, .* is "A"'):
         Answers.of_table(table)
 
 

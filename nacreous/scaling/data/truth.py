@@ -13,7 +13,7 @@ _EQUAL = frozenset(
         *("pareggio", "uguale", "gelijk", "gelijkspel", "同じ", "平局", "무승부", "ничья"),
     }
 )
-#: What TRUE and "yes" are in spreadsheets and on questionnaires, and marks that tick a box: English,
+#: What TRUE and "yes" are in spreadsheets and on questionnaires, and marks of a box: English,
 #: German, French, Spanish, Italian, Portuguese, Dutch, the Nordic languages, Polish, Czech,
 #: Hungarian, Romanian, Turkish, Russian, Japanese, Chinese, Korean.
 _TRUE = frozenset(
