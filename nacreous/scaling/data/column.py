@@ -14,6 +14,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
 from nacreous.scaling.data.label import LONGEST_LABEL, natural
+from nacreous.scaling.data.number_text import numbers_of
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
 
@@ -33,11 +34,22 @@ class Grouping:
     """A column that sorts answers into groups, such as `sex` or `cohort`.
 
     `levels` are its values in natural order; `code` is int64 [answer], an index into them, or -1
-    where the cell is empty.
+    where the cell is empty. `nothing`: words that were read as an empty cell, such as NA.
+    `decimal_comma`: a number such as 1,250 is no thousand here.
     """
 
     levels: tuple[str, ...]
     code: NDArray[np.int64]
+    nothing: tuple[str, ...] = ()
+    decimal_comma: bool = False
+
+    def numbers(self, levels: Iterable[int]) -> NDArray[np.float64] | None:
+        """float64, these levels as numbers; None where any of them is none.
+
+        >>> Grouping(("20,5", "31"), np.array([0, 1])).numbers([0, 1])
+        array([20.5, 31. ])
+        """
+        return numbers_of([self.levels[level] for level in levels], self.decimal_comma)
 
 
 def text_column(table: Table, name: str) -> Any:
@@ -137,17 +149,36 @@ def codes_of(text: Any) -> tuple[tuple[str, ...], NDArray[np.int64]]:
 
 
 def group_column(table: Table, name: str) -> Grouping:
-    r"""Any column as a group. Lines become spaces, and control characters \\u and their number."""
+    r"""Any column as a group. Lines become spaces, and control characters \\u and their number.
+
+    Words for nothing are empty cells, but for `none` beside words, as of a dish without a sauce.
+    """
     import pyarrow as pa
 
-    text = text_column(table, name)
+    text, words = _without_nothing(text_column(table, name), table.decimal_comma)
     rows = _maybe_hidden(text)
     if rows:
         cells = text.to_pylist()
         for row in rows:
             cells[row] = printable(" ".join(cells[row].split()))
         text = pa.array(cells, pa.large_string())
-    return Grouping(*codes_of(text))
+    return Grouping(*codes_of(text), nothing=words, decimal_comma=table.decimal_comma)
+
+
+def _without_nothing(text: Any, decimal_comma: bool) -> tuple[Any, tuple[str, ...]]:
+    """The cells without words for nothing, and those words."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    nothing = is_nothing(text)
+    words = [word for word in text.filter(pa.array(nothing)).unique().to_pylist() if word]
+    others = text.filter(pa.array(~nothing)).unique().to_pylist()
+    if "none" in words and others and numbers_of(others, decimal_comma) is None:
+        words.remove("none")
+    if not words:
+        return text, ()
+    blank = pc.is_in(text, pa.array(words, text.type))
+    return pc.if_else(blank, pa.scalar(None, text.type), text), tuple(words)
 
 
 def _whole_where_possible(array: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any, TypedDict
 
 import numpy as np
@@ -52,6 +53,7 @@ class Fields(TypedDict):
     sided: bool
     left_out: int
     unanswered: int
+    encoding_guessed: str | None
 
 
 def fields_of(
@@ -111,6 +113,7 @@ def fields_of(
         sided=sided and not won,
         left_out=unpaired + skipped,
         unanswered=skipped,
+        encoding_guessed=table.encoding_guessed,
     )
     return fields if counts is None else _counted(fields, counts)
 
@@ -151,7 +154,7 @@ def _counted(fields: Fields, counts: NDArray[np.int64]) -> Fields:
     counted["response_s"] = None if response_s is None else response_s[row]
     counted["time"] = None if time is None else time[row]
     counted["groups"] = {
-        name: Grouping(group.levels, group.code[row]) for name, group in fields["groups"].items()
+        name: replace(group, code=group.code[row]) for name, group in fields["groups"].items()
     }
     return counted
 

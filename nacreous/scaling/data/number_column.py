@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nacreous.scaling.data.column import is_nothing, text_column
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.number_text import parsed, pointed
 from nacreous.scaling.data.table import Table
 
 
@@ -25,7 +26,7 @@ def number_column(
     cannot be one between thousands. role: of a column that may be left unused, or None.
     """
     text = _filled(text_column(table, name), least)
-    good, values = _numbers(_pointed(table, text))
+    good, values = parsed(pointed(text, table.decimal_comma))
     _say_bad(name, role, text, ~good | np.isinf(values) | (values < least), least, faults)
     return values
 
@@ -67,17 +68,6 @@ def _filled(text: Any, least: float) -> Any:
     return pc.if_else(nothing, pa.scalar(None, text.type), text)
 
 
-def _numbers(text: Any) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Whether each cell is empty or a number, and the numbers, NaN where there is none."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    number = r"^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$"
-    good = pc.fill_null(pc.match_substring_regex(text, number), True)
-    value = pc.cast(pc.if_else(good, text, pa.scalar(None, text.type)), pa.float64())
-    return np.asarray(good), np.asarray(pc.fill_null(value, np.nan)).copy()
-
-
 def _say_bad(
     name: str, role: str | None, text: Any, bad: NDArray[np.bool_], least: float, faults: Faults
 ) -> None:
@@ -92,25 +82,6 @@ def _say_bad(
             f"{name} is {quoted(text[row])}; allowed: {allowed}{_comma_hint(text[row])}{unused}"
         ),
     )
-
-
-def _pointed(table: Table, text: Any) -> Any:
-    """Decimal commas as points, where the column's commas can be nothing else.
-
-    1,250 may be a thousand and a quarter of one; 0,834 and 1,25 may not. Beside a decimal point a
-    comma is none.
-    """
-    import pyarrow.compute as pc
-
-    def some(pattern: str) -> bool:
-        return bool(pc.any(pc.match_substring_regex(text, pattern)).as_py())
-
-    comma = r"^[+-]?[0-9]+,[0-9]+$"
-    sure = table.decimal_comma or some(r"^[+-]?(0[0-9]*|[0-9]{4,}),[0-9]+$")
-    sure = sure or some(r"^[+-]?[0-9]+,([0-9]{1,2}|[0-9]{4,})$")
-    if not some(comma) or not sure or some(r"\."):
-        return text
-    return pc.replace_substring_regex(text, r"^([+-]?[0-9]+),([0-9]+)$", r"\1.\2")
 
 
 def unused_by(role: str) -> str:

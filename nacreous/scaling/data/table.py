@@ -21,7 +21,7 @@ from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.csv_table import parse_csv
-from nacreous.scaling.data.encoding import utf8_of
+from nacreous.scaling.data.encoding import guessed_encoding, utf8_of
 from nacreous.scaling.data.fault import Faults, listed
 from nacreous.scaling.data.header import find_header, name_of
 
@@ -41,7 +41,7 @@ class Table:
     `place` is the file's name, or "table"; `numbers`, int64 [row], are those by which messages call
     the rows: of a CSV file as spreadsheets count, its header being row 1, otherwise from 0. `texts`
     says of a column what Qualtrics writes below its name. `decimal_comma`: numbers with a comma
-    cannot be whole thousands here.
+    cannot be whole thousands here. `encoding_guessed`: of a file that does not say it.
     """
 
     place: str
@@ -49,6 +49,7 @@ class Table:
     numbers: NDArray[np.int64]
     texts: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     decimal_comma: bool = False
+    encoding_guessed: str | None = None
 
     @property
     def rows(self) -> int:
@@ -92,7 +93,13 @@ def read_table(
         return _table(place, _parse_parquet(place, content))
     found = parse_csv(place, content, wanted, skip_rows=skip_rows, encoding=encoding)
     table = _table(place, list(found.columns))
-    return replace(table, numbers=found.numbers, texts=found.texts, decimal_comma=found.semicolons)
+    return replace(
+        table,
+        numbers=found.numbers,
+        texts=found.texts,
+        decimal_comma=found.semicolons,
+        encoding_guessed=guessed_encoding(content) if encoding is None else None,
+    )
 
 
 def column_names(
