@@ -13,6 +13,7 @@ from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
+from nacreous.scaling.data.kind import kind_said
 from nacreous.scaling.data.label import LONGEST_LABEL, natural
 from nacreous.scaling.data.number_text import numbers_of
 from nacreous.scaling.data.table import Table
@@ -68,11 +69,19 @@ def text_column(table: Table, name: str) -> Any:
     try:
         text = pc.utf8_trim_whitespace(pc.cast(array, pa.large_string()))
     except (pa.ArrowInvalid, pa.ArrowNotImplementedError) as problem:
-        kind = f"column {name} holds values of the kind {array.type}"
-        raise InputError(f"{table.place}: {kind}; allowed: text or whole numbers") from problem
+        raise _of_kind(table, name, array.type) from problem
+    bytes_ = pa.types.is_binary(array.type) or pa.types.is_large_binary(array.type)
+    bytes_ = bytes_ or pa.types.is_fixed_size_binary(array.type)
+    if bytes_ and pc.any(pc.match_substring(text, "\0")).as_py():
+        raise _of_kind(table, name, array.type)
     if not pc.all(pc.string_is_ascii(text)).as_py():
         text = pc.utf8_normalize(text, form="NFC")
     return pc.if_else(pc.equal(text, ""), pa.scalar(None, pa.large_string()), text)
+
+
+def _of_kind(table: Table, name: str, kind: Any) -> InputError:
+    held = f"column {name} holds {kind_said(kind)}"
+    return InputError(f"{table.place}: {held}; allowed: text or whole numbers")
 
 
 def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
