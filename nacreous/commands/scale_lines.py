@@ -126,7 +126,7 @@ _UNTESTED = {
     "few people": "it is filled in for fewer than 6 people",
     "few apart": "too few people differ in it",
     "many values": "it is text, and has nearly as many values as there are people",
-    "unclear commas": "its commas may part thousands or decimals",
+    "unclear marks": "its commas or points may part thousands or decimals",
     "no numbers": "beside numbers it holds {cells}",
 }
 

@@ -104,7 +104,7 @@ def test_a_word_for_nothing_is_an_empty_cell_of_a_covariate(word):
         (["?"], "no numbers", ("?",)),
         (["inf", "1e400"], "no numbers", ("1e400", "inf")),
         ([f"{k} years" for k in range(20)], "many values", ()),
-        ([f"1,{100 + k}" for k in range(20)], "unclear commas", ()),
+        ([f"1,{100 + k}" for k in range(20)], "unclear marks", ()),
         ([*range(20, 24), *[""] * 16], "few people", ()),
     ],
 )

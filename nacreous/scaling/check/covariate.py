@@ -57,12 +57,12 @@ class Untested:
 
     `reason`: "few people" where it is filled in for fewer than 6, "few apart" where numbers split
     off fewer than 2 people or 5 %, "many values" where it is text with more than half as many
-    values as people, "no numbers" where `cells` stand beside numbers, "unclear commas" where 1,250
+    values as people, "no numbers" where `cells` stand beside numbers, "unclear marks" where 1,250
     may be a thousand or a decimal.
     """
 
     column: str
-    reason: Literal["few people", "few apart", "many values", "no numbers", "unclear commas"]
+    reason: Literal["few people", "few apart", "many values", "no numbers", "unclear marks"]
     cells: tuple[str, ...] = ()
 
 
@@ -158,8 +158,8 @@ def _unsorted(name: str, column: Grouping, used: NDArray[np.int64]) -> Untested:
     """That there are nearly as many values as people, or what keeps them from being numbers."""
     others = [column.levels[at] for at in used if column.numbers([at]) is None]
     if len(others) > len(used) / 2:
-        commas = all(re.fullmatch("[0-9]{1,3}(,[0-9]{3})+", column.levels[at]) for at in used)
-        return Untested(name, "unclear commas" if commas else "many values")
+        marks = all(re.fullmatch("[0-9]{1,3}([.,][0-9]{3})*", column.levels[at]) for at in used)
+        return Untested(name, "unclear marks" if marks else "many values")
     return Untested(name, "no numbers", tuple(others))
 
 

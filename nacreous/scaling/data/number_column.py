@@ -11,7 +11,12 @@ from numpy.typing import NDArray
 from nacreous.scaling.data.column import is_nothing, text_column
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.number_text import parsed, pointed
+from nacreous.scaling.data.number_text import (
+    has_decimal_points,
+    may_be_thousands,
+    parsed,
+    pointed,
+)
 from nacreous.scaling.data.table import Table
 
 
@@ -23,10 +28,13 @@ def number_column(
     Empty cells are NaN: that the time of one answer is unknown spoils no other. So are the words
     for nothing (`NOTHING`), and -1 where numbers are at least 0, which says that nobody answered.
     A list of one number, as PsychoPy writes it, is that number. A decimal comma is read where it
-    cannot be one between thousands. role: of a column that may be left unused, or None.
+    cannot be one between thousands; where the decimal mark is a comma, a point that may part
+    thousands is refused likewise. role: of a column that may be left unused, or None.
     """
     text = _filled(text_column(table, name), least)
     good, values = parsed(pointed(text, table.decimal_comma))
+    if table.decimal_comma and may_be_thousands(text).any() and not _has_points(table):
+        good &= ~may_be_thousands(text)
     _say_bad(name, role, text, ~good | np.isinf(values) | (values < least), least, faults)
     return values
 
@@ -84,10 +92,17 @@ def _say_bad(
     )
 
 
+def _has_points(table: Table) -> bool:
+    """Whether numbers anywhere in the table have a decimal point."""
+    return any(has_decimal_points(text_column(table, name)) for name in table.columns)
+
+
 def unused_by(role: str) -> str:
     """How a column that may be missing is left unused."""
     return f"{role}='' to leave the column unused"
 
 
 def _comma_hint(cell: object) -> str:
+    if re.fullmatch(r"[1-9][0-9]{0,2}\.[0-9]{3}", str(cell)):
+        return " without a point that may part thousands, such as 1250 or 1,25"
     return " with a decimal point" if re.fullmatch(r"[^\[]*,.*", str(cell)) else ""

@@ -23,7 +23,27 @@ def numbers_of(cells: Sequence[str], decimal_comma: bool) -> NDArray[np.float64]
 
     text = pa.array([cell.translate(_WIDE) for cell in cells], pa.large_string())
     good, values = parsed(pointed(text, decimal_comma))
+    if decimal_comma and may_be_thousands(text).any():
+        return None
     return values if good.all() and np.isfinite(values).all() else None
+
+
+def may_be_thousands(text: Any) -> NDArray[np.bool_]:
+    """Bool [row], cells such as 1.250, where no cell of the column has a point that is decimal."""
+    import pyarrow.compute as pc
+
+    if has_decimal_points(text):
+        return np.zeros(len(text), bool)
+    may = pc.match_substring_regex(text, r"^[+-]?[1-9][0-9]{0,2}\.[0-9]{3}$")
+    return np.asarray(pc.fill_null(may, False))
+
+
+def has_decimal_points(text: Any) -> bool:
+    """Whether any cell is a number whose point can be nothing but decimal: 0.834, 1.25, 1250.5."""
+    import pyarrow.compute as pc
+
+    sure = r"^[+-]?((0[0-9]*|[0-9]{4,})?\.[0-9]+|[0-9]+\.([0-9]{1,2}|[0-9]{4,}))$"
+    return bool(pc.any(pc.match_substring_regex(text, sure)).as_py())
 
 
 def parsed(text: Any) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
