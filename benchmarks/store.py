@@ -1,6 +1,7 @@
 """What two million answers cost: progress, scale, report, export, and the memory of each.
 
     python benchmarks/store.py [--answers 2000000] [--layouts many few] [--stores sqlite postgresql]
+        [--parts pages commands] [--keep FOLDER]
 
 All answers are simulated, by Thurstone's case V, and marked so in the store; they are written to
 the database directly, for two million commits would take hours. "Many" is 2,000 people of 1,000
@@ -22,7 +23,7 @@ import uuid
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from http.cookiejar import CookieJar
-from itertools import combinations
+from itertools import combinations, repeat
 from pathlib import Path
 from typing import NamedTuple
 
@@ -32,10 +33,11 @@ import sqlalchemy as sa
 from nacreous.study.design import freeze, open_frozen
 from nacreous.study.running import Running
 from nacreous.study.store import Store
+from nacreous.study.store.engine import FILE
 from nacreous.study.store.schema import sessions, studies
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from benchmarks.server import address, children, peak_mb, postgresql
+from benchmarks.server import address, children, peak_mb, postgresql, processor_s
 from tests.support import database
 
 NAME, PASSWORD = "lab", "correct horse battery staple"
@@ -68,25 +70,32 @@ def main() -> None:
     stores = ("sqlite", "postgresql")
     parser.add_argument("--stores", nargs="+", choices=stores, default=stores)
     parser.add_argument("--parts", nargs="+", choices=PARTS, default=list(PARTS))
+    parser.add_argument("--keep", type=Path, help="where a filled SQLite store is kept and found")
     args = parser.parse_args()
-    print("| store, layout | what | wall | peak memory |\n|---|---|---|---|", flush=True)
+    print("| store, layout | what | wall | processors | peak memory |\n|---|---|---|---|---|")
     for name in args.layouts:
         for kind in args.stores:
             if kind == "postgresql" and database.binaries() is None:
                 print("PostgreSQL is left out (no initdb):   sudo apt install postgresql")
                 continue
-            with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
-                study = frozen(Path(folder), LAYOUTS[name])
+            with ExitStack() as stack:
+                beside = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+                folder = args.keep / f"{name}-{args.answers}" if args.keep else beside
+                study = folder / "study"
                 place = str(study) if kind == "sqlite" else stack.enter_context(postgresql())
-                begin = time.monotonic()
-                fill(study, place, LAYOUTS[name], args.answers)
-                print(f"filled in {time.monotonic() - begin:.0f} s", file=sys.stderr, flush=True)
+                if not study.exists():
+                    frozen(folder, LAYOUTS[name])
+                if kind == "postgresql" or not (study / FILE).exists():
+                    begin = time.monotonic()
+                    fill(study, place, LAYOUTS[name], args.answers)
+                    filled_s = time.monotonic() - begin
+                    print(f"filled in {filled_s:.0f} s", file=sys.stderr, flush=True)
                 for part in args.parts:
-                    for line in PARTS[part](study, place, Path(folder)):
+                    for line in PARTS[part](study, place, beside):
                         print(f"| {kind}, {name} | {line} |", flush=True)
 
 
-def frozen(folder: Path, layout: Layout) -> Path:
+def frozen(folder: Path, layout: Layout) -> None:
     """A study of so many stimuli, whose pictures are small."""
     head = (
         'name = "two million, simulated"\npurpose = "demo"\n'
@@ -99,9 +108,9 @@ def frozen(folder: Path, layout: Layout) -> Path:
         f'[[stimuli]]\nlabel = "p{at:02d}"\npearl = "paper"\noverrides = ["depth={at / 100}"]\n'
         for at in range(1, layout.stimuli + 1)
     )
+    folder.mkdir(parents=True, exist_ok=True)
     (folder / "two-million.toml").write_text(head + stimuli, encoding="utf-8")
     freeze(folder / "two-million.toml", folder / "study")
-    return folder / "study"
 
 
 def fill(study: Path, place: str, layout: Layout, answers: int) -> None:
@@ -131,7 +140,7 @@ def person(study: str, number: int) -> dict[str, str | int]:
 def rows(study: str, ids: list[str], stimuli: int, each: int) -> Iterator[list[tuple]]:
     """Answers in parts; each person's one in twenty is a pair asked again, the sides exchanged."""
     random = np.random.default_rng(1996)
-    labels = [f"p{at:02d}" for at in range(1, stimuli + 1)]
+    labels = np.array([f"p{at:02d}" for at in range(1, stimuli + 1)])
     values = np.linspace(-1.5, 1.5, stimuli)
     pairs = np.array(list(combinations(range(stimuli), 2)))
     asked = np.empty((len(ids), each, 2), np.int64)
@@ -143,27 +152,28 @@ def rows(study: str, ids: list[str], stimuli: int, each: int) -> Iterator[list[t
         own = pairs[order[:first]]
         own = np.where(random.random((first, 1)) < 0.5, own, own[:, ::-1])
         asked[person] = np.concatenate([own, own[: each - first, ::-1]])
-    digests = 0
+    ends = [f".{person:06d}Z" for person in range(len(ids))]
     start = np.datetime64("2026-03-01T09:00:00")
-    part: list[tuple] = []
-    for trial in range(each):
-        left, right = asked[:, trial, 0], asked[:, trial, 1]
-        lead = values[left] - values[right] + random.standard_normal(len(ids))
-        times_ms = np.round(np.exp(random.normal(7.3, 0.4, len(ids))), 1)
-        second = str(start + np.timedelta64(4, "s") * trial)
-        kind = "pair" if trial < first else "repeat"
-        for person, session in enumerate(ids):
-            at = f"{second}.{person:06d}Z"
-            chosen = "left" if lead[person] > 0 else "right"
-            pair = labels[left[person]], labels[right[person]]
-            digests += 1
-            asked_and_given = study, session, trial, kind, "deeper", *pair, chosen
-            others = float(times_ms[person]), at, at, at, "{}", True, f"{digests:064x}"
-            part.append((*asked_and_given, *others))
-        if len(part) >= _ROWS:
-            yield part
-            part = []
-    yield part
+    trials_at_once = max(1, _ROWS // len(ids))
+    for begin in range(0, each, trials_at_once):
+        trials = np.arange(begin, min(begin + trials_at_once, each))
+        left, right = asked[:, trials].transpose(2, 1, 0).reshape(2, -1)
+        lead = values[left] - values[right] + random.standard_normal(len(left))
+        seconds = (start + np.timedelta64(4, "s") * trials).astype(str).tolist()
+        at = [f"{second}{end}" for second in seconds for end in ends]
+        first_row = begin * len(ids)
+        yield list(
+            zip(
+                *(repeat(study), ids * len(trials), np.repeat(trials, len(ids)).tolist()),
+                np.repeat(np.where(trials < first, "pair", "repeat"), len(ids)).tolist(),
+                *(repeat("deeper"), labels[left].tolist(), labels[right].tolist()),
+                np.where(lead > 0, "left", "right").tolist(),
+                np.round(np.exp(random.normal(7.3, 0.4, len(left))), 1).tolist(),
+                *(at, at, at, repeat("{}"), repeat(True)),
+                (f"{row:064x}" for row in range(first_row, first_row + len(left))),
+                strict=False,
+            )
+        )
 
 
 def _write(store: Store, parts: Iterator[list[tuple]]) -> None:
@@ -173,6 +183,7 @@ def _write(store: Store, parts: Iterator[list[tuple]]) -> None:
     try:
         cursor = connection.cursor()
         if store.engine.dialect.name == "sqlite":
+            cursor.execute("PRAGMA cache_size = -500000")  # indices are written all over
             cursor.execute("BEGIN")
             marks = ", ".join("?" * len(_COLUMNS))
             for part in parts:
@@ -226,15 +237,16 @@ def pages(study: Path, place: str, folder: Path) -> Iterator[str]:
             ("report on the page", "report?simulated=true"),
             ("answers.csv on the page", "answers.csv"),
         ):
-            begin = time.monotonic()
+            begin, used_s = time.monotonic(), sum(map(processor_s, processes))
             try:
                 with opener.open(f"{url}/lab/api/{path}", timeout=LONGEST_S) as told:
                     size = sum(len(part) for part in iter(lambda: told.read(2**20), b""))
                 said = f"{time.monotonic() - begin:.2f} s ({size / 1e6:.1f} MB)"
             except (TimeoutError, OSError) as problem:
                 said = f"nothing in {time.monotonic() - begin:.0f} s ({problem})"
+            used_s = sum(map(processor_s, processes)) - used_s
             held = " + ".join(f"{peak_mb(process):.0f}" for process in processes)
-            yield f"{name} | {said} | {held} MB, server + worker"
+            yield f"{name} | {said} | {used_s:.1f} s | {held} MB"
 
 
 def command(name: str, *words: str) -> Iterator[str]:
@@ -244,7 +256,9 @@ def command(name: str, *words: str) -> Iterator[str]:
         "import resource, runpy, sys\n"
         "sys.argv = ['nacreous', *sys.argv[1:]]\n"
         "try: runpy.run_module('nacreous', run_name='__main__')\n"
-        "finally: print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, file=sys.stderr)\n"
+        "finally:\n"
+        "    used = resource.getrusage(resource.RUSAGE_SELF)\n"
+        "    print(used.ru_utime + used.ru_stime, used.ru_maxrss, file=sys.stderr)\n"
     )
     try:
         done = subprocess.run(
@@ -254,12 +268,13 @@ def command(name: str, *words: str) -> Iterator[str]:
             check=True,
             timeout=LONGEST_S,
         )
-        held = int(done.stderr.strip().splitlines()[-1]) / 1024
-        yield f"{name} | {time.monotonic() - begin:.1f} s | {held:.0f} MB"
+        used_s, held_kb = map(float, done.stderr.strip().splitlines()[-1].split())
+        wall_s = time.monotonic() - begin
+        yield f"{name} | {wall_s:.1f} s | {used_s:.1f} s | {held_kb / 1024:.0f} MB"
     except subprocess.TimeoutExpired:
-        yield f"{name} | nothing in {LONGEST_S:.0f} s | –"
+        yield f"{name} | nothing in {LONGEST_S:.0f} s | – | –"
     except subprocess.CalledProcessError as problem:
-        yield f"{name} | failed: {problem.stderr[-300:]} | –"
+        yield f"{name} | failed: {problem.stderr[-300:]} | – | –"
 
 
 def commands(study: Path, place: str, folder: Path) -> Iterator[str]:

@@ -99,6 +99,7 @@ def test_triads_and_chance_agree_with_all_tournaments_counted(count):
     numbers = np.array([circles(tournament(bits, count)) for bits in every])
     assert [each.circular for each in found] == numbers.tolist()
     assert [len(each.named) for each in found] == numbers.tolist()
+    assert [each.untied for each in found] == numbers.tolist()
     assert numbers.max() == most_circular(count)
     for each, number in zip(found, numbers, strict=True):
         assert each.p_value == pytest.approx(np.mean(numbers <= number))

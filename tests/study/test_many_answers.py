@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 
-from nacreous.study.store import Store, answers_of, export
+from nacreous.study.store import Store, StoreError, answers_of, export
 from nacreous.study.store.answers import ROWS
 from nacreous.study.store.schema import answers
 from nacreous.study.task.counting import counts
@@ -45,6 +45,26 @@ def test_the_database_finds_the_answers_that_count_row_by_row(
     persons = [found.people[person] for person in found.person]
     assert persons == [person_of(row) for row in rows]
     assert found.outcome.tolist() == [{"left": 1, "tie": 0}[row["chosen"]] for row in rows]
+
+
+def test_parts_are_the_rows_column_by_column(store: Store) -> None:
+    rows = store.answers(STUDY)
+    names = ("seq", "number", "trial", "simulated", "excluded", "groups", "flags", "response_ms")
+    for part in store.parts(STUDY, names):
+        for name in names:
+            wanted = [row[name] for row in rows[: len(part[name])]]
+            assert list(part[name]) == wanted
+            assert [type(value) for value in part[name]] == [type(value) for value in wanted]
+        del rows[: len(part["seq"])]
+    assert not rows
+
+
+def test_a_database_that_fails_while_parts_are_read_is_told_as_any_other(tmp_path: Path) -> None:
+    with Store.open(tmp_path / "answers.sqlite") as store:
+        with store.engine.begin() as connection:
+            connection.execute(sa.text("DROP TABLE answers"))
+        with pytest.raises(StoreError, match="the database refuses: no such table"):
+            list(store.parts(STUDY, ("seq",)))
 
 
 def test_progress_looks_at_no_text_of_an_answer(store: Store) -> None:

@@ -108,8 +108,8 @@ def _between_answers(counts: Comparisons, ties: float) -> Agreement:
 
 def _between_people(answers: Answers, ties: float) -> Agreement:
     """Products of the answers of different people to the same pair, over those there can be."""
-    chosen = np.flatnonzero(answers.outcome != 0)
-    blocks = blocks_of(answers.take(chosen)) if len(chosen) else None
+    decided = answers.decided()
+    blocks = blocks_of(decided) if len(decided) else None
     possible = 0.0
     if blocks is not None:
         total = np.bincount(blocks.pair, blocks.answers)

@@ -86,10 +86,11 @@ def _people(
         return {}, ()
     person = answers.person[timed]
     order = np.argsort(person, kind="stable")
-    here, starts = np.unique(person[order], return_index=True)
+    count = np.bincount(person)
+    here = np.flatnonzero(count)
     labels = [answers.people[index] for index in here.tolist()]
-    own = np.split(seconds[order], starts[1:])
-    share = np.bincount(person, weights=fast)[here] / np.bincount(person)[here]
+    own = np.split(seconds[order], np.cumsum(count[here])[:-1])
+    share = np.bincount(person, weights=fast)[here] / count[here]
     medians = {label: float(np.median(part)) for label, part in zip(labels, own, strict=True)}
     return medians, tuple(labels[index] for index in np.flatnonzero(share > MOST_FAST).tolist())
 

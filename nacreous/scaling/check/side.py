@@ -12,6 +12,7 @@ from nacreous.scaling.check.share import Share
 from nacreous.scaling.check.ways_round import WaysRound, ways_round
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.distribution import binom
+from nacreous.scaling.fit.blocks import numbered
 from nacreous.scaling.fit.uncertainty import holm, level_of
 from nacreous.value import value_class
 
@@ -60,10 +61,9 @@ def side_bias(answers: Answers, level: float = 0.95) -> SideBias:
     level = level_of(level)
     if not answers.sided:
         raise InputError("the answers have no sides: the first of a pair was not the left one")
-    kept = np.flatnonzero(answers.outcome)
-    if not len(kept):
+    decided = answers.decided()
+    if not len(decided):
         raise InputError("all answers are ties; allowed: one or more with a choice")
-    decided = answers.take(kept)
     chose_left = decided.outcome == 1
     total, lefts = len(chose_left), int(chose_left.sum())
     ways = ways_round(decided)
@@ -130,7 +130,7 @@ def _balanced(answers: Answers) -> float:
     count = len(answers.stimuli)
     low = np.minimum(answers.left, answers.right)
     high = np.maximum(answers.left, answers.right)
-    _, pair = np.unique(low * count + high, return_inverse=True)
+    _, pair = numbered(low * count + high, count**2)
     lead = np.where(answers.left < answers.right, 1, -1)
     unpaired = np.abs(np.bincount(pair, weights=lead)).sum()
     return float(1 - unpaired / len(answers))

@@ -53,6 +53,12 @@ class Triads:
     won: NDArray[np.bool_] = field(repr=False)
 
     @property
+    def untied(self) -> int:
+        """How many circular triads `named` lists."""
+        won = self.won.astype(np.float64)  # each circle stands in the trace of the cube three times
+        return round(float(np.sum((won @ won) * won.T)) / 3)
+
+    @property
     def named(self) -> tuple[tuple[str, str, str], ...]:
         """The circular triads as labels, (a, b, c) with a over b over c over a.
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.distribution import chi2
+from nacreous.scaling.fit.blocks import numbered
 from nacreous.value import value_class
 
 
@@ -61,12 +62,13 @@ def ways_round(answers: Answers) -> WaysRound:
     """The ways round of answers that all have a choice."""
     low = np.minimum(answers.left, answers.right)
     high = np.maximum(answers.left, answers.right)
-    pairs, pair = np.unique(low * len(answers.stimuli) + high, return_inverse=True)
+    count = len(answers.stimuli)
+    pairs, pair = numbered(low * count + high, count**2)
     way = (answers.left > answers.right).astype(np.int64)
     chose_first = (answers.outcome == 1) == (way == 0)
-    shown, chosen = np.zeros((len(pairs), 2), np.int64), np.zeros((len(pairs), 2), np.int64)
-    np.add.at(shown, (pair, way), 1)
-    np.add.at(chosen, (pair, way), chose_first)
+    cell, cells = 2 * pair + way, 2 * len(pairs)
+    shown = np.bincount(cell, minlength=cells).reshape(-1, 2)
+    chosen = np.bincount(cell[chose_first], minlength=cells).reshape(-1, 2)
     share = (chosen / np.maximum(shown, 1)).mean(axis=1)
     return WaysRound(
         shown=shown,

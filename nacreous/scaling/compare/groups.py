@@ -46,9 +46,12 @@ from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model
 from nacreous.value import value_class
 
-__all__ = ["GroupComparison", "GroupDifference", "GroupTest", "compare_groups"]
+__all__ = ["GroupComparison", "GroupDifference", "GroupTest", "compare_groups", "compared"]
 
 Array = NDArray[np.float64]
+
+#: How often people are dealt anew to the groups.
+PERMUTATIONS = 1999
 
 
 @value_class
@@ -129,7 +132,7 @@ def compare_groups(
     ties: bool | None = None,
     order: bool = False,
     same_people: bool | None = None,
-    permutations: int = 1999,
+    permutations: int = PERMUTATIONS,
     level: float = 0.95,
     seed: int = 1,
 ) -> GroupComparison:
@@ -159,9 +162,23 @@ def compare_groups(
     whole_of("permutations", permutations, 99, 1_000_000)
     within("level", level, 0.5, 0.9999)
     found = estimates(named, model, ties=ties, order=order)
+    return compared(named, found, same_people, permutations, level, seed)
+
+
+def compared(
+    named: dict[str, Any],
+    found: dict[str, Estimate],
+    same_people: bool | None,
+    permutations: int,
+    level: float,
+    seed: int,
+) -> GroupComparison:
+    """As `compare_groups`, of groups whose scales are fitted, all of one model and alike."""
     same = shared_people(found, same_people)
+    fit = next(iter(found.values())).fit
+    model, order = fit.model, fit.order_effect is not None
     clustered = all(one.people for one in found.values())
-    fitted_ties = next(iter(found.values())).fit.tie_threshold is not None
+    fitted_ties = fit.tie_threshold is not None
     shared = fit_of(pooled(named, same), model, ties=fitted_ties, order=order)
     ratio = _likelihood_ratio(found, shared)
     joint = spread_over(found, same)

@@ -19,7 +19,7 @@ from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.pairs import codes_of_pairs
 from nacreous.scaling.data.roles import Names, check_names, wanted_of
 from nacreous.scaling.data.table import read_table, table_of
-from nacreous.unchanging import ReadOnlyMapping
+from nacreous.unchanging import ReadOnlyMapping, released
 from nacreous.value import value_class
 
 
@@ -184,10 +184,11 @@ class Answers:
         chosen = np.asarray(rows)
 
         def part(column: Any) -> Any:
-            return None if column is None else column[chosen]
+            return None if column is None else released(column[chosen])
 
         groups = {
-            name: replace(group, code=group.code[chosen]) for name, group in self.groups.items()
+            name: replace(group, code=released(group.code[chosen]))
+            for name, group in self.groups.items()
         }
         return replace(
             self,
@@ -199,6 +200,15 @@ class Answers:
             response_s=part(self.response_s),
             time=part(self.time),
         )
+
+    def decided(self) -> Answers:
+        """The answers with a choice, without the ties.
+
+        >>> table = {"left": ["a", "b"], "right": ["b", "a"], "chosen": ["a", "tie"]}
+        >>> len(Answers.of_table(table).decided())
+        1
+        """
+        return self if self.outcome.all() else self.take(np.flatnonzero(self.outcome))
 
     def split(self, column: str) -> dict[str, Answers]:
         """The answers of each group, by a group column or "person"; all keep the same stimuli.
@@ -232,6 +242,7 @@ class Answers:
     def _with_own_people(self) -> Answers:
         if self.person is None:
             return self
-        here, person = np.unique(self.person, return_inverse=True)
-        people = tuple(self.people[index] for index in here)
-        return replace(self, people=people, person=person.astype(np.int64))
+        here = np.bincount(self.person, minlength=len(self.people)) > 0
+        place = np.cumsum(here) - 1
+        people = tuple(self.people[index] for index in np.flatnonzero(here))
+        return replace(self, people=people, person=released(place[self.person]))

@@ -103,5 +103,8 @@ def numbered(codes: Index, most: int) -> tuple[Index, Index]:
     if most > 4 * len(codes) + 1000:
         found, place = np.unique(codes, return_inverse=True)
         return found, place
-    there = np.bincount(codes, minlength=most) > 0  # counting is faster than sorting
-    return np.flatnonzero(there), (np.cumsum(there) - 1)[codes]
+    there = np.zeros(most, np.bool_)  # marking is faster than sorting, and takes less memory
+    there[codes] = True
+    place = np.cumsum(there, dtype=np.int32)
+    place -= 1
+    return np.flatnonzero(there), place[codes].astype(np.int64)

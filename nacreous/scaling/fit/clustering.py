@@ -199,7 +199,7 @@ def _information(
     It hangs on the pairs that they were asked, not on what they chose: that of one answer to each
     pair, as often as a person was asked it.
     """
-    from scipy.sparse import csr_array
+    from scipy.sparse import csr_array, vstack
 
     link, ties, order, design = like
     left, right, count = answers.left, answers.right, len(answers.stimuli)
@@ -207,21 +207,25 @@ def _information(
         left, right = np.minimum(left, right), np.maximum(left, right)
     pairs, row = numbered(left * count + right, count**2)
     once, size = np.ones(1, np.int8), len(parameters)
-    each = np.empty((len(pairs), size**2))
-    for at, pair in enumerate(pairs):
+    told = []
+    for pair in pairs:
         one = Comparisons.of_outcomes(
             answers.stimuli, pair[None] // count, pair[None] % count, once, answers.sided
         )
         room = pair_model(one, link, ties, order, None, design)
-        each[at] = np.asarray(room.information(parameters, True)).ravel()
+        found = np.asarray(room.information(parameters, True)).ravel()
+        told.append(csr_array(found[None]))  # nearly all zeros
     known = answers.person if answers.person is not None else np.zeros(len(answers), np.int64)
     here, person = numbered(known, int(known.max()) + 1)
     cells, cell = numbered(person * len(pairs) + row, len(here) * len(pairs))
     table = (np.bincount(cell).astype(np.float64), (cells // len(pairs), cells % len(pairs)))
     asked = csr_array(table, (len(here), len(pairs)))
-    found = np.zeros((len(here), size**2))
-    (asked @ csr_array(each)).toarray(out=found)
-    return found.reshape(len(here), size, size)
+    seen = np.zeros((len(here), size**2))
+    each = vstack(told, format="csr")
+    for start in range(0, len(here), _PEOPLE):
+        some = slice(start, start + _PEOPLE)
+        seen[some] = (asked[some] @ each).toarray()
+    return seen.reshape(len(here), size, size)
 
 
 def _corrected(values: Array, vectors: Array, spread: Array) -> Array:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from nacreous.problem import InputError
-from nacreous.scaling.compare.estimate import estimate
-from nacreous.scaling.compare.groups import GroupComparison, compare_groups
+from nacreous.scaling.compare.estimate import Estimate, estimate
+from nacreous.scaling.compare.groups import PERMUTATIONS, GroupComparison, compared
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.clustering import require_people
 from nacreous.scaling.report.settings import Settings
@@ -47,43 +47,39 @@ def groups_of(answers: Answers, settings: Settings, with_ties: bool) -> Groups:
     with_ties: as the scale of all was fitted. Raises `InputError` where there is no such column.
     """
     parts = answers.split(settings.group or "")
-    left_out = left_out_of(parts, settings, with_ties)
-    unheld = {one.name for one in left_out}
-    compared = {name: part for name, part in parts.items() if name not in unheld}
-    if len(compared) < 2:
+    placed = {name: _placed(part, settings, with_ties) for name, part in parts.items()}
+    left_out = _left_out(placed)
+    found = {name: one for name, one in placed.items() if isinstance(one, Estimate)}
+    if len(found) < 2:
         return Groups(None, left_out)
-    found = compare_groups(
-        compared,
-        settings.model,
-        ties=with_ties,
-        order=settings.order,
-        same_people=None if _apart(compared) else True,
-        level=settings.level,
-        seed=settings.seed,
-    )
-    return Groups(found, left_out)
+    held = {name: parts[name] for name in found}
+    same = None if _apart(held) else True
+    comparison = compared(held, found, same, PERMUTATIONS, settings.level, settings.seed)
+    return Groups(comparison, left_out)
 
 
 def left_out_of(
     parts: dict[str, Answers], settings: Settings, with_ties: bool
 ) -> tuple[LeftOut, ...]:
     """Those of some groups that cannot be compared."""
-    reasons = {name: _reason(part, settings, with_ties) for name, part in parts.items()}
-    return tuple(LeftOut(name, why) for name, why in reasons.items() if why is not None)
+    return _left_out({name: _placed(part, settings, with_ties) for name, part in parts.items()})
 
 
-def _reason(part: Answers, settings: Settings, with_ties: bool) -> str | None:
-    """Why a group cannot be compared; None where it can."""
+def _left_out(placed: dict[str, Estimate | str]) -> tuple[LeftOut, ...]:
+    return tuple(LeftOut(name, why) for name, why in placed.items() if isinstance(why, str))
+
+
+def _placed(part: Answers, settings: Settings, with_ties: bool) -> Estimate | str:
+    """A group's scale, or why it cannot be compared."""
     try:
         if part.person is not None:
             require_people(part)
     except InputError:
         return "few"
     try:
-        estimate(part, settings.model, ties=with_ties, order=settings.order)
+        return estimate(part, settings.model, ties=with_ties, order=settings.order)
     except InputError:
         return "unplaced"
-    return None
 
 
 def _apart(parts: dict[str, Answers]) -> bool:

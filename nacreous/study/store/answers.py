@@ -9,6 +9,7 @@ import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
 from nacreous.study.store import check, journal, people, tokens
+from nacreous.study.store.engine import in_parts
 from nacreous.study.store.record import PLACES, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
 from nacreous.study.store.schema import answers, sessions
@@ -181,9 +182,15 @@ def _joined(study: str, *columns: Any) -> sa.Select[Any]:
 def _in_parts(
     connection: sa.Connection, query: sa.Select[Any]
 ) -> Iterator[dict[str, Sequence[Any]]]:
-    found = connection.execution_options(yield_per=ROWS).execute(query)
-    for part in found.partitions():
-        yield dict(zip(found.keys(), zip(*part, strict=True), strict=True))
+    names = [column.name for column in query.selected_columns]
+    whether = [
+        at for at, of in enumerate(query.selected_columns) if isinstance(of.type, sa.Boolean)
+    ]
+    for part in in_parts(connection, query, ROWS):
+        columns: list[Sequence[Any]] = list(zip(*part, strict=True))
+        for at in whether:  # SQLite has but numbers
+            columns[at] = [bool(value) for value in columns[at]]
+        yield dict(zip(names, columns, strict=True))
 
 
 def tally(connection: sa.Connection, study: str) -> list[Tallied]:

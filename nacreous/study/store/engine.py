@@ -7,13 +7,14 @@ import os
 import sqlite3
 import stat
 import time
+from collections.abc import Iterator, Sequence
 from importlib.util import find_spec
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import sqlalchemy as sa
-from sqlalchemy.exc import ArgumentError, OperationalError
+from sqlalchemy.exc import ArgumentError, DBAPIError, OperationalError
 
 from nacreous.problem import InputError
 
@@ -123,6 +124,29 @@ def outside_transaction(engine: sa.Engine, statement: str) -> None:
             driver.execute(statement)
         except sqlite3.OperationalError as problem:
             raise OperationalError(statement, {}, problem) from problem
+
+
+def in_parts(
+    connection: sa.Connection, query: sa.Select[Any], rows: int
+) -> Iterator[Sequence[tuple[Any, ...]]]:
+    """What a query finds, so many rows at a time, as the driver itself has them.
+
+    The database holds back the rest. SQLAlchemy's rows take as long again as the driver's.
+    """
+    if not connection.in_transaction():
+        connection.begin()
+    made = query.compile(connection, compile_kwargs={"render_postcompile": True})
+    names = made.positiontup
+    values = made.params if names is None else [made.params[name] for name in names]
+    driver: Any = connection.connection.driver_connection
+    held_back = {} if connection.dialect.name == "sqlite" else {"name": "nacreous_parts"}
+    try:
+        with contextlib.closing(driver.cursor(**held_back)) as cursor:
+            cursor.execute(made.string, values)
+            while part := cursor.fetchmany(rows):
+                yield part
+    except connection.dialect.loaded_dbapi.Error as problem:
+        raise DBAPIError(made.string, None, problem) from problem
 
 
 def _begin_sqlite(connection: sa.Connection) -> None:

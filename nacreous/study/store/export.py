@@ -107,7 +107,9 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
         raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
     given = table["groups"].combine_chunks()
     groups = {group_column(name).name: level for name, level in levels_of(given).items()}
-    return task_of({}).answers({name: table[name] for name in table.column_names}, groups)
+    held = {name: table[name] for name in table.column_names if name != "groups"}
+    del table, given  # each column is as large as all that a part of the answers takes
+    return task_of({}).answers(held, groups)
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:

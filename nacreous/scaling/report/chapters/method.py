@@ -102,8 +102,7 @@ def again(analysis: Analysis, words: Words) -> Html:
 
 def _is_long(analysis: Analysis) -> bool:
     """Whether the circular triads of thousands of people, by name, are too many to be written."""
-    untied = (one.triads for one in analysis.consistency.people if not one.triads.tied)
-    named = sum(triads.circular for triads in untied if triads.won.size)
+    named = sum(one.triads.untied for one in analysis.consistency.people)
     return named * _LEAST_TRIAD_BYTES > MOST_BYTES
 
 

@@ -36,7 +36,7 @@ def expected_shares(data: PairData, asked: Asked[PairKeys]) -> Shares:
             shares = np.full((count, count), 0.5)
             found[question, simulated] = shares
             kept = data.counts & (data.simulated == simulated) & (data.question == place)
-            own = data.take(np.flatnonzero(kept))
+            own = data if kept.all() else data.take(np.flatnonzero(kept))
             if len(np.unique(own.person)) < _LEAST_PEOPLE:
                 continue
             seen = np.unique(np.concatenate([own.left, own.right]))

@@ -105,7 +105,9 @@ class Pair(Task[PairKeys]):
 
     def flags(self, asked: Asked[PairKeys], rows: pa.Table) -> dict[int, list[Flag]]:
         """Repeats, sides, circles and haste."""
-        return consistent.consistency_flags(PairData.of_rows(rows, asked), asked)
+        data = PairData.of_rows(rows, asked)
+        del rows  # twice as large as what was made of it
+        return consistent.consistency_flags(data, asked)
 
     def simulate(
         self, values: Sequence[float], sigma: float, random: np.random.Generator

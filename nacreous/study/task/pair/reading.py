@@ -18,6 +18,7 @@ from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.data.table import table_of
 from nacreous.study.task.row import Row, Tallied
+from nacreous.unchanging import released
 
 if TYPE_CHECKING:
     from nacreous.scaling import Answers
@@ -112,13 +113,13 @@ def answers(columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
     times_ms = _floats(columns["response_ms"])
     return replace(
         pair,
-        left=pair.left[row],
-        right=pair.right[row],
-        outcome=pair.outcome[row],
+        left=released(pair.left[row]),
+        right=released(pair.right[row]),
+        outcome=released(pair.outcome[row]),
         people=people.people,
-        person=people.person[person[1]],
+        person=released(people.person[person[1]]),
         groups={name: _grouping(column) for name, column in groups.items()},
-        response_s=times_ms / 1000,
+        response_s=released(times_ms / 1000),
         time=_floats(columns["trial"]),
     )
 
@@ -169,7 +170,7 @@ def _grouping(column: Any) -> Grouping:
     if not levels:
         return Grouping((), codes.astype(np.int64))
     known = group_column(table_of({"level": levels}), "level")
-    return replace(known, code=np.append(known.code, -1)[codes])
+    return replace(known, code=released(np.append(known.code, -1)[codes]))
 
 
 def comparisons(labels: Sequence[str], tally: Iterable[Tallied]) -> dict[str, Comparisons]:
