@@ -107,6 +107,12 @@ class Analysis:
         return self.ties_half and likely and self.settings.ties is None
 
     @property
+    def encoding_guessed(self) -> str | None:
+        """The encoding as which the file was read, where nothing in it says so."""
+        data = self.comparisons if self.answers is None else self.answers
+        return data.encoding_guessed
+
+    @property
     def pairs(self) -> int:
         """How many pairs were compared."""
         return len(self.comparisons.unsided())

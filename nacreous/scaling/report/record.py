@@ -130,6 +130,7 @@ def _people(analysis: Analysis) -> Any:
         "test": asdict(people.shared) | {"reversed": len(people.shared.reversed)},
         "differ": people.differ,
         "columns": people.covariates,
+        "columns_not_compared": people.untested,
         "described_by": None if found is None else found.kind,
         **_spread(found),
         "candidates": () if found is None else found.candidates,

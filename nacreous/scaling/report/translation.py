@@ -38,17 +38,34 @@ def language_of(label: object) -> str:
     """The attribute that gives a label the glyphs of its language, "" for other scripts.
 
     A browser picks glyphs by language where languages share characters: without one, Japanese
-    labels on an English page may get Chinese glyphs. Characters of Japanese, also those that
-    Chinese shares, count as Japanese; Hangul as Korean.
+    labels on an English page may get Chinese glyphs. Kana and characters that only Japan writes are
+    Japanese, those that only China or Taiwan writes Chinese, Hangul Korean. Labels of characters
+    that both write, such as 真珠, have none: a wrong one would force the other's glyphs on them,
+    and without one they have those of the page's language, or on an English page the reader's own.
 
-    >>> language_of("真珠 1"), language_of("진주"), language_of("pearl 1")
-    (' lang="ja"', ' lang="ko"', '')
+    >>> language_of("光沢 1"), language_of("骨头"), language_of("진주"), language_of("真珠")
+    (' lang="ja"', ' lang="zh-Hans"', ' lang="ko"', '')
     """
     text = str(label)
     if re.search("[\uac00-\ud7af\u1100-\u11ff]", text):
         return ' lang="ko"'
-    japanese = "[\u3005-\u3007\u3040-\u30ff\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff\uff66-\uff9f]"
-    return ' lang="ja"' if re.search(japanese, text) else ""
+    if re.search("[\u3005-\u3007\u3040-\u30ff\uff66-\uff9f]", text):
+        return ' lang="ja"'
+    han = re.findall("[\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff]", text)
+    where = [tuple(_is_in(each, codec) for codec in _REPERTOIRES) for each in han]
+    if (True, False, False) in where:
+        return ' lang="ja"'
+    if any(china and not japan for japan, china, _ in where):
+        return ' lang="zh-Hans"'
+    return ' lang="zh-Hant"' if (False, False, True) in where else ""
+
+
+#: What Japan, China and Taiwan write day by day: JIS X 0208, GB 2312, Big5.
+_REPERTOIRES = ("shift_jis", "gb2312", "big5")
+
+
+def _is_in(letter: str, codec: str) -> bool:
+    return letter.encode(codec, "ignore") != b""
 
 
 def direction_of(label: object) -> str:

@@ -36,6 +36,7 @@ def chapter(analysis: Analysis, words: Words) -> Html:
             parts.append(_classes(people.population, words))
             parts.append(_candidates(people.population, words))
     parts.append(_covariates(analysis, people, words))
+    parts.append(_untested(people, words))
     return Html("".join(parts))
 
 
@@ -158,6 +159,21 @@ def _called(name: str, words: Words) -> Html:
     if name == "spread":
         return words("people.candidate.spread")
     return words("people.candidate.classes", count=name.split()[0])
+
+
+def _untested(people: People, words: Words) -> Html:
+    """Columns that cannot be compared, and why."""
+    if not people.untested:
+        return Html("")
+    columns = [
+        words(
+            f"people.not_compared_{one.reason.replace(' ', '_')}",
+            column=words.name(one.column),
+            cells=words.names(one.cells, 3),
+        )
+        for one in people.untested[:_MOST_COVARIATES]
+    ]
+    return words.paragraph("people.not_compared", columns=words.sentences(*columns))
 
 
 def _covariates(analysis: Analysis, people: People, words: Words) -> Html:
