@@ -31,7 +31,7 @@ class PairData:
     simulated; counts: whether the person is not left out. response_ms: NaN where unknown.
     """
 
-    person: NDArray[np.int64]
+    person: NDArray[np.int32]
     question: NDArray[np.int16]
     left: NDArray[np.int16]
     right: NDArray[np.int16]
@@ -51,7 +51,7 @@ class PairData:
             for side in ("left", "right")
         ]
         return cls(
-            person=_numbers(rows["number"], np.int64),
+            person=_numbers(rows["number"], np.int32),
             question=_coded(rows["question"], questions.__getitem__, np.int16),
             left=sides[0],
             right=sides[1],
@@ -86,10 +86,8 @@ class PairData:
 
 
 def _numbers(column: Any, kind: type) -> NDArray[Any]:
-    import pyarrow.compute as pc
-
-    filled = pc.fill_null(column, np.nan) if kind is np.float64 else column
-    return np.asarray(filled, dtype=kind)
+    """NaN where a float is unknown."""
+    return np.asarray(column.to_numpy(), dtype=kind)
 
 
 def _coded(column: Any, code: Any, kind: type) -> NDArray[Any]:
