@@ -52,6 +52,10 @@ class ReadOnlyMapping(Mapping[K, V]):
         """Equal mappings have equal hashes."""
         return hash(key_of(self))
 
+    def __reduce__(self) -> tuple[type[ReadOnlyMapping[K, V]], tuple[dict[K, V]]]:
+        """By its items, for pickles of every protocol."""
+        return type(self), (self._items,)
+
     def __repr__(self) -> str:
         """As the dict."""
         return repr(self._items)
