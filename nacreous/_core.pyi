@@ -231,19 +231,7 @@ class PairModel:
         prior: float | None,
         design: NDArray[np.float64] | None,
     ) -> PairModel: ...
-    def __getnewargs__(
-        self,
-    ) -> tuple[
-        str,
-        int,
-        NDArray[np.int64],
-        NDArray[np.int64],
-        NDArray[np.float64],
-        bool,
-        bool,
-        float | None,
-        NDArray[np.float64] | None,
-    ]: ...
+    def __reduce__(self) -> tuple[type[PairModel], tuple[object, ...]]: ...
     def components(self) -> NDArray[np.uint32]: ...
     def existence(self) -> str: ...
     def fit(self) -> tuple[NDArray[np.float64], NDArray[np.float64], float, int]: ...

@@ -11,6 +11,7 @@ from nacreous import _core, file
 from nacreous.development import check_bits, check_unchanged, check_words
 from nacreous.linear_light import layers_of, linear_of, texts_of
 from nacreous.named_files import files_needed, hold_files, moved, relative_to
+from nacreous.number import truth_of
 from nacreous.recipe import PREFIX, Recipe, recipe
 from nacreous.unchanging import Unchanging, keep, key_of, ordered, released
 
@@ -117,7 +118,7 @@ class Image(Unchanging):
             if self._picture is None:
                 raise TypeError("an image has neither arrays nor a picture")
             pixels, parts = self._picture.parts()
-            released(pixels)
+            pixels = released(pixels)
             layers = {name: pixels[..., first:end] for name, first, end in parts}
             first_four = list(layers.values())[:4]
             linear = released(sum(first_four[1:], first_four[0]))
@@ -143,7 +144,7 @@ class Image(Unchanging):
         (dtype('uint8'), (8, 8, 4))
         """
         check_bits(bits)
-        if not alpha:
+        if not truth_of("alpha", alpha):
             return _core.develop(self.linear, str(space), str(gamut), bits)
         from nacreous.alpha import codes_with_alpha, pearls_alone
 
@@ -167,6 +168,7 @@ class Image(Unchanging):
         pearls alone, cut out (docs/picture.md); without it a PNG has no alpha and an EXR's is 1.
         The file is whole or not there. Raises `InputError` for an ending or a place that cannot be.
         """
+        alpha = truth_of("alpha", alpha)
         if hasattr(path, "write"):
             made, outside = self._png((bits, str(space), str(gamut), alpha))
             path.write(made)

@@ -172,7 +172,7 @@ def _protein(protein_nm: ArrayLike) -> float | NDArray[np.float64]:
     row = row_of("protein_nm", protein_nm)
     for layer, nm in enumerate(row):
         within(f"protein_nm[{layer}]", float(nm), 0, 1e6)
-    return row
+    return float(row[0]) if row.size == 1 else row
 
 
 def _cover(cover: Sequence[tuple[Medium, float]]) -> tuple[tuple[Medium, float], ...]:

@@ -108,6 +108,22 @@ def alone(value: Any) -> Any:
     return value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
 
 
+def truth_of(name: str, value: object) -> bool:
+    """Yes or no, and no word or number that Python would take for either.
+
+    >>> truth_of("alpha", "no")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: alpha is 'no'; allowed: True, False
+    """
+    if isinstance(value, bool):
+        return value
+    if type(value).__module__ == "numpy" and type(truth := alone(value)).__name__.startswith(
+        "bool"
+    ):
+        return bool(truth)
+    raise InputError(f"{name} is {said(value)}; allowed: True, False")
+
+
 def said(value: object) -> str:
     """A value as Python writes it, on one line and never long."""
     try:

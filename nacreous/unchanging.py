@@ -52,6 +52,10 @@ class ReadOnlyMapping(Mapping[K, V]):
         """Equal mappings have equal hashes."""
         return hash(key_of(self))
 
+    def __reduce__(self) -> tuple[type[ReadOnlyMapping[K, V]], tuple[dict[K, V]]]:
+        """By its items, for pickles of every protocol."""
+        return type(self), (self._items,)
+
     def __repr__(self) -> str:
         """As the dict."""
         return repr(self._items)
@@ -89,12 +93,16 @@ def settled(item: Any) -> Any:
 
 
 def released(array: NDArray[Any]) -> NDArray[Any]:
-    """An array that nobody else holds, made read-only where it lies, so that it need not be copied.
+    """An array that nobody else holds, read-only where it lies, so that it need not be copied.
+
+    What comes back cannot be made writable again.
 
     >>> import numpy as np
     >>> released(np.arange(6).reshape(2, 3)).flags.writeable
     False
     """
+    if _can_be_unlocked(array):
+        return _sealed(array)
     for held in _holders(array):
         held.flags.writeable = False
     return array
@@ -128,10 +136,23 @@ def is_array(item: object) -> TypeGuard[NDArray[Any]]:
 
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    for held in _holders(array):
-        if held.flags.writeable:
-            return _locked(array)
-    return array
+    written = any(held.flags.writeable for held in _holders(array))
+    return _locked(array) if written or _can_be_unlocked(array) else array
+
+
+def _can_be_unlocked(array: NDArray[Any]) -> bool:
+    """Whether NumPy would make it writable again, as it does where an array owns the memory."""
+    return bool(_holders(array)[-1].flags.owndata)
+
+
+def _sealed(array: NDArray[Any]) -> NDArray[Any]:
+    """The same memory, seen as bytes that are there to be read."""
+    import numpy as np
+
+    if not array.size or array.dtype.hasobject or not array.flags.c_contiguous:
+        return _locked(array)
+    seen = array.reshape(-1).view(np.uint8).data.toreadonly()
+    return np.frombuffer(seen, array.dtype).reshape(array.shape)
 
 
 def _locked(array: NDArray[Any]) -> NDArray[Any]:

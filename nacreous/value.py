@@ -50,9 +50,17 @@ def value_class(cls: type[T]) -> type[T]:
     cls.__eq__ = _equal  # type: ignore[method-assign]
     cls.__hash__ = _hash  # type: ignore[method-assign]
     cls.__dask_tokenize__ = _token  # type: ignore[attr-defined]
-    cls.__getstate__ = _state  # type: ignore[method-assign]
-    cls.__setstate__ = _set_state  # type: ignore[attr-defined]
-    return dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made = dataclasses.dataclass(frozen=True, eq=False)(cls)
+
+    def state(self: Any) -> dict[str, Any]:
+        return _state(made, self)
+
+    def set_state(self: Any, state: dict[str, Any]) -> None:
+        _set_state(made, self, state)
+
+    cls.__getstate__ = state  # type: ignore[method-assign]
+    cls.__setstate__ = set_state  # type: ignore[attr-defined]
+    return made
 
 
 def _key(self: Any) -> tuple[Any, ...]:
@@ -78,12 +86,20 @@ def _token(self: Any) -> tuple[Any, ...]:
     return kind.__module__, kind.__qualname__, *map(ordered, _key(self))
 
 
-def _state(self: Any) -> dict[str, Any]:
-    """What it is made from, and nothing that was kept beside."""
-    fields = (field.name for field in dataclasses.fields(self) if field.init)
-    return {name: getattr(self, name) for name in fields}
+def _state(made: type[Any], self: Any) -> dict[str, Any]:
+    """What it is made from; of a sub-class also what that keeps beside."""
+    fields = (field.name for field in dataclasses.fields(made) if field.init)
+    state = {name: getattr(self, name) for name in fields}
+    if type(self) is made:
+        return state
+    bare = object.__new__(made)
+    made.__init__(bare, **state)
+    return state | {name: item for name, item in vars(self).items() if name not in vars(bare)}
 
 
-def _set_state(self: Any, state: dict[str, Any]) -> None:
-    """Made and checked again."""
-    self.__init__(**state)
+def _set_state(made: type[Any], self: Any, state: dict[str, Any]) -> None:
+    """Made and checked again, by the `__init__` that takes the fields."""
+    names = {field.name for field in dataclasses.fields(made) if field.init}
+    made.__init__(self, **{name: item for name, item in state.items() if name in names})
+    for name in state.keys() - names:
+        object.__setattr__(self, name, state[name])

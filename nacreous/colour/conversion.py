@@ -15,6 +15,7 @@ from nacreous.colour.samples import (
     array_of,
     light_of,
     relative_of,
+    surface_of,
     white_of,
 )
 from nacreous.number import said
@@ -83,10 +84,11 @@ def lab_from_xyz(xyz: ArrayLike, white: ArrayLike | None = None) -> Array:
     `xyz_from_rgb([1, 1, 1])`, whose chromaticity the standard of sRGB rounds (0.03 in b*).
 
     XYZ and white are on one scale: where white is not given, Y of white is 1, and XYZ in percent
-    are to be divided by 100, or L* is up to 522. Floating-point XYZ above white are taken for light
-    brighter than it; whole numbers above 10 are refused. XYZ may be negative (colours outside any
-    gamut); the straight line near 0 goes on. The components of white are positive, or `InputError`
-    is raised.
+    are to be divided by 100. Lab is of surfaces: XYZ beyond 10 times white's largest component, L*
+    234, raise `InputError`, as XYZ in percent do that are not very dark; light is to be cut before.
+    XYZ all below 1.2 % of a white in percent give a warning: is 1 white in them? XYZ may be
+    negative (colours outside any gamut); the straight line near 0 goes on. The components of white
+    are positive, or `InputError` is raised.
 
     >>> lab_from_xyz([0.18, 0.18, 0.18], white=[1, 1, 1]).round(2).tolist()
     [49.5, 0.0, 0.0]
@@ -94,7 +96,7 @@ def lab_from_xyz(xyz: ArrayLike, white: ArrayLike | None = None) -> Array:
     [100.0, 0.0, 0.0]
     """
     reference = _white_or_d65(white)
-    return _core.lab_from_xyz(light_of("xyz", xyz, max(reference)), reference)
+    return _core.lab_from_xyz(surface_of("xyz", xyz, max(reference)), reference)
 
 
 def xyz_from_lab(lab: ArrayLike, white: ArrayLike | None = None) -> Array:
@@ -137,8 +139,9 @@ def delta_e_2000(first: ArrayLike, second: ArrayLike) -> Array:
 def rgb_from_xyz(xyz: ArrayLike, space: Space = "srgb") -> Array:
     """Linear RGB `[..., 3]` of XYZ relative to D65, in sRGB (IEC 61966-2-1) or Display P3.
 
-    Y of white is 1, in XYZ and in RGB: XYZ in percent are to be divided by 100. Floating-point
-    numbers above that are taken for light brighter than white; whole numbers above 10 are refused.
+    Y of white is 1, in XYZ and in RGB: XYZ in percent are to be divided by 100. Nothing tells them
+    from light brighter than white, so they pass where they are floating-point numbers; whole
+    numbers above 10 are refused.
     Components leave 0..1 where the space cannot show the colour; see `map_to_gamut`. XYZ seen under
     another white goes through `adapt` first.
 

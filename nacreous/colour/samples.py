@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -14,6 +16,8 @@ Array = NDArray[np.float64]
 #: No light of a surface, and no code value but of light 160 times as bright as white, is larger;
 #: 8-bit codes and percentages are.
 _MOST_RELATIVE = 10.0
+#: Nothing but the darkest colours in percent, and every colour where 1 is white, is below.
+_DARK = 0.012
 
 WAVELENGTH_NM: Array = settled(_core.spectrum_wavelength_nm())
 """Wavelength of each sample of a spectrum: 380, 381 ... 780 nm."""
@@ -51,6 +55,26 @@ def light_of(quantity: str, values: ArrayLike, white: float = 1.0) -> Array:
             f"{_at(quantity, place)} is {array[place]:.0f}, of type {np.asarray(values).dtype}; "
             "allowed: floating-point numbers where 1 is white, as decode(codes / 255) gives, "
             "and percentages / 100"
+        )
+    return array
+
+
+def surface_of(quantity: str, values: ArrayLike, white: float) -> Array:
+    """XYZ of surfaces, on the scale of a white of this largest component."""
+    array = light_of(quantity, values, white)
+    beyond = np.argwhere(np.isfinite(array) & (np.abs(array) > _MOST_RELATIVE * white))
+    if len(beyond):
+        place = tuple(beyond[0].tolist())
+        raise InputError(
+            f"{_at(quantity, place)} is {array[place]:g} beside a white of {white:g}; allowed: "
+            f"up to {_MOST_RELATIVE:g} times it (percentages / 100, or with a white in percent)"
+        )
+    most = float(np.abs(array).max(initial=0.0))
+    if white > _MOST_RELATIVE and 0 < most <= _DARK * white:
+        warnings.warn(
+            f"{quantity} is at most {most:g} beside a white of {white:g}, darker than L* 11; "
+            "if 1 is white in it, divide the white by 100",
+            stacklevel=3,
         )
     return array
 

@@ -13,6 +13,7 @@ from nacreous.commands.terminal import say
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
+    from nacreous.embedded import Developed
     from nacreous.recipe import Recipe
 
 Value = TypeVar("Value")
@@ -89,8 +90,8 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
 
-    job = _again(args) if _is_picture(args.pearl[0]) else _first(args)
     output = _output(args)
+    job = _again(args, output) if _is_picture(args.pearl[0]) else _first(args)
     standard.check_output(output, image.SUFFIXES)
     _check_options(args, output)
     scene = [] if args.scene is None else [args.scene]
@@ -105,7 +106,10 @@ def run(args: argparse.Namespace) -> int:
 
 
 class _Job(NamedTuple):
-    """What to make, how to write it, and which version made it first; arguments of `Image.save`."""
+    """What to make, how to write it, and which version made it first; arguments of `Image.save`.
+
+    left_out: of how a PNG was written, what another form has no place for.
+    """
 
     made: Recipe
     bits: Literal[8, 16]
@@ -113,6 +117,7 @@ class _Job(NamedTuple):
     gamut: str
     alpha: bool
     version: str | None = None
+    left_out: tuple[str, ...] = ()
 
 
 def _first(args: argparse.Namespace) -> _Job:
@@ -133,7 +138,7 @@ def _first(args: argparse.Namespace) -> _Job:
     return _Job(made, bits, args.space or "srgb", args.gamut or "soft", bool(args.alpha))
 
 
-def _again(args: argparse.Namespace) -> _Job:
+def _again(args: argparse.Namespace, output: str) -> _Job:
     """A picture's own recipe, with what the caller changes."""
     from nacreous import __version__
     from nacreous.embedded import read_embedded
@@ -146,7 +151,10 @@ def _again(args: argparse.Namespace) -> _Job:
     kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else (), scene)
     size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)
     made = recipe(kept.pearls, kept.scene, size, samples)
-    bits, space, gamut, alpha = kept.developed
+    developed, left_out = kept.developed, ()
+    if Path(output).suffix.lower() == ".exr":
+        developed, left_out = _of_light(developed)
+    bits, space, gamut, alpha = developed
     return _Job(
         made,
         args.bits or bits,
@@ -154,7 +162,19 @@ def _again(args: argparse.Namespace) -> _Job:
         args.gamut or gamut,
         _either(args.alpha, alpha),
         None if kept.version == __version__ else kept.version,
+        left_out,
     )
+
+
+def _of_light(developed: Developed) -> tuple[Developed, tuple[str, ...]]:
+    """How OpenEXR, which holds light, is written, and what of a PNG's way is left out."""
+    from nacreous.embedded import Developed
+
+    kept = Developed(alpha=developed.alpha)
+    names = ("bits", "space", "gamut")
+    left_out = (f"{name} {getattr(developed, name)}" for name in names)
+    own = (f"{name} {getattr(kept, name)}" for name in names)
+    return kept, tuple(one for one, other in zip(left_out, own, strict=True) if one != other)
 
 
 def _either(given: Value | None, otherwise: Value) -> Value:
@@ -204,6 +224,9 @@ def _report(output: str, job: _Job, seconds: float, outside: float) -> str:
     )
     if job.version is not None:
         line += f"; first made by nacreous {job.version}, this is {__version__}"
+    if job.left_out:
+        own = ", ".join(job.left_out)
+        line += f"; without {own} of the picture file, which OpenEXR has no place for"
     if outside:
         line += f"; {outside:.1%} of the pixels out of the screen's gamut, {_HANDLED[job.gamut]}"
     return line

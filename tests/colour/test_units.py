@@ -1,5 +1,6 @@
 """Numbers in another unit than the one that is wanted are refused by name."""
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -33,7 +34,6 @@ def test_codes_percentages_and_degrees_are_refused_where_one_is_white_and_hue_in
 
 LIGHT: tuple[Callable[[Any], Any], ...] = (
     colour.encode,
-    colour.lab_from_xyz,
     colour.map_to_gamut,
     colour.out_of_gamut_share,
     colour.p3_from_srgb,
@@ -78,6 +78,26 @@ def test_xyz_in_percent_are_taken_beside_a_white_in_percent() -> None:
     assert seen == pytest.approx(
         100 * colour.adapt([0.41, 0.21, 0.02], [0.95, 1, 1.09], [0.96, 1, 0.82])
     )
+
+
+@pytest.mark.parametrize(
+    "xyz", [[41.2, 21.3, 1.9], [[0.2, 0.2, 0.2], [9.0, 0.0, -19.5]], [95, 100, 108]]
+)
+def test_lab_is_of_surfaces_and_not_of_percentages_beside_a_white_of_1(xyz: list[float]) -> None:
+    for white in (None, [0.95, 1.0, 1.09]):
+        with pytest.raises(InputError, match=r"xyz\S* is -?\d+\S*( beside a white of 1|, of type)"):
+            colour.lab_from_xyz(xyz, white)
+    assert np.isfinite(colour.lab_from_xyz([9.0, 9.0, 9.0])).all()
+
+
+def test_a_white_in_percent_beside_xyz_that_are_not_is_noticed() -> None:
+    with pytest.warns(UserWarning, match="xyz is at most 0.41 beside a white of 109"):
+        colour.lab_from_xyz([0.41, 0.21, 0.02], [95, 100, 109])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        colour.lab_from_xyz([[0.4, 0.4, 0.4], [41, 21, 2]], [95, 100, 109])
+        colour.lab_from_xyz([0.001, 0.001, 0.001])
+        colour.lab_from_xyz(np.zeros((0, 3)), [95, 100, 109])
 
 
 @pytest.mark.parametrize(

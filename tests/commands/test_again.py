@@ -64,6 +64,25 @@ def test_what_is_said_beside_the_picture_changes_it(folder: Path) -> None:
     assert (folder / "c.png").read_bytes()[25] == 2  # RGB
 
 
+@pytest.mark.parametrize(
+    "how", [["--bits=16"], ["--space=display-p3", "--gamut=clip"], ["--alpha"]]
+)
+def test_a_png_is_made_again_as_openexr_without_what_is_the_pngs_own(
+    folder: Path, capsys: pytest.CaptureFixture[str], how: list[str]
+) -> None:
+    small = ["paper", "--size", "8", "--samples", "1"]
+    alpha = [one for one in how if one == "--alpha"]
+    render(*small, *how, "-o", "a.png")
+    capsys.readouterr()
+    render("a.png", "-o", "a.exr")
+    said = capsys.readouterr().out
+    render(*small, *alpha, "-o", "b.exr")
+    assert (folder / "a.exr").read_bytes() == (folder / "b.exr").read_bytes()
+    for option in set(how) - {"--alpha"}:
+        assert option.removeprefix("--").replace("=", " ") in said
+    assert ("which OpenEXR has no place for" in said) == (not alpha)
+
+
 def test_a_picture_without_a_whole_recipe_is_refused(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -25,7 +25,7 @@ each_result = pytest.mark.parametrize("result", examples(), ids=lambda item: typ
 def copies(item: Any) -> Iterator[Any]:
     yield copy.copy(item)
     yield copy.deepcopy(item)
-    for protocol in (2, pickle.HIGHEST_PROTOCOL):
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
         yield pickle.loads(pickle.dumps(item, protocol))
 
 
@@ -66,6 +66,10 @@ def test_a_result_refuses_that_a_field_is_set_or_deleted(result: Any) -> None:
 def test_no_array_of_a_result_can_be_written_to_however_it_was_made(result: Any) -> None:
     for item in (result, *copies(result)):
         assert not any(array.flags.writeable for array in arrays(item))
+        for array in arrays(item):
+            if array.size:
+                with pytest.raises(ValueError, match="WRITEABLE"):
+                    array.flags.writeable = True
 
 
 @each_result
@@ -146,10 +150,47 @@ def test_a_medium_of_a_module_pickles_and_a_lambda_says_so() -> None:
 @each_result
 def test_dask_knows_equal_results_by_one_token(result: Any) -> None:
     token = tokenize(result)
-    assert [tokenize(other) for other in copies(result)] == [token] * 4
+    assert [tokenize(other) for other in copies(result)] == [token] * (3 + pickle.HIGHEST_PROTOCOL)
 
 
 def test_an_array_of_a_stack_cannot_be_unlocked() -> None:
     stack = nc.LayerStack(np.array([400.0, 500.0]))
     with pytest.raises(ValueError, match="cannot set WRITEABLE"):
         stack.thickness_nm.flags.writeable = True
+
+
+class Uniform(nc.LayerStack):
+    """Layers all alike, with an `__init__` of its own."""
+
+    def __init__(self, layers: int, label: str) -> None:
+        super().__init__([380.0] * layers)
+        object.__setattr__(self, "label", label)
+
+
+def test_a_stacks_sub_class_copies_and_pickles_with_what_it_keeps_beside() -> None:
+    stack = Uniform(5, "five")
+    for other in copies(stack):
+        assert type(other) is Uniform
+        assert other == stack
+        assert vars(other)["label"] == "five"
+
+
+def test_results_of_every_kind_of_film_cannot_be_unlocked() -> None:
+    covered = nc.LayerStack([380.0, 395.0], [18.0, 25.0], cover=[(1.48, 2000.0)])
+    for light in (
+        nc.optics.energies(covered, [0.0, 0.5], [450.0, 550.0]),
+        nc.optics.energies(nc.LayerStack([400.0]), 0.0, [450.0], coherence_nm=5000.0),
+        nc.optics.on_plate(covered, 1.0, [0.0, 0.5], [450.0, 550.0]),
+    ):
+        for share in arrays(light):
+            with pytest.raises(ValueError, match="WRITEABLE"):
+                share.flags.writeable = True
+
+
+def test_an_array_that_its_owner_could_unlock_is_copied() -> None:
+    layers = np.array([400.0, 500.0])
+    layers.flags.writeable = False
+    stack = nc.LayerStack(layers)
+    layers.flags.writeable = True
+    layers[0] = 7.0
+    assert stack.thickness_nm[0] == 400.0

@@ -131,6 +131,22 @@ def test_a_stack_takes_its_bounds_whole_numbers_and_a_single_layer(thickness_nm:
     np.testing.assert_array_equal(stack.thickness_nm, np.atleast_1d(np.array(thickness_nm, float)))
 
 
+def test_one_thickness_of_protein_in_a_list_is_that_of_every_layer() -> None:
+    stack = nc.LayerStack([380.0, 300.0], [50.0])
+    assert stack == nc.LayerStack([380.0, 300.0], 50.0)
+    assert stack.total_um == pytest.approx(0.780)
+    assert repr(stack) == "LayerStack(2 layers, 0.780 um)"
+    assert stack.outer(0.4) == nc.LayerStack([380.0, 300.0], 50.0).outer(0.4)
+
+
+def test_a_wavelength_is_said_with_the_digits_that_are_read() -> None:
+    measured = nc.medium.IndexTable([321.80716809692075, 500.0], [1.5, 1.6])
+    stack = nc.LayerStack([400.0], aragonite=measured)
+    message = refusal(lambda: nc.optics.reflectance(stack, 0.0, 321.80716809692070 - 1e-3))
+    assert "wavelength_nm is 321.806168; allowed" in message
+    assert "321.807168 to 500 nm" in message
+
+
 def test_a_stack_keeps_its_own_layers() -> None:
     thickness_nm = np.array([400.0, 410.0])
     stack = nc.LayerStack(thickness_nm)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import OpenEXR
@@ -101,3 +102,16 @@ def test_an_image_shows_itself_in_a_notebook() -> None:
     with Pillow.open(io.BytesIO(image._repr_png_())) as shown:
         np.testing.assert_array_equal(np.asarray(shown), image.develop()[0])
     assert repr(image) == "Image(24 x 24, paper)"
+
+
+@pytest.mark.parametrize("alpha", ["no", "yes", 1, None])
+def test_alpha_is_a_yes_or_no_and_no_word(tmp_path: Path, alpha: Any) -> None:
+    image = nc.render("paper", size=8, samples=1)
+    for act in (
+        lambda: image.save(tmp_path / "a.png", alpha=alpha),
+        lambda: image.save(io.BytesIO(), alpha=alpha),
+        lambda: image.develop(alpha=alpha),
+    ):
+        with pytest.raises(nc.InputError, match=r"alpha is .*; allowed: True, False"):
+            act()
+    assert not list(tmp_path.iterdir())

@@ -195,7 +195,7 @@ fn sort_attributes(file: &mut [u8]) {
 /// Something that is not EXR, a damaged file, a size beyond the limits, and layers whose
 /// channels are not Y, RGB or RGBA.
 pub fn read_exr(bytes: &[u8]) -> Result<Layers, PictureFileError> {
-    let damaged = |problem: exr::error::Error| PictureFileError::damaged(&problem);
+    let damaged = |problem: exr::error::Error| PictureFileError::exr(&problem);
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(damaged)?;
     for header in reader.headers() {
         check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
@@ -230,7 +230,7 @@ fn header_text(bytes: &[u8]) -> Result<Vec<(String, String)>, PictureFileError> 
         return Err(PictureFileError::Format { allowed: "OpenEXR (.exr)" });
     }
     let reader = exr::block::read(Cursor::new(bytes), false)
-        .map_err(|problem| PictureFileError::damaged(&problem))?;
+        .map_err(|problem| PictureFileError::exr(&problem))?;
     let attributes = |header: &Header| {
         let own = header.own_attributes.other.clone().into_iter();
         header.shared_attributes.other.clone().into_iter().chain(own).collect::<Vec<_>>()

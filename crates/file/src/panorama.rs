@@ -48,7 +48,7 @@ pub fn decode_panorama(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> 
 }
 
 fn decode_exr(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
-    let damaged = |problem: exr::error::Error| PictureFileError::damaged(&problem);
+    let damaged = |problem: exr::error::Error| PictureFileError::exr(&problem);
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(damaged)?;
     for header in reader.headers() {
         check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;

@@ -144,9 +144,31 @@ impl PictureFileError {
         Self::At { path: path.to_owned(), problem: Box::new(self) }
     }
 
-    /// A decoder's complaint, kept to one line.
+    /// A decoder's complaint in our words; its own are for programmers.
     pub(crate) fn damaged(complaint: &impl ToString) -> Self {
-        Self::Damaged(complaint.to_string().split_whitespace().collect::<Vec<_>>().join(" "))
+        let text = complaint.to_string().to_lowercase();
+        let says = |words: &[&str]| words.iter().any(|word| text.contains(word));
+        let what = if says(&["fill whole buffer", "unexpected end", "end of file", "eof"]) {
+            "it ends before its picture does"
+        } else if says(&["crc", "checksum"]) {
+            "a checksum does not match what it is of"
+        } else {
+            "its data cannot be decoded"
+        };
+        Self::Damaged(what.to_owned())
+    }
+
+    /// The same of an OpenEXR file, or what kind of it is not read.
+    #[cfg(any(feature = "exr", feature = "panorama"))]
+    pub(crate) fn exr(complaint: &exr::error::Error) -> Self {
+        let exr::error::Error::NotSupported(text) = complaint else {
+            return Self::damaged(complaint);
+        };
+        let what = if text.contains("deep") { "deep data" } else { "a compression or parts" };
+        Self::Unsupported(format!(
+            "is OpenEXR with {what} that is not read here; allowed: flat pictures, uncompressed or \
+             with RLE, ZIP, PIZ, PXR24 or B44"
+        ))
     }
 }
 

@@ -139,7 +139,7 @@ pub fn png_text(file: impl BufRead + Seek) -> Result<Vec<(String, String)>, Pict
             signature if signature.contains("signature") => {
                 PictureFileError::Format { allowed: "PNG" }
             }
-            other => PictureFileError::Damaged(other),
+            other => PictureFileError::damaged(&other),
         });
     }
     let damaged = |problem: png::DecodingError| PictureFileError::damaged(&problem);

@@ -70,7 +70,9 @@ pub(crate) fn light_from_profile(
     profile: &[u8],
     samples: Samples,
 ) -> Result<Vec<f32>, PictureFileError> {
-    let unusable = |problem: CmsError| PictureFileError::ColourProfile(problem.to_string());
+    let unusable = |_: CmsError| {
+        PictureFileError::ColourProfile("it is broken, or of a kind that is not read".to_owned())
+    };
     let mut source = ColorProfile::new_from_slice(profile).map_err(unusable)?;
     source.cicp = None; // the curves are what other programs use
     let (layout, channels, samples) = match (samples, source.color_space) {

@@ -40,7 +40,10 @@ pub enum NacreError {
         indices: usize,
     },
     /// A table of indices whose wavelengths do not rise.
-    #[error("{quantity}: wavelength_nm has {nm} after {last_nm}; allowed: rising values")]
+    #[error(
+        "{quantity}: wavelength_nm has {} after {}; allowed: rising values",
+        said_nm(*.nm), said_nm(*.last_nm)
+    )]
     TableOrder {
         /// Which medium.
         quantity: String,
@@ -51,7 +54,8 @@ pub enum NacreError {
     },
     /// A medium was asked about a wavelength at which nothing is known of it.
     #[error(
-        "wavelength_nm is {wavelength_nm}; allowed with this {quantity}: {first_nm} to {last_nm} nm"
+        "wavelength_nm is {}; allowed with this {quantity}: {} to {} nm",
+        said_nm(*.wavelength_nm), said_nm(*.first_nm), said_nm(*.last_nm)
     )]
     NotMeasured {
         /// Which medium.
@@ -85,6 +89,11 @@ pub enum NacreError {
 pub fn said(value: f64) -> String {
     let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
     if plain { value.to_string() } else { format!("{value:e}") }
+}
+
+/// A wavelength as messages give it: to the millionth of a nm, for a table in um may have any digits behind.
+pub(crate) fn said_nm(nm: f64) -> String {
+    ((nm * 1e6).round() / 1e6).to_string()
 }
 
 /// The one check of a number from outside: inside `range`, or an error that says what is `allowed`.

@@ -2,7 +2,11 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::{Index, NacreError, dispersion::Dispersion, error::within};
+use crate::{
+    Index, NacreError,
+    dispersion::Dispersion,
+    error::{said_nm, within},
+};
 
 /// What a layer, the surroundings or the core is made of: a refractive index, for each direction and
 /// each wavelength.
@@ -97,7 +101,7 @@ impl Medium {
             .iter()
             .zip(ordinary.iter().zip(extraordinary))
             .map(|(nm, (o, e))| {
-                let place = format!("{quantity} at {nm} nm");
+                let place = format!("{quantity} at {} nm", said_nm(*nm));
                 Ok(Principal {
                     ordinary: Index::new(&place, o.re, o.im)?,
                     extraordinary: Index::new(&place, e.re, e.im)?,

@@ -114,7 +114,7 @@ impl<'a> Inside<'a> {
         // Maxwell: n_e^2 E_z = - n_ambient sin H_y.
         let across = match self.met.plane {
             Plane::S => 0.0,
-            Plane::P => (self.transverse() * magnetic / along_normal).norm_sqr(),
+            Plane::P => (magnetic * self.transverse() / along_normal).norm_sqr(),
         };
         let (electric, incoming) = (electric.norm_sqr(), self.incoming());
         let loss = TAU / self.nm * (along_layers.im * electric + along_normal.im * across);
@@ -148,7 +148,10 @@ impl<'a> Inside<'a> {
     fn incoming(&self) -> f64 {
         match self.met.plane {
             Plane::S => 1.0,
-            Plane::P => 1.0 / (self.met.cos_angle * self.met.cos_angle),
+            Plane::P => {
+                let across = self.transverse() / self.met.waves[0].along.norm();
+                1.0 + across * across
+            }
         }
     }
 
@@ -157,9 +160,9 @@ impl<'a> Inside<'a> {
     }
 
     /// n_ambient sin, in all layers the same.
-    fn transverse(&self) -> Complex64 {
+    fn transverse(&self) -> f64 {
         let sine = (1.0 - self.met.cos_angle * self.met.cos_angle).max(0.0).sqrt();
-        self.media[0].ordinary.complex() * sine
+        self.media[0].ordinary.n() * sine
     }
 
     fn medium(&self, region: usize) -> Principal {

@@ -110,9 +110,7 @@ impl Film {
         Ok(table(angle_rad, wavelength_nm, stop, &|cos_angle, at| {
             PLANES.map(|plane| {
                 let met = self.met(plane, cos_angle, &indices[at], wavelength_nm[at]);
-                let incident = met.waves[0];
-                let ambient = indices[at][0].ordinary.complex();
-                let last = refracted(plane, behind[at], ambient, incident.along);
+                let last = refracted(plane, behind[at], indices[at][0].ordinary.n(), cos_angle);
                 met.on_plate(plate.thickness_nm, last, wavelength_nm[at])
             })
         }))
@@ -141,7 +139,7 @@ impl Film {
         let substrate = media.len() - 1;
         let within = self.layers.iter().map(|&(medium, _)| medium).chain([substrate]);
         let mut waves = vec![incident];
-        waves.extend(within.map(|medium| refracted(plane, media[medium], ambient, incident.along)));
+        waves.extend(within.map(|medium| refracted(plane, media[medium], ambient.re, cos_angle)));
         let crossed = self.layers.iter().zip(&waves[1..]);
         let turn = crossed.map(|(&(_, d), wave)| turn(wave.along, d, nm)).collect();
         Met {
@@ -251,9 +249,9 @@ impl Recursion {
     }
 }
 
-fn refracted(plane: Plane, medium: Principal, ambient: Complex64, along: Complex64) -> Wave {
+fn refracted(plane: Plane, medium: Principal, ambient: f64, cos_angle: f64) -> Wave {
     let indices = (medium.ordinary.complex(), medium.extraordinary.complex());
-    Wave::refracted(plane, indices, ambient, along)
+    Wave::refracted(plane, indices, ambient, ambient * cos_angle)
 }
 
 /// exp(i phase) of a way along the normal.

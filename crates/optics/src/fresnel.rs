@@ -46,7 +46,8 @@ impl Fresnel {
 /// Fresnel's equations for light in `n_i` that meets `n_t` at `angle_rad` from the normal, 0 to pi/2.
 ///
 /// R + T = 1 wherever `n_i` is lossless and `n_t` is too; T counts the energy just behind the boundary.
-/// In an absorbing `n_i` the incoming and the reflected wave exchange energy, and R + T is not 1.
+/// In an absorbing `n_i` the incoming and the reflected wave exchange energy, and R + T is 1 to O(k) only; the
+/// wave weakens along the normal, and its angle is that of Snell's law with Re `n_i`.
 ///
 /// The paper prints the p part of equation (2) with 2 n1 cos(theta_0) in the amplitude and the inverse
 /// of its factor; that does not give its own T1 = 1 - R1. Here stand 2 n1 cos(theta_1) and the flux
@@ -69,8 +70,11 @@ pub fn fresnel(n_i: Index, n_t: Index, angle_rad: f64) -> Result<Fresnel, Optics
 
 /// The equations themselves, for an angle known to be one. `cos_i` is the cosine in `n_i`.
 pub(crate) fn boundary(n_i: Complex64, n_t: Complex64, cos_i: f64) -> Fresnel {
-    let cos_i = Complex64::from(cos_i);
-    let cos_t = normal_component(n_i, n_t, cos_i) / n_t;
+    let cos_t = normal_component(n_t, n_i.re, n_i.re * cos_i) / n_t;
+    let cos_i = match n_i.im {
+        0.0 => Complex64::from(cos_i),
+        _ => normal_component(n_i, n_i.re, n_i.re * cos_i) / n_i,
+    };
     let (q_i, q_t) = (n_i * cos_i, n_t * cos_t);
     let (crossed_i, crossed_t) = (n_i * cos_t, n_t * cos_i);
     let r_s = (q_i - q_t) / (q_i + q_t);
@@ -95,7 +99,7 @@ pub(crate) fn boundary(n_i: Complex64, n_t: Complex64, cos_i: f64) -> Fresnel {
 ///
 /// Written with n_t^2 - n_i^2 + (n_i cos)^2 and not n_t^2 - (n_i sin)^2, so that equal media stay
 /// invisible up to grazing.
-fn normal_component(n_i: Complex64, n_t: Complex64, cos_i: Complex64) -> Complex64 {
-    let q = ((n_t - n_i) * (n_t + n_i) + (n_i * cos_i).powi(2)).sqrt();
+fn normal_component(n_t: Complex64, n_i: f64, along_i: f64) -> Complex64 {
+    let q = ((n_t - n_i) * (n_t + n_i) + along_i * along_i).sqrt();
     if q.im < 0.0 || (q.im == 0.0 && q.re < 0.0) { -q } else { q }
 }

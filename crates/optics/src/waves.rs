@@ -137,11 +137,9 @@ impl Waves {
         cos_angle: &Lanes<f64>,
     ) {
         let ambient = &indices.ambient.ordinary;
-        let (mut incident_along, mut protein, mut substrate_along) =
-            (Pair::ZERO, Pair::ZERO, Pair::ZERO);
+        let (mut protein, mut substrate_along) = (Pair::ZERO, Pair::ZERO);
         for i in 0..W {
             let incident = Wave::incident(plane, ambient.at(i), cos_angle[i]);
-            incident_along.set(i, incident.along);
             self.ambient.set(i, incident.admittance);
         }
         for (medium, along, admittance) in [
@@ -150,8 +148,8 @@ impl Waves {
             (&indices.substrate, &mut substrate_along, &mut self.substrate),
         ] {
             for i in 0..W {
-                let (n, n_0) = (medium.at(i), ambient.at(i));
-                let wave = Wave::refracted(plane, n, n_0, incident_along.at(i));
+                let n_0 = ambient.re[i];
+                let wave = Wave::refracted(plane, medium.at(i), n_0, n_0 * cos_angle[i]);
                 along.set(i, wave.along);
                 admittance.set(i, wave.admittance);
             }

@@ -10,6 +10,7 @@ use numpy::{
     PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
+use pyo3::types::{PyTuple, PyType};
 
 use crate::{refused, threads::detached, watched::watched};
 
@@ -56,23 +57,11 @@ impl PairModel {
         Ok(Self { model, counts })
     }
 
-    /// The arguments from which a pickle makes it again.
-    #[allow(clippy::type_complexity)]
-    fn __getnewargs__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(
-        &'static str,
-        usize,
-        Column<'py>,
-        Column<'py>,
-        Table<'py>,
-        bool,
-        bool,
-        Option<f64>,
-        Option<Table<'py>>,
-    )> {
-        let Self { model, counts } = self;
+    /// The class and the arguments from which a pickle of any protocol makes it again.
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
+        let (py, Self { model, counts }) = (slf.py(), slf.get());
         let side = |which: usize| -> Column<'py> {
             let indices: Vec<i64> = counts.pairs.iter().map(|pair| pair[which].into()).collect();
             indices.into_pyarray(py)
@@ -85,7 +74,9 @@ impl PairModel {
         });
         let (link, prior) = (model.link.name(), model.prior);
         let (ties, order, design) = (model.ties, model.order, design.transpose()?);
-        Ok((link, counts.stimuli, side(0), side(1), answers, ties, order, prior, design))
+        let arguments =
+            (link, counts.stimuli, side(0), side(1), answers, ties, order, prior, design);
+        Ok((slf.get_type(), arguments.into_pyobject(py)?))
     }
 
     /// The part of each stimulus in which all can be reached from all by "was preferred to"; a part

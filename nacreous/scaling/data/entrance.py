@@ -9,6 +9,7 @@ from typing import Any, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.number import truth_of
 from nacreous.scaling.data.choice import outcomes_of
 from nacreous.scaling.data.column import (
     Grouping,
@@ -66,6 +67,8 @@ def fields_of(
     skip_unanswered: bool,
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
+    repeats, sided = truth_of("repeats", repeats), truth_of("sided", sided)
+    skip_unanswered = truth_of("skip_unanswered", skip_unanswered)
     rows = table.rows
     table = without_previews(table, skip_unanswered)
     previews = rows - table.rows

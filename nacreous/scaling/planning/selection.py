@@ -34,7 +34,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said, seed_of, whole_of, within
+from nacreous.number import said, seed_of, truth_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import fit_of
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
@@ -103,7 +103,7 @@ def next_pairs(
         raise InputError(f"method is {said(method)}; allowed: greedy, tree, drawn")
     labels, comparisons = _so_far(data, stimuli)
     most = len(labels) * (len(labels) - 1) // 2
-    if distinct and batch > most:
+    if truth_of("distinct", distinct) and batch > most:
         raise InputError(f"batch is {batch}; allowed: 1 to {most}, the distinct pairs there are")
     mean, covariance = _posterior(labels, comparisons, model, prior)
     random = np.random.default_rng(seed_of(seed))

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nacreous import file, folder
+from nacreous.number import truth_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.spreadsheet import defused, plain
 from nacreous.study.memory import give_back
@@ -57,6 +58,7 @@ def export(
     identifying: with what may identify a person (`nacreous.study.store.person_columns`), readable
     by the owner alone. Raises `InputError` where it cannot be written.
     """
+    bom, identifying = truth_of("bom", bom), truth_of("identifying", identifying)
     suffix = Path(output).suffix.lower()
     if bom and suffix != ".csv":
         raise InputError(f"{output}: bom is for .csv files; allowed without it: any other output")
