@@ -253,11 +253,11 @@ def test_energy_is_kept_on_a_plate() -> None:
             "coherence_nm is 5000; allowed with a cover or protein layer by layer: None",
         ),
         (
-            lambda: energies(nc.LayerStack([1.0], [1.0]), 0.0, 550.0, "q"),
+            lambda: energies(nc.LayerStack([1.0, 2.0], [1.0, 2.0]), 0.0, 550.0, "q"),
             "polarisation is 'q'; allowed: s, p",
         ),
         (
-            lambda: nc.optics.illuminant(nc.LayerStack([1.0], [1.0]), 0.0, 550.0),
+            lambda: nc.optics.illuminant(nc.LayerStack([1.0, 2.0], [1.0, 2.0]), 0.0, 550.0),
             "the stack has protein_nm layer by layer; allowed here: one",
         ),
         (
