@@ -1,11 +1,14 @@
 """How often `fit_attributes` calls a weight that is 0 more than chance, and finds the others.
 
-    python benchmarks/attributes.py [--studies 60]
+    python benchmarks/attributes.py [--studies 60] [--few 400]
 
 Simulated studies of 12 attributes correlated by 0.5: weights 0.5, 0.35 and 0.25, the rest 0; the
 first eight differ from person to person by a standard deviation of 0.3. Stimuli may have values of
 their own besides ("own", a standard deviation in z), or a square of the first attribute may be left
 out of the model. A null weight should reach p < 0.05 in 5 % of cases.
+
+Then few stimuli: 7, with 3 attributes of which one has a weight, each pair once by 12 people whose
+own values differ by 0.3 z, with and without ties.
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ import argparse
 import numpy as np
 
 from nacreous.problem import InputError
-from nacreous.scaling import Answers, fit_attributes
+from nacreous.scaling import Answers, fit_attributes, simulate
 
 TERMS, REAL = 12, 3
 WEIGHTS = np.array([0.5, 0.35, 0.25] + [0.0] * 9)
@@ -52,13 +55,40 @@ def study(
     return answers, table
 
 
+def few(tie: float, own: float, seed: int) -> tuple[Answers, dict[str, dict[str, float]]]:
+    """7 stimuli and 3 attributes."""
+    random = np.random.default_rng(seed)
+    attributes = random.standard_normal((7, 3))
+    values = 0.5 * attributes[:, 0] + own * random.standard_normal(7)
+    scale = {f"p{k}": float(value) for k, value in enumerate(values)}
+    rows = attributes.tolist()
+    table = {
+        label: dict(zip("abc", row, strict=True)) for label, row in zip(scale, rows, strict=True)
+    }
+    return simulate(scale, 12, person_spread=0.3, tie=tie, seed=seed), table
+
+
+def table_of_few(studies: int) -> None:
+    """Few stimuli: a line for each width of ties and own standard deviation."""
+    print("\nfew stimuli: tie  own   null  +-")
+    for tie, own in ((0.0, 0.3), (0.4, 0.3), (0.0, 0.0), (0.4, 0.0)):
+        null = []
+        for seed in range(studies):
+            fit = fit_attributes(*few(tie, own, seed))
+            null.append(np.mean([weight.p_value < 0.05 for weight in fit.weights[1:]]))
+        error = np.std(null) / studies**0.5
+        print(f"             {tie:3}  {own:3}  {np.mean(null):.3f} {error:.3f}", flush=True)
+
+
 def main() -> None:
     """Print a line for each design."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--studies", type=int, default=60)
-    studies = parser.parse_args().studies
+    parser.add_argument("--few", type=int, default=400, help="studies of few stimuli (400)")
+    args = parser.parse_args()
+    studies = args.studies
     print("people pairs stimuli  own square   null  +-     found (0.5 0.35 0.25)  own found")
-    for design in DESIGNS:
+    for design in DESIGNS if studies else ():
         p_values, found = [], []
         for seed in range(studies):
             try:
@@ -77,6 +107,8 @@ def main() -> None:
             f"({len(low)} studies)",
             flush=True,
         )
+    if args.few:
+        table_of_few(args.few)
 
 
 if __name__ == "__main__":

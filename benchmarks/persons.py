@@ -119,8 +119,11 @@ def table_of_tests(studies: int) -> None:
 
 
 def table_of_choices(studies: int) -> None:
-    """What BIC chooses, of one scale, spread and up to 3 classes."""
+    """What is chosen, of one scale, spread and up to 4 classes, or left open."""
+    few = (("spread, sd .5", own_values(0.5)), ("spread, sd 1", own_values(1.0)))
+    halves = ("two opposite halves", reversed_share(0.5))
     rows: list[tuple[str, Study, int]] = [
+        *((name, study, people) for people in (6, 8, 10, 15, 20) for name, study in (*few, halves)),
         ("one scale", alike, 30),
         ("spread, sd .5", own_values(0.5), 30),
         ("spread, sd 1", own_values(1.0), 30),
@@ -129,10 +132,11 @@ def table_of_choices(studies: int) -> None:
         ("a tenth reversed", reversed_share(0.1), 30),
         ("a tenth reversed", reversed_share(0.1), 60),
     ]
-    print("\n| truth | people | one scale | spread | classes |\n|---|---|---|---|---|")
+    kinds = ("one scale", "spread", "classes", "spread or classes")
+    print(f"\n| truth | people | {' | '.join(kinds)} |\n|---|---|---|---|---|---|")
     for name, study, people in rows:
-        kinds = [population(study(people, seed), most=3).kind for seed in range(studies)]
-        shares = [kinds.count(kind) / studies for kind in ("one scale", "spread", "classes")]
+        found = [population(study(people, seed)).kind for seed in range(studies)]
+        shares = [found.count(kind) / studies for kind in kinds]
         print(
             f"| {name} | {people} | {' | '.join(f'{share:.2f}' for share in shares)} |", flush=True
         )

@@ -204,10 +204,8 @@ def _write(store: Store, parts: Iterator[list[tuple]]) -> None:
 
 
 @contextmanager
-def served(
-    study: Path, place: str
-) -> Iterator[tuple[str, list[int], urllib.request.OpenerDirector]]:
-    """A server: its address, its processes, and who is logged in there."""
+def served(study: Path, place: str) -> Iterator[tuple[str, int, urllib.request.OpenerDirector]]:
+    """A server: its address, its process, and who is logged in there."""
     command = [sys.executable, "-m", "nacreous", "study", "serve", str(study), "--port", "0"]
     with subprocess.Popen(
         [*command, "--store", place], stdout=subprocess.PIPE, text=True
@@ -221,14 +219,14 @@ def served(
                 f"{url}/lab/api/login", body, {"Content-Type": "application/json", "Origin": url}
             )
             opener.open(asked).read()
-            yield url, [server.pid, *children(server.pid)], opener
+            yield url, server.pid, opener
         finally:
             server.terminate()
 
 
 def pages(study: Path, place: str, folder: Path) -> Iterator[str]:
     """What an experimenter's page asks, one after the other."""
-    with served(study, place) as (url, processes, opener):
+    with served(study, place) as (url, server, opener):
         for name, path in (
             ("progress", "progress"),
             ("progress again, flags being worked out beside it", "progress"),
@@ -237,6 +235,7 @@ def pages(study: Path, place: str, folder: Path) -> Iterator[str]:
             ("report on the page", "report?simulated=true"),
             ("answers.csv on the page", "answers.csv"),
         ):
+            processes = [server, *children(server)]
             begin, used_s = time.monotonic(), sum(map(processor_s, processes))
             try:
                 with opener.open(f"{url}/lab/api/{path}", timeout=LONGEST_S) as told:
@@ -244,6 +243,7 @@ def pages(study: Path, place: str, folder: Path) -> Iterator[str]:
                 said = f"{time.monotonic() - begin:.2f} s ({size / 1e6:.1f} MB)"
             except (TimeoutError, OSError) as problem:
                 said = f"nothing in {time.monotonic() - begin:.0f} s ({problem})"
+            processes = [server, *children(server)]  # the second starts when it is first asked
             used_s = sum(map(processor_s, processes)) - used_s
             held = " + ".join(f"{peak_mb(process):.0f}" for process in processes)
             yield f"{name} | {said} | {used_s:.1f} s | {held} MB"
@@ -253,12 +253,13 @@ def command(name: str, *words: str) -> Iterator[str]:
     """A command in a process of its own."""
     begin = time.monotonic()
     measured = (
-        "import resource, runpy, sys\n"
+        "import pathlib, re, runpy, sys, time\n"
         "sys.argv = ['nacreous', *sys.argv[1:]]\n"
         "try: runpy.run_module('nacreous', run_name='__main__')\n"
         "finally:\n"
-        "    used = resource.getrusage(resource.RUSAGE_SELF)\n"
-        "    print(used.ru_utime + used.ru_stime, used.ru_maxrss, file=sys.stderr)\n"
+        # ru_maxrss would begin with what we ourselves held at the fork.
+        "    held = re.search(r'VmHWM:\\s+(\\d+)', pathlib.Path('/proc/self/status').read_text())\n"
+        "    print(time.process_time(), held[1], file=sys.stderr)\n"
     )
     try:
         done = subprocess.run(

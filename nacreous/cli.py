@@ -21,6 +21,7 @@ import sys
 from collections.abc import Sequence
 
 from nacreous.commands.parser import COMMANDS, build_parser, nearest
+from nacreous.frames import without_pandas
 from nacreous.printable import printable
 from nacreous.problem import InputError
 
@@ -30,23 +31,9 @@ def run_program() -> int:
     # Python's last search for garbage would take as long as reading the files did; what lies in
     # no circle is cleaned up all the same.
     atexit.register(gc.freeze)
-    sys.meta_path.insert(0, _WithoutPandas())
+    without_pandas()
     _speak_utf8()
     return main()
-
-
-class _WithoutPandas:
-    """Tells whoever looks for pandas that it is not installed.
-
-    No command takes a data frame, but pyarrow would import pandas, where there is any, to see
-    whether it is given one, which takes longer than most commands.
-    """
-
-    @staticmethod
-    def find_spec(name: str, path: object = None, target: object = None) -> None:
-        """As Python's import asks, of every module that is not loaded yet."""
-        if name == "pandas":
-            raise ModuleNotFoundError("no command needs pandas", name=name)
 
 
 def _speak_utf8() -> None:

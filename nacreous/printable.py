@@ -2,7 +2,7 @@
 
 from unicodedata import category
 
-__all__ = ["printable", "printable_lines"]
+__all__ = ["by_number", "printable", "printable_lines"]
 
 #: Zero-width, but a part of words in Persian and of joined emoji.
 _JOINERS = "\u200c\u200d"
@@ -19,7 +19,17 @@ def printable(text: str) -> str:
     """
     if text.isprintable():
         return text
-    return "".join(c if _shows(c) else f"\\u{ord(c):04x}" for c in text)
+    return "".join(c if _shows(c) else by_number(c) for c in text)
+
+
+def by_number(letter: str) -> str:
+    r"""A character as Python writes it by its number: of four digits, or of eight.
+
+    >>> print(by_number("\x1b"), by_number("\U000e0041"))
+    \u001b \U000e0041
+    """
+    code = ord(letter)
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
 def _shows(letter: str) -> bool:

@@ -12,6 +12,9 @@ if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
     from nacreous.scaling.report.analysis import Analysis
 
+#: Of more columns nobody reads why they were not compared.
+_MOST_UNTESTED = 10
+
 
 def told(found: Analysis, seconds: float) -> str:
     """In a few lines what was found."""
@@ -47,6 +50,7 @@ def told(found: Analysis, seconds: float) -> str:
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
     lines += _groups_told(found) + _left_out_told(found) + _times_told(found)
+    lines += _read_told(found) + _untested_told(found)
     return "\n".join([*lines, _fit_verdict(found)])
 
 
@@ -102,6 +106,41 @@ def _left_out_told(found: Analysis) -> list[str]:
     return [f"rows left out: {told}"]
 
 
+def _read_told(found: Analysis) -> list[str]:
+    """What was read by a guess, and words that were read as nothing."""
+    lines = []
+    if found.encoding_guessed:
+        guess = found.encoding_guessed
+        sure = "save it as UTF-8" if found.answers is None else "--encoding names this or another"
+        lines.append(f"read as {guess}, a guess; {sure}")
+    groups = {} if found.answers is None else found.answers.groups
+    return lines + [
+        f"read as empty: {listed(group.nothing)} in column {name}"
+        for name, group in groups.items()
+        if group.nothing
+    ]
+
+
+#: Why people were not compared by a column.
+_UNTESTED = {
+    "few people": "it is filled in for fewer than 6 people",
+    "few apart": "too few people differ in it",
+    "many values": "it is text, and has nearly as many values as there are people",
+    "unclear marks": "its commas or points may part thousands or decimals",
+    "no numbers": "beside numbers it holds {cells}",
+}
+
+
+def _untested_told(found: Analysis) -> list[str]:
+    """Columns of people by which they could not be compared, and why."""
+    untested = () if found.people is None else found.people.untested
+    return [
+        f"column {one.column} is not compared between people: "
+        + _UNTESTED[one.reason].format(cells=listed(one.cells, 3))
+        for one in untested[:_MOST_UNTESTED]
+    ]
+
+
 def _times_told(found: Analysis) -> list[str]:
     """That a column seems to hold response times and is not used, for its unit is unknown."""
     from nacreous.scaling.data.program import may_be_response_time
@@ -132,6 +171,8 @@ def _people_told(found: Analysis) -> list[str]:
         said += f"; correlation {last:z.2f}" if len(described.classes) == 2 else ""
     elif described.kind == "spread":
         said = _spread_told(described)
+    elif described.kind == "spread or classes":
+        said = "values of their own or classes of people: these answers cannot tell which"
     else:
         said = "too slightly to describe how"
     return [*lines, said]

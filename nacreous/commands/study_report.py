@@ -43,10 +43,12 @@ def run(args: argparse.Namespace) -> int:
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.study.design import open_frozen
+    from nacreous.study.memory import hold_little
     from nacreous.study.results import report
     from nacreous.study.running import Running
     from nacreous.study.store import Store
 
+    hold_little()
     standard.check_output(args.output, [".html"])
     frozen = open_frozen(args.study)
     question = frozen.design.questions[0].id if args.question is None else args.question

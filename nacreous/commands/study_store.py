@@ -97,8 +97,10 @@ def restore(args: argparse.Namespace) -> int:
 def export(args: argparse.Namespace) -> int:
     """Write, and say how many rows, and how many of them are marked."""
     from nacreous.commands import standard
+    from nacreous.study.memory import hold_little
     from nacreous.study.store import Store, export
 
+    hold_little()
     table = args.table
     name = f"{table}.csv" if args.output is None else args.output
     with (

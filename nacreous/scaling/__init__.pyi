@@ -5,7 +5,6 @@ from .check.covariate import person_covariates as person_covariates
 from .check.kendall import Agreement as Agreement
 from .check.kendall import agreement as agreement
 from .check.misfit import Goodness as Goodness
-from .check.misfit import Misfit as Misfit
 from .check.misfit import goodness as goodness
 from .check.person import PersonalTriads as PersonalTriads
 from .check.person import triads_by_person as triads_by_person
@@ -25,6 +24,7 @@ from .check.transitive import Violation as Violation
 from .check.transitive import transitivity as transitivity
 from .check.triads import Triads as Triads
 from .check.triads import circular_triads as circular_triads
+from .check.worst import Misfit as Misfit
 from .compare.attribute_line import Prediction as Prediction
 from .compare.attributes import AttributeFit as AttributeFit
 from .compare.attributes import AttributeTest as AttributeTest

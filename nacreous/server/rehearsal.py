@@ -23,6 +23,7 @@ from nacreous.number import number_of, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.spreadsheet import as_given
 from nacreous.server.client import Client
 from nacreous.server.observer import responses
 from nacreous.study.design import Frozen
@@ -97,7 +98,7 @@ def scale_of(name: str) -> dict[str, float]:
     try:
         with Path(name).open(encoding="utf-8-sig", newline="") as lines:
             rows = list(csv.DictReader(lines))
-        return {label_of(row["stimulus"]): float(row["scale"]) for row in rows}
+        return {label_of(as_given(row["stimulus"])): float(row["scale"]) for row in rows}
     except FileNotFoundError:
         raise missing(name, "paper, or a CSV file") from None
     except OSError as problem:

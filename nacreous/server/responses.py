@@ -187,7 +187,7 @@ class ProgressTold(BaseModel):
 
 
 class StimulusTold(BaseModel):
-    """A stimulus on the scale, with its interval, of which null is an end that answers do not set."""
+    """A stimulus on the scale, with its interval; null: an end that the answers do not set."""
 
     label: str
     picture: str

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 import signal
 import sys
@@ -13,8 +12,10 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from nacreous.frames import without_pandas
 from nacreous.problem import InputError
 from nacreous.study.design import open_frozen
+from nacreous.study.memory import hold_little
 from nacreous.study.running import Running
 from nacreous.study.store import Store, StoreError
 
@@ -24,7 +25,8 @@ def work_for(line: Connection, folder: Path, place: str) -> None:
 
     The study and the store are opened anew and only read.
     """
-    _give_back()
+    hold_little()
+    without_pandas()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C on a terminal is for the server
     if sys.platform != "win32":
         os.nice(10)
@@ -32,16 +34,6 @@ def work_for(line: Connection, folder: Path, place: str) -> None:
         running = Running(store, open_frozen(folder))
         while True:
             line.send(_done(running, *line.recv()))
-
-
-def _give_back() -> None:
-    """Let glibc give millions of rows back when they are freed, and not keep up to 32 MB a piece.
-
-    M_MMAP_THRESHOLD at a fixed value, mallopt(3); a lower one takes longer.
-    """
-    if sys.platform == "linux":
-        with suppress(OSError, AttributeError):  # another C library
-            ctypes.CDLL(None).mallopt(-3, 1 << 23)
 
 
 def _done(

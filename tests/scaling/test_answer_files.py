@@ -131,11 +131,48 @@ def test_japanese_is_read_in_the_encodings_of_japan(tmp_path):
     assert said(read(tmp_path, JAPANESE.encode("cp932"), encoding="Shift_JIS")) == wanted
 
 
+@pytest.mark.parametrize("python", ["utf-32-le", "utf-32-be", "utf-16-le", "utf-16-be", "utf-32"])
+@pytest.mark.parametrize("text", [JAPANESE, PLAIN])
+def test_wide_text_is_read_with_a_mark_or_without(tmp_path, python, text):
+    content = text.encode(python)
+    found = [read(tmp_path, content), read(tmp_path, content, encoding=python[:6])]
+    assert [said(one) for one in found] == [said(read(tmp_path, text))] * 2
+    assert [one.encoding_guessed for one in found] == [None, None]
+
+
+def test_a_guessed_encoding_is_told(tmp_path):
+    guessed = read(tmp_path, JAPANESE.encode("cp932"))
+    assert guessed.encoding_guessed == guessed.comparisons().encoding_guessed == "Shift-JIS"
+    assert read(tmp_path, JAPANESE.encode("cp932"), encoding="sjis").encoding_guessed is None
+    assert read(tmp_path, JAPANESE).encoding_guessed is None
+    (tmp_path / "counts.csv").write_bytes("光沢,巻き\n0,3\n1,0\n".encode("cp932"))
+    counts = nc.scaling.Comparisons.read_counts(tmp_path / "counts.csv")
+    assert counts.encoding_guessed == "Shift-JIS"
+
+
+@pytest.mark.parametrize("labels", ["Hélène,Éclat,Terné", "A,Éclat,B", "Ångström,Ørsted,a"])
+@pytest.mark.parametrize("python", ["mac_roman", "cp850", "cp437"])
+def test_accents_that_make_kanji_within_latin_words_are_no_japanese(tmp_path, labels, python):
+    one, two, three = labels.encode(python, "replace").decode(python).split(",")
+    text = f"person;left;right;chosen\n{one};{two};{three};{two}\n"
+    with pytest.raises(nc.InputError, match="is not UTF-8 text"):
+        read(tmp_path, text.encode(python))
+    assert len(read(tmp_path, text.encode(python), encoding="mac-roman")) == 1
+
+
+@pytest.mark.parametrize(
+    "labels", [("T字路", "Y字路"), ("あこやpearl", "白蝶pearl"), ("A級", "B級")]
+)
+def test_latin_letters_beside_japanese_are_japanese(tmp_path, labels):
+    text = "left,right,chosen\n{0},{1},{1}\n光沢,{1},光沢\n".format(*labels)
+    assert set(labels) < set(read(tmp_path, text.encode("cp932")).stimuli)
+
+
 @pytest.mark.parametrize(
     ("labels", "python"),
     [
         (["Émail", "Nacré", "Doré"], "cp1252"),
-        (["Pearl’s", "“two”", "—"], "cp1252"),
+        (["Pearl’s", "“two”", "a—b"], "cp1252"),
         (["été", "Régis", "éb"], "latin-1"),
         (["ﾃﾘ", "ﾏｷ", "ｲﾛ"], "cp932"),
         (["光", "沢", "光沢"], "cp932"),
@@ -331,8 +368,8 @@ def test_names_of_columns_are_compared_in_one_unicode_form(tmp_path):
         ("A\u034f", r"\\u034f"),
         ("A\u2800", r"\\u2800"),
         ("A\uffff", r"\\uffff"),
-        ("A\U0001fffe", r"\\u1fffe"),
-        ("A\U000e0041", r"\\ue0041"),
+        ("A\U0001fffe", r"\\U0001fffe"),
+        ("A\U000e0041", r"\\U000e0041"),
         ("\u200c", r"\\u200c"),
         ("\ufe0f", r"\\ufe0f"),
     ],

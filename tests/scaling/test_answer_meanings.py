@@ -82,7 +82,61 @@ def test_a_tie_that_chosen_does_not_know_is_refused():
     with pytest.raises(nc.InputError, match=r'row 0: tie says .*, and chosen is "A"; allowed'):
         Answers.of_table(table)
     assert Answers.of_table(table | {"tie": [0, 1]}).outcome.tolist() == [1, 0]
-    assert "draw" in Answers.of_table(table | {"tie": [0, 1], "draw": [3, 4]}).groups
+    with pytest.raises(nc.InputError, match=r'row 1: tie says that this is no tie, .* is "tie"'):
+        Answers.of_table(table | {"tie": [0, 0]})
+
+
+@pytest.mark.parametrize(
+    ("yes", "no"),
+    [
+        *[("WAHR", "FALSCH"), ("VRAI", "FAUX"), ("VERDADERO", "FALSO"), ("Ja", "Nein")],
+        *[
+            ("oui", "non"),
+            ("はい", "いいえ"),
+            ("真", "偽"),
+            ("ИСТИНА", "ЛОЖЬ"),
+            ("DOĞRU", "YANLIŞ"),
+        ],
+        *[("T", "F"), ("on", "off"), ("x", ""), ("tie", ""), ("draw", "win"), ("1", "NA")],
+        *[("1.0", "0.0"), ("ＴＲＵＥ", "ＦＡＬＳＥ"), ("Unentschieden", ""), ("-", "1")[::-1]],
+    ],
+)
+def test_a_tie_is_none_in_the_words_of_any_spreadsheet(yes, no):
+    cells = [yes, no, no, yes]
+    won = {"winner": ["A", "A", "B", "B"], "loser": ["B", "B", "A", "A"], "tie": cells}
+    answers = Answers.of_table(won)
+    assert answers.outcome.tolist() == [0, 1, 1, 0]
+    assert not answers.groups
+    table = {"left": ["A", "B"], "right": ["B", "A"], "chosen": ["A", "A"], "tie": [yes, no]}
+    with pytest.raises(nc.InputError, match=r'row 0: tie says that this is a tie, .* is "A"'):
+        Answers.of_table(table)
+
+
+@pytest.mark.parametrize(
+    ("columns", "said"),
+    [
+        ({"tie": ["2", "0"]}, 'column tie holds "2"; allowed: 1 and 0, yes and no or TRUE and'),
+        ({"Draw": ["-1", "0"]}, 'column Draw holds "-1"; allowed'),
+        ({"引き分け": ["?", ""]}, 'column 引き分け holds "\\?"; allowed'),
+        ({"tie": ["1", "0"], "draw": ["3", "4"]}, "columns tie and draw may say which"),
+        ({"result": ["win", "draw"]}, 'column result holds "draw", and may say which'),
+        ({"tie": ["1", "0", ""]}, 'row 2: tie is empty, beside "1", "0"; allowed: one of them'),
+    ],
+)
+def test_a_column_that_may_be_about_ties_is_no_group(columns, said):
+    rows = len(next(iter(columns.values())))
+    table = {"winner": ["A", "B", "C"][:rows], "loser": ["B", "C", "A"][:rows], **columns}
+    with pytest.raises(nc.InputError, match=said):
+        Answers.of_table(table)
+
+
+def test_words_for_a_tie_are_words_in_any_letters_unless_a_stimulus_is_called_so():
+    cells = ["Tie", "TIE", "Draw", "drawn", "引き分け"]
+    told = outcomes(["A"] * 5, ["B"] * 5, cells, repeats=True)
+    assert told == ["A=B"] * 5
+    assert outcomes(["Draw"], ["B"], ["Draw"]) == ["Draw>B"]
+    with pytest.raises(nc.InputError, match='chosen is "draw"; allowed'):
+        outcomes(["Draw"], ["B"], ["draw"])
 
 
 # --- times
@@ -137,3 +191,94 @@ def test_a_column_that_may_be_response_times_is_not_passed_over_in_silence(tmp_p
     assert cli.main(["scale", str(path), "-o", str(tmp_path / "a.csv.json")]) == 0
     told = "".join(capsys.readouterr())
     assert f"column {name} is not used as response times; allowed: --column " in told
+
+
+# --- jsPsych's numbers
+
+
+def jspsych(kinds, responses, labels=("a", "b", "c"), **options) -> list[str]:
+    count = len(responses)
+    table = {
+        "trial_type": [f"{kind}-response" if kind else "survey-likert" for kind in kinds],
+        "trial_index": list(range(count)),
+        "time_elapsed": [1000 * at for at in range(count)],
+        "response": responses,
+        "left": [labels[0], labels[1]][:count],
+        "right": [labels[1], labels[2]][:count],
+    }
+    answers = Answers.of_table(table, **options)
+    names = answers.stimuli
+    both = zip(answers.left, answers.right, answers.outcome, strict=True)
+    return [f"{names[one]}{'<=>'[outcome + 1]}{names[other]}" for one, other, outcome in both]
+
+
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ["html-keyboard"] * 2,
+        ["html-slider"] * 2,
+        ["", ""],
+        ["html-button", "html-keyboard"],
+    ],
+)
+def test_only_buttons_of_jspsych_count_from_the_left(kinds):
+    with pytest.raises(nc.InputError, match="response holds 0 and 1, and either side may be meant"):
+        jspsych(kinds, ["0", "1"])
+    assert jspsych(kinds, ["0", "1"], left_word="1", right_word="0") == ["a<b", "b>c"]
+    assert jspsych(["html-button", "image-button"], ["0", "1"]) == ["a>b", "b<c"]
+
+
+def test_a_third_button_of_jspsych_and_a_button_called_as_a_stimulus_are_asked_about():
+    for responses in (["0", "2"], ["1", "2"]):
+        with pytest.raises(nc.InputError, match=r"left_word='0', right_word='1', tie='2'$"):
+            jspsych(["html-button"] * 2, responses)
+    assert jspsych(["html-button"], ["0"], labels=("0", "3", "4")) == ["0>3"]
+    with pytest.raises(nc.InputError, match=r"response is 1, which may be a button or the stim"):
+        jspsych(["html-button"] * 2, ["0", "1"], labels=("0", "1", "2"))
+
+
+def test_jspsych_6_has_buttons_and_keys_in_columns_of_their_own():
+    table = {
+        "trial_type": ["html-button-response"] * 2,
+        "trial_index": [1, 2],
+        "time_elapsed": [1, 2],
+        **{"left": ["a", "b"], "right": ["b", "c"], "button_pressed": [0, 1]},
+    }
+    assert Answers.of_table(table).outcome.tolist() == [1, -1]
+    keys = {"key_press": [37, 39], "trial_type": ["html-keyboard-response"] * 2}
+    table = {name: cells for name, cells in (table | keys).items() if name != "button_pressed"}
+    with pytest.raises(nc.InputError, match=r"key_press holds .* left_word='37', right_word='39'"):
+        Answers.of_table(table)
+
+
+# --- columns and marks that may mean two things
+
+
+@pytest.mark.parametrize("role", ["left", "chosen", "person", "time"])
+def test_two_columns_for_one_role_are_asked_about(role):
+    table = BARE | {"person": ["p", "q", "r"], "time": [1, 2, 3]}
+    twin = table | {role.title(): table[role]}
+    with pytest.raises(nc.InputError, match=f"has the columns {role} and {role.title()}; allowed"):
+        Answers.of_table(twin)
+    assert len(Answers.of_table(twin, **{role: role})) == 3
+
+
+@pytest.mark.parametrize(
+    ("cells", "ms"),
+    [
+        (["1.250", "2.100"], None),
+        (["1.250", "812"], None),
+        (["1.250", "812,5"], None),
+        (["1.250", "812.5"], [1.25, 812.5]),
+        (["1,250", "812"], [1.25, 812]),
+    ],
+)
+def test_a_point_between_semicolons_may_part_thousands(tmp_path, cells, ms):
+    path = tmp_path / "a.csv"
+    head = "left;right;chosen;response_ms\n"
+    path.write_text(head + "".join(f"a;b;{'ab'[at]};{cell}\n" for at, cell in enumerate(cells)))
+    if ms is None:
+        with pytest.raises(nc.InputError, match=r'"1\.250"; .* such as 1250 or 1,25, or response_'):
+            Answers.read(path)
+    else:
+        assert Answers.read(path).response_s == pytest.approx(np.array(ms) / 1000)

@@ -25,7 +25,9 @@ def read(folder: Path, columns: str, *cells: str) -> Answers:
     """person_id|Participant ID|participantId|Subject ID|subject_nr|Response ID|ResponseId|subj
     worker_id|WorkerId|prolific_id|PROLIFIC_PID|run_id|respondent|RespondentID|Person Nr.|Vpn
     Participant Private ID|Participant Public ID|Versuchsperson|参加者|被験者ID
-    回答者番号|ｐｅｒｓｏｎ＿ＩＤ|observer|Participant-No""".replace("\n    ", "|").split("|"),
+    回答者番号|ｐｅｒｓｏｎ＿ＩＤ|observer|Participant-No|exp_subject_id""".replace(
+        "\n    ", "|"
+    ).split("|"),
 )
 def test_people_are_known_by_the_names_of_other_programs(tmp_path, name):
     assert read(tmp_path, name, "x1", "x2", "x1").people == ("x1", "x2")

@@ -107,7 +107,7 @@ def test_a_line_of_a_wide_table_given_twice_is_one_fault(tmp_path):
         (("yes", "yes"), "left_word='yes', right_word='no' or the other way round"),
         (("equal", "equal"), "tie='equal'"),
         (("=", "="), "tie='='"),
-        (("引き分け", "引き分け"), "tie='引き分け'"),
+        (("同じ", "同じ"), "tie='同じ'"),
         (("x", "y"), "left_word=WORD, right_word=WORD, tie=WORD"),
     ],
 )

@@ -281,11 +281,11 @@ def without(name: str) -> dict[str, Any]:
         (TABLE | {"left": ["\ud800", "9", "2", "9"]}, "table: column left holds half a character"),
         (
             TABLE | {"left": [b"2"] * 3 + [b"\xff"]},
-            "table: column left holds values of the kind bin",
+            "table: column left holds bytes that are no text",
         ),
         (TABLE | {"left": "abcd"}, "table: column left is 'abcd'; allowed: a list of values"),
         (TABLE | {"left": np.ones((4, 2))}, "table: column left is array("),
-        (TABLE | {"left": [["a"]] * 4}, "table: column left holds values of the kind list"),
+        (TABLE | {"left": [["a"]] * 4}, "table: column left holds lists"),
         (TABLE | {"left": [1, 2.5, "x", 3]}, "table: row 1: left is 2.5; allowed: text or a whole"),
         (
             TABLE | {"response_s": [1, -2, 2, 3]},

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from nacreous.scaling import Answers, person_covariates, simulate
+from nacreous.scaling.check.covariate import untested_columns
 from nacreous.scaling.data.column import Grouping
 from tests.scaling.test_shared import together
 
@@ -72,6 +73,66 @@ def test_people_whose_column_is_empty_are_left_out():
     study = simulate(TRUTH, 20, seed=1)
     found = person_covariates(with_columns(study, eye=["l", "r"] * 8 + [None] * 4))
     assert found[0].people == 16
+
+
+def aged(*ages: object) -> Answers:
+    """Twenty people with a column age as a file has it, in a row each of their answers."""
+    study = simulate(TRUTH, 20, seed=1)
+    sides = zip(study.left, study.right, study.outcome, study.person, strict=True)
+    rows = [
+        (study.people[p], study.stimuli[a], study.stimuli[b], "left" if o > 0 else "right", p)
+        for a, b, o, p in sides
+    ]
+    person, left, right, chosen, at = zip(*rows, strict=True)
+    cells = [ages[p] if p < len(ages) else str(20 + p) for p in at]
+    columns = {"person": person, "left": left, "right": right, "chosen": chosen, "age": cells}
+    return Answers.of_table({name: list(column) for name, column in columns.items()}, repeats=True)
+
+
+@pytest.mark.parametrize("word", ["NA", "n/a", "NaN", ".", "null", "None", "none", "-", "#N/A", ""])
+def test_a_word_for_nothing_is_an_empty_cell_of_a_covariate(word):
+    answers = aged(word)
+    (found,) = person_covariates(answers, 99)
+    assert (found.kind, found.people) == ("number", 19)
+    assert answers.groups["age"].nothing == ((word,) if word else ())
+    assert untested_columns(answers) == ()
+
+
+@pytest.mark.parametrize(
+    ("ages", "reason", "cells"),
+    [
+        (["?"], "no numbers", ("?",)),
+        (["inf", "1e400"], "no numbers", ("1e400", "inf")),
+        ([f"{k} years" for k in range(20)], "many values", ()),
+        ([f"1,{100 + k}" for k in range(20)], "unclear marks", ()),
+        ([*range(20, 24), *[""] * 16], "few people", ()),
+    ],
+)
+def test_a_column_that_cannot_be_compared_is_told_with_the_reason(ages, reason, cells):
+    answers = aged(*ages)
+    assert person_covariates(answers, 99) == ()
+    (told,) = untested_columns(answers)
+    assert (told.column, told.reason, told.cells) == ("age", reason, cells)
+
+
+def test_decimal_commas_are_numbers_and_none_beside_words_is_one():
+    (found,) = person_covariates(aged(*[f"{20 + k},5" for k in range(20)]), 99)
+    assert (found.kind, found.people) == ("number", 20)
+    (found,) = person_covariates(aged(*["none", "near"] * 10), 99)
+    assert (found.kind, found.people) == ("groups", 20)
+    (found,) = person_covariates(aged(*["+", "-"] * 10), 99)
+    assert (found.kind, found.people) == ("groups", 20)
+
+
+def test_a_person_whose_age_stands_in_one_row_has_it():
+    study = two_ages(1)
+    code = study.groups["age"].code.copy()
+    seen = np.unique(study.person, return_index=True)[1]
+    once = np.full_like(code, -1)
+    once[seen] = code[seen]
+    few = replace(study, groups={"age": replace(study.groups["age"], code=once)})
+    full = replace(study, groups={"age": study.groups["age"]})
+    assert person_covariates(few) == person_covariates(full)
 
 
 def test_numbers_are_the_same_in_other_units():

@@ -8,7 +8,7 @@ from nacreous.scaling.check.person import rows_by_person, triads_by_person
 from nacreous.scaling.check.triads import circular_triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.case_v import thurstone
-from nacreous.scaling.fit.clustering import _information, _same_pairs
+from nacreous.scaling.fit.clustering import _common_degrees, _information
 from nacreous.scaling.fit.errors import errors_of
 from nacreous.scaling.fit.existence import pair_model
 
@@ -59,5 +59,23 @@ def test_a_persons_triads_are_those_of_the_persons_own_answers(answers: Answers)
 def test_people_have_the_same_pairs_whichever_side_and_order(answers: Answers) -> None:
     all_pairs = nc.scaling.simulate(np.linspace(1, -1, 4), people=5, seed=2)
     shuffled = all_pairs.take(np.random.default_rng(3).permutation(len(all_pairs)))
-    assert _same_pairs(shuffled, 5)
-    assert not _same_pairs(answers, 12)
+    assert _common_degrees(shuffled, 5, 4, sided=False) == 4
+    assert _common_degrees(answers, 12, 6, sided=False) is None
+
+
+def test_where_nobody_gave_much_own_corrections_change_next_to_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = nc.scaling.simulate(np.linspace(1, -1, 5), people=300, seed=6)
+    fit = thurstone(made.take(np.random.default_rng(4).random(len(made)) < 0.7))
+    contrasts = np.eye(5)[:4] - np.eye(5)[1:]
+    found = errors_of(fit, "people").clusters
+    monkeypatch.setattr("nacreous.scaling.fit.clustering._SMALL_SHARE", 0.0)
+    exact = errors_of(fit, "people").clusters
+    assert found is not None
+    assert exact is not None
+    assert found.degrees is not None
+    assert exact.degrees is None
+    variances = [np.diag(contrasts @ one.covariance @ contrasts.T) for one in (found, exact)]
+    assert variances[0] == pytest.approx(variances[1], rel=0.01)
+    assert np.all(found.freedom(contrasts) <= exact.freedom(contrasts))

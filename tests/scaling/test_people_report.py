@@ -138,3 +138,38 @@ def test_spread_in_the_report_is_in_the_unit_of_the_scale():
     spread = own.people.population.spread
     for found, times in ((own, 1.0), (other, 1.4826)):
         assert f"{np.round(spread * times, 2):.2f}" in people.chapter(found, Words("en"))
+
+
+def test_what_was_read_as_nothing_or_by_a_guess_is_told(tmp_path, capsys):
+    lines = CAMPS.read_text().splitlines()
+    rows = [
+        "年齢,視力,目",
+        *(f"{cells},{'lr'[k // 21 % 2]}" for k, cells in enumerate(aged(lines))),
+    ]
+    path = tmp_path / "a.csv"
+    table = "\n".join(f"{a},{b}" for a, b in zip(lines, rows, strict=True))
+    path.write_bytes(table.encode("cp932"))
+    outputs = [option for name in ("a.html", "a.json") for option in ("-o", str(tmp_path / name))]
+    assert main(["scale", str(path), *outputs, "--bootstrap", "0"]) == 0
+    said = capsys.readouterr().out
+    assert "read as Shift-JIS, a guess; --encoding names this or another\n" in said
+    assert 'read as empty: "NA" in column 年齢\n' in said
+    assert 'column 視力 is not compared between people: beside numbers it holds "?"' in said
+    page = (tmp_path / "a.html").read_text()
+    assert "The file was read as Shift-JIS, a guess" in page
+    assert "Read as empty cells: " in page
+    assert " stands beside numbers." in page
+    (told,) = json.loads((tmp_path / "a.json").read_text())["one_scale_for_all_people"][
+        "columns_not_compared"
+    ]
+    assert (told["column"], told["reason"], told["cells"]) == ("視力", "no numbers", ["?"])
+
+
+def aged(lines: list[str]) -> list[str]:
+    """Cells of age and eyesight a row, of one person NA and a question mark."""
+    people = [line.split(",")[0] for line in lines[1:]]
+    own = {
+        person: f"{20 + at},{0.8 + at / 100:g}" for at, person in enumerate(dict.fromkeys(people))
+    }
+    own[people[0]] = "NA,?"
+    return [own[person] for person in people]

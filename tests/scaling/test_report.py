@@ -17,7 +17,15 @@ import nacreous as nc
 from nacreous.scaling import report
 from nacreous.scaling.report.chapters import method, neighbours
 from nacreous.scaling.report.picture import inline
-from nacreous.scaling.report.translation import LANGUAGES, Html, Words, number, percent, texts
+from nacreous.scaling.report.translation import (
+    LANGUAGES,
+    Html,
+    Words,
+    language_of,
+    number,
+    percent,
+    texts,
+)
 
 SPITEFUL = ("<script>alert(1)</script>", "a\"b'c", "x & y", "$\\frac{1}{2}$", "真珠 <b>", "{first}")
 
@@ -184,6 +192,23 @@ def told(study, language="en") -> str:
     return unescape(re.sub(r"<[^>]+>", "", text))
 
 
+def test_labels_that_are_read_from_right_to_left_stand_apart_from_the_words_around_them():
+    """Unicode's bidirectional algorithm (UAX 9) would put a row of them in the other order."""
+    scale = {"A": 0.0, "שלום": 1.0, "مرحبا": 0.5}
+    data = nc.scaling.simulate(scale, 20, seed=1)
+    study = nc.scaling.analyse(data, bootstrap=0, question="איזה טוב?")
+    for language in ("en", "ja"):
+        page = study.text("a.html", language)
+        assert "unicode-bidi: isolate" in page
+        for label in ("שלום", "مرحبا"):
+            assert f'<b class="name" dir="auto">{label}</b>' in page
+            for found in re.finditer(label, re.sub(r"<text\b.*?</text>", "", page)):
+                assert found.string[: found.start()].endswith(('dir="auto">', "\u2068"))
+        assert "<title>" in page
+        assert "\u2068איזה טוב?\u2069" in page[: page.index("</title>")]
+        assert '<b class="name">A</b>' in page
+
+
 def test_the_papers_report_says_what_the_paper_found(paper):
     said = told(paper)
     for sentence in (
@@ -254,13 +279,28 @@ def test_all_pairs_are_told_with_one_correction_for_all(paper):
 
 
 def test_labels_carry_their_language_on_pages_in_any_language():
-    assert Words("en").name("真珠") == '<b class="name" lang="ja">真珠</b>'
+    assert Words("en").name("光沢") == '<b class="name" lang="ja">光沢</b>'
     assert Words("ja").name("あこや 1") == '<b class="name" lang="ja">あこや 1</b>'
     assert Words("ja").name("pearl 1") == '<b class="name">pearl 1</b>'
     drawn = inline(
-        '<svg viewBox="0"><g><text x="1">真珠</text><text>a</text></g></svg>', "p", "", ""
+        '<svg viewBox="0"><g><text x="1">光沢</text><text>a</text></g></svg>', "p", "", ""
     )
-    assert '<text lang="ja" x="1">真珠</text><text>a</text>' in drawn
+    assert '<text lang="ja" x="1">光沢</text><text>a</text>' in drawn
+
+
+@pytest.mark.parametrize(
+    ("labels", "tag"),
+    [
+        (["光沢", "巻", "真珠の色", "ﾃﾘ", "働", "〆"], "ja"),
+        (["骨头", "门", "珍珠颜色", "马"], "zh-Hans"),
+        (["說明", "內"], "zh-Hant"),
+        (["진주"], "ko"),
+        (["真珠", "珍珠", "門", "骨", "pearl", "жемчуг"], ""),
+    ],
+)
+def test_glyphs_are_asked_for_only_where_a_label_tells_its_language(labels, tag):
+    wanted = f' lang="{tag}"' if tag else ""
+    assert [language_of(label) for label in labels] == [wanted] * len(labels)
 
 
 def test_a_question_carries_its_language_and_the_title_is_text_alone():

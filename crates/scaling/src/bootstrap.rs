@@ -56,6 +56,10 @@ pub struct Bootstrap<'a> {
     pub studentised: bool,
 }
 
+/// Samples that are drawn at once, so that answers are gone through once for all of them: of 1000 people
+/// with 1770 answers each, the whole bootstrap takes half the time.
+const LANES: usize = 8;
+
 /// How far from the fit a sample without a maximum may lie, in z: see [`Bootstrap::leash`].
 const LEASH: f64 = 3.0;
 
@@ -71,22 +75,33 @@ impl Bootstrap<'_> {
         done: &AtomicUsize,
     ) -> Result<Vec<Resampled>, ScalingError> {
         let drawer = Drawer::of(self.source, self.model)?;
-        (0..self.samples)
+        let blocks: Result<Vec<Vec<Resampled>>, ScalingError> = (0..self.samples.div_ceil(LANES))
             .into_par_iter()
             .map_init(
                 || drawer.empty(),
-                |(counts, people), sample| {
-                    let mut key = *b"-------- nacreous bootstrap seed";
-                    key[..8].copy_from_slice(&self.seed.to_le_bytes());
-                    let mut random = ChaCha8Rng::from_seed(key);
-                    random.set_stream(sample as u64);
-                    drawer.draw(&mut random, counts, people);
-                    let found = self.scale_of(counts, people, stop);
-                    done.fetch_add(1, Ordering::Relaxed);
-                    found
+                |drawn, block| {
+                    let samples = block * LANES..self.samples.min((block + 1) * LANES);
+                    let mut randoms: Vec<_> = samples.map(|sample| self.random(sample)).collect();
+                    drawer.draw(&mut randoms, drawn);
+                    let fitted = drawn.each.iter().take(randoms.len()).map(|(counts, people)| {
+                        let found = self.scale_of(counts, people, stop);
+                        done.fetch_add(1, Ordering::Relaxed);
+                        found
+                    });
+                    fitted.collect()
                 },
             )
-            .collect()
+            .collect();
+        Ok(blocks?.into_iter().flatten().collect())
+    }
+
+    /// The random numbers of one sample.
+    fn random(&self, sample: usize) -> ChaCha8Rng {
+        let mut key = *b"-------- nacreous bootstrap seed";
+        key[..8].copy_from_slice(&self.seed.to_le_bytes());
+        let mut random = ChaCha8Rng::from_seed(key);
+        random.set_stream(sample as u64);
+        random
     }
 
     fn scale_of(
@@ -167,6 +182,14 @@ fn range(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::MAX, f64::MIN), |(low, high), &v| (low.min(v), high.max(v)))
 }
 
+/// Samples, drawn into again and again.
+struct Drawn {
+    /// Each one's counts, and how often each person is in it.
+    each: Vec<(Counts, Vec<u32>)>,
+    /// Of people's answers: the counts of all samples, [row][answer][sample].
+    sums: Vec<[[f64; LANES]; 3]>,
+}
+
 /// Draws counts that the model sees, always for the same rows.
 enum Drawer<'a> {
     People(&'a Ledger),
@@ -197,54 +220,88 @@ impl<'a> Drawer<'a> {
         }
     }
 
-    /// Counts and multiplicities of people to draw into.
-    fn empty(&self) -> (Counts, Vec<u32>) {
-        match self {
-            Self::People(ledger) => (ledger.counts.clone(), vec![0; ledger.people()]),
-            Self::Answers { seen, .. } => (seen.clone(), Vec::new()),
-        }
+    /// What to draw into.
+    fn empty(&self) -> Drawn {
+        let (one, rows) = match self {
+            Self::People(ledger) => {
+                ((ledger.counts.clone(), vec![0; ledger.people()]), ledger.counts.pairs.len())
+            }
+            Self::Answers { seen, .. } => ((seen.clone(), Vec::new()), 0),
+        };
+        Drawn { each: vec![one; LANES], sums: vec![[[0.0; LANES]; 3]; rows] }
     }
 
-    fn draw(&self, random: &mut ChaCha8Rng, into: &mut Counts, people: &mut [u32]) {
-        into.answers.fill([0.0; 3]);
-        people.fill(0);
+    /// As many samples as there are random numbers for.
+    fn draw(&self, randoms: &mut [ChaCha8Rng], into: &mut Drawn) {
         match self {
-            Self::People(ledger) => {
-                for _ in 0..people.len() {
-                    // Of 2^64 equal numbers; the bias is below 1e-13 for a million people.
-                    let one = (u128::from(random.next_u64()) * people.len() as u128) >> 64;
-                    people[one as usize] += 1;
-                }
-                for (person, &times) in people.iter().enumerate().filter(|(_, times)| **times > 0) {
-                    for (row, answers) in ledger.of(person) {
-                        let sum = &mut into.answers[*row as usize];
-                        for k in 0..3 {
-                            sum[k] += f64::from(times) * f64::from(answers[k]);
-                        }
-                    }
+            Self::People(ledger) => draw_people(ledger, randoms, into),
+            Self::Answers { counts, rows, model, .. } => {
+                for (random, (drawn, _)) in randoms.iter_mut().zip(&mut into.each) {
+                    draw_answers(counts, rows, model, random, drawn);
                 }
             }
-            Self::Answers { counts, rows, model, .. } => {
-                let mut left = counts.total();
-                let mut to_draw = left as u64;
-                for ((&pair, answers), &row) in counts.pairs.iter().zip(&counts.answers).zip(rows) {
-                    let drawn = answers.map(|count| {
-                        if count == 0.0 {
-                            return 0.0;
-                        }
-                        let share = (count / left).clamp(0.0, 1.0);
-                        left -= count;
-                        let one = Binomial::new(to_draw, share).map_or(0, |b| b.sample(random));
-                        to_draw -= one;
-                        one as f64
-                    });
-                    let (_, drawn) = seen(model, pair, drawn);
-                    if let Some(sum) = into.answers.get_mut(row as usize) {
-                        for k in 0..3 {
-                            sum[k] += drawn[k];
-                        }
-                    }
+        }
+    }
+}
+
+/// People, each with all answers. Counts are whole or half, so their sums are exact in any order.
+fn draw_people(ledger: &Ledger, randoms: &mut [ChaCha8Rng], into: &mut Drawn) {
+    for (random, (_, people)) in randoms.iter_mut().zip(&mut into.each) {
+        people.fill(0);
+        for _ in 0..people.len() {
+            // Of 2^64 equal numbers; the bias is below 1e-13 for a million people.
+            let one = (u128::from(random.next_u64()) * people.len() as u128) >> 64;
+            people[one as usize] += 1;
+        }
+    }
+    into.sums.fill([[0.0; LANES]; 3]);
+    for person in 0..ledger.people() {
+        let mut times = [0.0; LANES];
+        for (lane, (_, people)) in into.each.iter().enumerate().take(randoms.len()) {
+            times[lane] = f64::from(people[person]);
+        }
+        for (row, answers) in ledger.of(person) {
+            let sums = &mut into.sums[*row as usize];
+            for (sum, answers) in sums.iter_mut().zip(answers).filter(|(_, count)| **count > 0.0) {
+                for lane in 0..LANES {
+                    sum[lane] += times[lane] * f64::from(*answers);
                 }
+            }
+        }
+    }
+    for (lane, (counts, _)) in into.each.iter_mut().enumerate().take(randoms.len()) {
+        for (answers, sums) in counts.answers.iter_mut().zip(&into.sums) {
+            *answers = sums.map(|sum| sum[lane]);
+        }
+    }
+}
+
+/// Single answers, by the binomial distributions that make up the multinomial one.
+fn draw_answers(
+    counts: &Counts,
+    rows: &[u32],
+    model: &Model,
+    random: &mut ChaCha8Rng,
+    into: &mut Counts,
+) {
+    into.answers.fill([0.0; 3]);
+    let mut left = counts.total();
+    let mut to_draw = left as u64;
+    for ((&pair, answers), &row) in counts.pairs.iter().zip(&counts.answers).zip(rows) {
+        let drawn = answers.map(|count| {
+            if count == 0.0 {
+                return 0.0;
+            }
+            let share = (count / left).clamp(0.0, 1.0);
+            left -= count;
+            let one = Binomial::new(to_draw, share).map_or(0, |b| b.sample(random));
+            to_draw -= one;
+            one as f64
+        });
+        let (_, drawn) = seen(model, pair, drawn);
+        if let Some(sum) = into.answers.get_mut(row as usize) {
+            for k in 0..3 {
+                sum[k] += drawn[k];
             }
         }
     }

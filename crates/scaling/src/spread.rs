@@ -20,22 +20,13 @@ pub fn by_people(
 ) -> Result<Vec<f64>, ScalingError> {
     let n = counts.stimuli;
     let bread = Bread::of(model, counts, penalty, fit)?;
-    let (leads, width) = leads(model, &counts.pairs, n, &fit.parameters);
-    let slopes: Vec<[[f64; 2]; 3]> = leads
-        .iter()
-        .map(|&a| Outcome::ALL.map(|outcome| terms::of_outcome(model, a, width, outcome).slope))
-        .collect();
     let size = fit.parameters.len();
+    let scores = Scores::of(model, counts, &fit.parameters);
     // The sum of the products of each person's slopes: of millions of answers it costs least.
     let mut meat = vec![0.0; size * size];
     let mut score = vec![0.0; size];
     for (person, &times) in people.iter().enumerate().filter(|(_, times)| **times > 0) {
-        score.fill(0.0);
-        for &(row, answers) in ledger.of(person) {
-            let (each, answers) = (&slopes[row as usize], answers.map(f64::from));
-            let slope = [0, 1].map(|k| (0..3).map(|o| answers[o] * each[o][k]).sum::<f64>());
-            to_parameters(model, n, counts.pairs[row as usize], slope, &mut score);
-        }
+        scores.put(ledger.of(person), &mut score);
         for (row, &one) in meat.chunks_exact_mut(size).zip(&score) {
             let one = f64::from(times) * one;
             row.iter_mut().zip(&score).for_each(|(sum, other)| *sum += one * other);
@@ -49,6 +40,44 @@ pub fn by_people(
     });
     let all = people.len() as f64;
     Ok(variance.map(|sum| (sum * all / (all - 1.0)).sqrt()).collect())
+}
+
+/// What each answer says about the parameters.
+struct Scores<'a> {
+    model: &'a Model,
+    counts: &'a Counts,
+    /// Slopes of a row's answers by its lead and by the width of ties.
+    slopes: Vec<[[f64; 2]; 3]>,
+    /// Whether there is nothing but leads of single stimuli: then millions of answers take less
+    /// than half the time.
+    plain: bool,
+}
+
+impl<'a> Scores<'a> {
+    fn of(model: &'a Model, counts: &'a Counts, parameters: &[f64]) -> Self {
+        let (leads, width) = leads(model, &counts.pairs, counts.stimuli, parameters);
+        let slope = |a, outcome| terms::of_outcome(model, a, width, outcome).slope;
+        let slopes = leads.iter().map(|&a| Outcome::ALL.map(|outcome| slope(a, outcome))).collect();
+        let plain = model.design.is_none() && !model.order && !model.ties;
+        Self { model, counts, slopes, plain }
+    }
+
+    /// The slopes of the log-likelihood of one person's answers.
+    fn put(&self, answers: &[(u32, [f32; 3])], into: &mut [f64]) {
+        into.fill(0.0);
+        for &(row, answers) in answers {
+            let row = row as usize;
+            let (each, pair) = (&self.slopes[row], self.counts.pairs[row]);
+            let sum = |k: usize| (0..3).map(|o| f64::from(answers[o]) * each[o][k]).sum::<f64>();
+            if self.plain {
+                let slope = sum(0);
+                into[pair[0] as usize] += slope;
+                into[pair[1] as usize] -= slope;
+            } else {
+                to_parameters(self.model, self.counts.stimuli, pair, [sum(0), sum(1)], into);
+            }
+        }
+    }
 }
 
 /// Of the values, by observed information.

@@ -12,8 +12,6 @@ from nacreous.value import value_class
 if TYPE_CHECKING:
     from nacreous.scaling.fit.scale import Scale
 
-#: What the outcomes first, second and tie are worth to the first: a tie counts half.
-WORTH = np.array([1.0, 0.0, 0.5])
 #: No expected share is smaller, so that a statistic stays a number.
 _LEAST = 1e-12
 
@@ -105,11 +103,25 @@ class Cells:
 
     @property
     def residuals(self) -> NDArray[np.float64]:
-        """float64 [row], standard deviations by which the first was chosen too often."""
-        mean = self.expected @ WORTH / self.total
-        variance = self.expected @ WORTH**2 / self.total - mean**2
-        gap = (self.observed - self.expected) @ WORTH
-        return np.asarray(gap / np.sqrt(self.total * np.maximum(variance, _LEAST)))
+        """float64 [row], standard deviations by which the first was chosen too often.
+
+        Among those who chose one, so that it is independent of how many called them equal: X2 is
+        the sum of the squares of these and of `tie_residuals`.
+        """
+        least = self._least
+        first, second = least[:, 0], least[:, 1]
+        gap = self.observed - self.expected
+        size = np.sqrt(first * second * (first + second))
+        return np.asarray((gap[:, 0] * second - gap[:, 1] * first) / size)
+
+    @property
+    def tie_residuals(self) -> NDArray[np.float64]:
+        """float64 [row], standard deviations by which too many are ties; 0 where none can be."""
+        if self.outcomes == 2:
+            return np.zeros(len(self.first))
+        tied, rest = self._least[:, 2], self._least[:, 0] + self._least[:, 1]
+        gap = self.observed[:, 2] - self.expected[:, 2]
+        return np.asarray(gap / np.sqrt(tied * rest / self.total))
 
     @property
     def _least(self) -> NDArray[np.float64]:

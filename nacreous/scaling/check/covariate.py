@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -11,13 +12,14 @@ from numpy.typing import NDArray
 
 from nacreous.number import seed_of, whole_of
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.person import known_people
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.shared import MOST_STIMULI
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.value import value_class
 
-__all__ = ["Covariate", "person_covariates"]
+__all__ = ["Covariate", "Untested", "person_covariates", "untested_columns"]
 
 #: A number splits people at up to so many places.
 _SPLITS = 25
@@ -49,6 +51,21 @@ class Covariate:
     p_adjusted: float
 
 
+@value_class
+class Untested:
+    """A column of people by which they were not compared.
+
+    `reason`: "few people" where it is filled in for fewer than 6, "few apart" where numbers split
+    off fewer than 2 people or 5 %, "many values" where it is text with more than half as many
+    values as people, "no numbers" where `cells` stand beside numbers, "unclear marks" where 1,250
+    may be a thousand or a decimal.
+    """
+
+    column: str
+    reason: Literal["few people", "few apart", "many values", "no numbers", "unclear marks"]
+    cells: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, eq=False)
 class _Sorted:
     """People sorted by a column: their indices, where parts end, and the values there."""
@@ -69,7 +86,8 @@ def person_covariates(
     how far the slopes vary between people. A column of three or more different numbers takes the
     largest such statistic of up to 25 splits in two. The column is dealt anew to the people,
     splits and all, so that choosing the largest costs nothing in honesty. Columns with more than
-    half as many values as people, unless numbers, say nothing and are left out.
+    half as many values as people, unless numbers, say nothing and are left out
+    (`untested_columns` says which, and why).
 
     permutations: 99 to 1 000 000. Raises `InputError` where people are unknown.
 
@@ -79,7 +97,8 @@ def person_covariates(
     """
     whole_of("permutations", permutations, 99, 1_000_000)
     blocks = blocks_of(answers)
-    found = dict(_columns(answers, blocks)) if len(blocks.stimuli) <= MOST_STIMULI else {}
+    columns = dict(_columns(answers)) if len(blocks.stimuli) <= MOST_STIMULI else {}
+    found = {name: each for name, each in columns.items() if isinstance(each, _Sorted)}
     if not found:
         return ()
     slopes = _slopes(blocks)
@@ -95,45 +114,65 @@ def person_covariates(
     )
 
 
-def _columns(answers: Answers, blocks: Blocks) -> Iterator[tuple[str, _Sorted]]:
-    """Columns that are of a person, with people sorted by them."""
+def untested_columns(answers: Answers) -> tuple[Untested, ...]:
+    """The columns of people that `person_covariates` leaves out; none in which all are alike.
+
+    >>> import nacreous as nc
+    >>> untested_columns(nc.scaling.simulate([1.0, 0.0, -1.0], people=40))
+    ()
+    """
+    return tuple(each for _, each in _columns(answers) if isinstance(each, Untested))
+
+
+def _columns(answers: Answers) -> Iterator[tuple[str, _Sorted | Untested]]:
+    """Columns that are of a person, with people sorted by them, or why they cannot be.
+
+    A person's empty cells say nothing against what the others hold.
+    """
     here, person = np.unique(known_people(answers), return_inverse=True)
     for name, column in answers.groups.items():
         own = np.full(len(here), -1, np.int64)
-        own[person] = column.code
-        if not np.array_equal(own[person], column.code):
+        filled = column.code >= 0
+        own[person[filled]] = column.code[filled]
+        if not np.array_equal(own[person[filled]], column.code[filled]):
             continue  # of the answer, not of the person
         known = np.flatnonzero(own >= 0)
         used, code = np.unique(own[known], return_inverse=True)
-        if len(known) < _LEAST_PEOPLE or len(used) < 2:
+        if len(used) < 2:
             continue
-        numbers = _numbers([column.levels[level] for level in used])
-        if numbers is not None and len(used) > 2:
-            yield from _by_number(name, known, numbers[code])
+        numbers = column.numbers(used)
+        if len(known) < _LEAST_PEOPLE:
+            yield name, Untested(name, "few people")
+        elif numbers is not None and len(used) > 2:
+            sorted_ = _by_number(known, numbers[code])
+            yield name, Untested(name, "few apart") if sorted_ is None else sorted_
         elif len(used) <= len(known) / 2:
             order = np.argsort(code, kind="stable")
             ends = np.cumsum(np.bincount(code))
             yield name, _Sorted("groups", known[order], ends, ())
+        else:
+            yield name, _unsorted(name, column, used)
 
 
-def _numbers(levels: list[str]) -> Array | None:
-    try:
-        numbers = np.array([float(level) for level in levels])
-    except ValueError:
-        return None
-    return numbers if np.isfinite(numbers).all() else None
+def _unsorted(name: str, column: Grouping, used: NDArray[np.int64]) -> Untested:
+    """That there are nearly as many values as people, or what keeps them from being numbers."""
+    others = [column.levels[at] for at in used if column.numbers([at]) is None]
+    if len(others) > len(used) / 2:
+        marks = all(re.fullmatch("[0-9]{1,3}([.,][0-9]{3})*", column.levels[at]) for at in used)
+        return Untested(name, "unclear marks" if marks else "many values")
+    return Untested(name, "no numbers", tuple(others))
 
 
-def _by_number(name: str, known: NDArray[np.int64], value: Array) -> Iterator[tuple[str, _Sorted]]:
+def _by_number(known: NDArray[np.int64], value: Array) -> _Sorted | None:
     order = np.argsort(value, kind="stable")
     value, count = value[order], len(value)
     least = max(2, int(np.ceil(_LEAST_PART * count)))
     ends = np.flatnonzero(np.diff(value)) + 1
     ends = ends[(ends >= least) & (ends <= count - least)]
     if len(ends) == 0:
-        return
+        return None
     ends = ends[np.unique(np.linspace(0, len(ends) - 1, _SPLITS).round().astype(np.int64))]
-    yield name, _Sorted("number", known[order], ends, tuple(value[ends - 1].tolist()))
+    return _Sorted("number", known[order], ends, tuple(value[ends - 1].tolist()))
 
 
 def _slopes(blocks: Blocks) -> Array:

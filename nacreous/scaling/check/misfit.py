@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.check.cells import WORTH, Cells, cells_of
+from nacreous.scaling.check.cells import Cells, cells_of
 from nacreous.scaling.check.pearson import x2_p_value
+from nacreous.scaling.check.worst import Misfit, worst_of
 from nacreous.scaling.distribution import chi2, norm
 from nacreous.scaling.fit.uncertainty import level_of
 from nacreous.value import value_class
@@ -30,20 +31,6 @@ OVERDISPERSED = 2.0
 _MODELS = {"probit": "case V", "logit": "the Bradley-Terry model"}
 
 
-class Misfit(NamedTuple):
-    """The pair that fits worst: which share chose the first, and which the fit expects.
-
-    In both shares a tie counts half; `ties` is the share of ties.
-    """
-
-    first: str
-    second: str
-    observed: float
-    expected: float
-    residual: float
-    ties: float
-
-
 @value_class
 class Goodness:
     """How well a fitted scale describes its answers.
@@ -59,11 +46,15 @@ class Goodness:
     - `overdispersion`: g2 / df, or x2 / df where more than a fifth of pairs are `sparse`; near 1
       where the model holds; None without df
     - `residuals`: float64 [n, n], by how many standard deviations i was chosen over j more often
-      than fitted (Pearson's; a tie counts half), NaN where not compared
+      than fitted (Pearson's), NaN where not compared. Where ties are answers of their own, among
+      those who chose one; elsewhere a tie counts half
+    - `tie_residuals`: the same of ties, positive where too many called them equal; None where ties
+      are no answers of their own. Squares of both, a pair once, sum to x2 in fits without an order
+      effect
     - `adjusted`: the same, divided by the share that the fit leaves free, so that their standard
       deviation is 1 where the model holds (S. J. Haberman, 1973); None for fits by least squares,
       with ties, order effect, prior or design, and beyond 500 stimuli
-    - `largest`: the pair of the largest residual, positive: the first was chosen more often
+    - `largest`: the pair with the largest share of x2; `misfits`: up to three, the largest first
     - `sparse`: the share of pairs with an expected count below 5, for which the p-values of g2 and
       of Mosteller's test are too small
     - `describes`: whether g2, or x2 where more than a fifth of pairs are sparse, leaves the model
@@ -81,8 +72,10 @@ class Goodness:
     df: int
     overdispersion: float | None
     residuals: NDArray[np.float64]
+    tie_residuals: NDArray[np.float64] | None
     adjusted: NDArray[np.float64] | None
     largest: Misfit
+    misfits: tuple[Misfit, ...]
     sparse: float
     describes: bool | None
     verdict: str
@@ -118,7 +111,7 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
     describes = None if decisive is None or not enough else decisive >= 1 - level
     residuals = _matrix(cells, cells.residuals)
     free = _free(fit, cells) if plain and cells.floating and _most_likely(fit) else None
-    largest = _largest(fit, cells, cells.residuals)
+    misfits = worst_of(fit, cells)
     overdispersion = (x2 if few else g2) / df if df else None
     return Goodness(
         g2=g2,
@@ -130,11 +123,13 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
         df=df,
         overdispersion=overdispersion,
         residuals=residuals,
+        tie_residuals=_matrix(cells, cells.tie_residuals, 1) if cells.outcomes > 2 else None,
         adjusted=None if free is None else _matrix(cells, cells.residuals / np.sqrt(free)),
-        largest=largest,
+        largest=misfits[0],
+        misfits=misfits,
         sparse=sparse,
         describes=describes,
-        verdict=_verdict(_MODELS[fit.model], describes, df, largest),
+        verdict=_verdict(_MODELS[fit.model], describes, df, misfits[0]),
         advice=_advice("X2" if few else "G2", describes, overdispersion),
     )
 
@@ -178,28 +173,18 @@ def _free(fit: Scale, cells: Cells) -> NDArray[np.float64] | None:
     return np.where(free > 1e-9, free, 1.0)
 
 
-def _matrix(cells: Cells, residuals: NDArray[np.float64]) -> NDArray[np.float64]:
+def _matrix(cells: Cells, residuals: NDArray[np.float64], turned: int = -1) -> NDArray[np.float64]:
+    """[n, n]; turned: what the residual of a pair the other way round is multiplied by."""
     count = len(cells.stimuli)
     total, number = np.zeros((count, count)), np.zeros((count, count))
-    for first, second, sign in ((cells.first, cells.second, 1), (cells.second, cells.first, -1)):
+    for first, second, sign in (
+        (cells.first, cells.second, 1),
+        (cells.second, cells.first, turned),
+    ):
         np.add.at(total, (first, second), sign * residuals)
         np.add.at(number, (first, second), 1)
     with np.errstate(invalid="ignore"):  # both ways round together, each of variance 1
         return np.where(number > 0, total / np.sqrt(number), np.nan)
-
-
-def _largest(fit: Scale, cells: Cells, residuals: NDArray[np.float64]) -> Misfit:
-    row = int(np.argmax(np.abs(residuals)))
-    observed, expected = (
-        float(counts[row] @ WORTH / cells.total[row]) for counts in (cells.observed, cells.expected)
-    )
-    i, j = int(cells.first[row]), int(cells.second[row])
-    first, second = cells.stimuli[i], cells.stimuli[j]
-    ties, both = fit.comparisons.tie_matrix[i, j], fit.comparisons.matrix[[i, j], [j, i]].sum()
-    residual, tied = float(residuals[row]), float(ties / (ties + both))
-    if residual < 0:
-        return Misfit(second, first, 1 - observed, 1 - expected, -residual, tied)
-    return Misfit(first, second, observed, expected, residual, tied)
 
 
 def _verdict(model: str, describes: bool | None, df: int, largest: Misfit) -> str:
@@ -209,8 +194,7 @@ def _verdict(model: str, describes: bool | None, df: int, largest: Misfit) -> st
         return f"nothing to test: {model} has as many values as there are shares"
     if describes:
         return f"nothing in these counts speaks against {model}"
-    pair = f"{largest.first}-{largest.second}"
-    return f"{model} does not describe these data; largest misfit {pair}"
+    return f"{model} does not describe these data; largest misfit {largest}"
 
 
 def _advice(name: str, describes: bool | None, overdispersion: float | None) -> str:

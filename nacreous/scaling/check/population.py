@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.check.classes import Mixture, fit_classes
-from nacreous.scaling.check.own_values import OwnValues, fit_own_values, spread_ends
+from nacreous.scaling.check.own_values import fit_own_values, spread_ends
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.unit import check_model
@@ -23,6 +23,14 @@ _MOST_NUMBERS = 2_000_000
 _LEAST_PEOPLE = 6
 #: A class of fewer is a person.
 _LEAST_IN_CLASS = 2
+#: With fewer people, and where classes are not ahead of the spread by this difference of BIC ("very
+#: strong" evidence, R. E. Kass and A. E. Raftery, JASA 90, 1995), people who vary continuously are
+#: taken for classes too often (benchmarks/persons.py).
+_LEAST_TOLD = 8
+_VERY_STRONG = 10.0
+
+
+Kind = Literal["one scale", "spread", "classes", "spread or classes"]
 
 
 @value_class
@@ -59,7 +67,7 @@ class Population:
     """The description of the people with the smallest BIC, and those it was chosen from.
 
     - `kind`: "one scale", "spread" (everyone has values of their own, of which `spread` is the
-      standard deviation) or "classes"
+      standard deviation), "classes", or "spread or classes" where these answers do not tell which
     - `spread`: in the model's own unit; None unless it was chosen and these answers tell how large
       it is; `spread_low`, `spread_high`: its interval, None unless chosen, and the upper end None
       where the spread is larger than these answers can tell
@@ -69,7 +77,7 @@ class Population:
 
     model: str
     stimuli: tuple[str, ...]
-    kind: Literal["one scale", "spread", "classes"]
+    kind: Kind
     spread: float | None
     spread_low: float | None
     spread_high: float | None
@@ -118,8 +126,19 @@ def population(
         lone = min(map(len, _members(mixture))) < _LEAST_IN_CLASS
         found.append(_candidate(name, free, mixture.log_likelihood, blocks, lone))
     best = min((at for at, one in enumerate(found) if not one.lone), key=lambda at: found[at].bic)
-    ends = spread_ends(blocks, spread, model, level) if best == 0 else (None, None)
-    return _described(blocks, model, best, (spread, *ends), mixtures, found)
+    kind = _kind(found, best, len(blocks.people))
+    ends = spread_ends(blocks, spread, model, level) if kind == "spread" else (None, None)
+    classes = _classes(blocks, mixtures[best - 1]) if kind == "classes" else ()
+    return Population(
+        model=model,
+        stimuli=blocks.stimuli,
+        kind=kind,
+        spread=None if ends[1] is None else spread.spread,
+        spread_low=ends[0],
+        spread_high=ends[1],
+        classes=classes,
+        candidates=tuple(found),
+    )
 
 
 def _require_size(blocks: Blocks) -> None:
@@ -146,27 +165,16 @@ def _members(mixture: Mixture) -> list[NDArray[np.int64]]:
     return [np.flatnonzero(likely == at) for at in range(len(mixture.shares))]
 
 
-def _described(
-    blocks: Blocks,
-    model: str,
-    best: int,
-    spread: tuple[OwnValues, float | None, float | None],
-    mixtures: list[Mixture],
-    found: list[Candidate],
-) -> Population:
-    own, low, high = spread
-    kinds: tuple[Literal["spread", "one scale", "classes"], ...] = ("spread", "one scale")
-    kind = kinds[best] if best < 2 else "classes"
-    return Population(
-        model=model,
-        stimuli=blocks.stimuli,
-        kind=kind,
-        spread=None if high is None else own.spread,
-        spread_low=low,
-        spread_high=high,
-        classes=_classes(blocks, mixtures[best - 1]) if kind == "classes" else (),
-        candidates=tuple(found),
-    )
+def _kind(found: list[Candidate], best: int, people: int) -> Kind:
+    """What the best candidate is, if it can be told from the others; spread and one scale lead."""
+    if best == 1:
+        return "one scale"
+    if people < _LEAST_TOLD:
+        return "spread or classes"
+    if best == 0:
+        return "spread"
+    ahead = found[0].bic - found[best].bic
+    return "classes" if ahead >= _VERY_STRONG else "spread or classes"
 
 
 def _classes(blocks: Blocks, mixture: Mixture) -> tuple[PersonClass, ...]:

@@ -23,7 +23,7 @@ from nacreous.scaling.fit.existence import pair_model
 from nacreous.scaling.fit.scale import Scale
 from nacreous.value import value_class
 
-__all__ = ["WeightErrors", "weight_errors"]
+__all__ = ["WeightErrors", "satterthwaite", "weight_errors"]
 
 Array = NDArray[np.float64]
 
@@ -44,17 +44,25 @@ class WeightErrors:
     def crossed(self, unexplained: float | None, rest: int) -> tuple[Array, Array]:
         """Covariance over people and stimuli [term, term], and degrees of freedom [term].
 
-        unexplained: standard deviation of stimuli off the line, known from `rest` degrees of
+        unexplained: standard deviation of stimuli off the line, taken from `rest` degrees of
         freedom; None leaves the stimuli out, for nothing is known of others than these.
         """
         if unexplained is None:
             return self.answers, self.freedom
         own = unexplained**2 * self.moved @ self.moved.T
-        both = self.answers + own
-        stimuli = np.diag(own) / np.diag(both)
-        lost = (1 - stimuli) ** 2 / self.freedom + stimuli**2 / rest
-        freedom = np.divide(1.0, lost, out=np.full(len(lost), np.inf), where=lost > 0)
-        return both, freedom
+        freedom = satterthwaite(np.diag(self.answers), np.diag(own), self.freedom, rest)
+        return self.answers + own, freedom
+
+
+def satterthwaite(people: Array, stimuli: Array, freedom: Array | float, rest: int) -> Array:
+    """Degrees of freedom of sums of two variances, known from `freedom` and from `rest`."""
+    if rest < 1:
+        return np.broadcast_to(np.asarray(freedom, np.float64), people.shape).copy()
+    total = people + stimuli
+    share = np.divide(stimuli, total, out=np.zeros(len(total)), where=total > 0)
+    lost = (1 - share) ** 2 / freedom + share**2 / rest
+    found: Array = np.divide(1.0, lost, out=np.full(len(lost), np.inf), where=lost > 0)
+    return found
 
 
 def weight_errors(fit: Scale) -> WeightErrors:

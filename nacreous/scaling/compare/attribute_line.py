@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.compare.attribute_errors import WeightErrors
+from nacreous.scaling.compare.attribute_errors import WeightErrors, satterthwaite
 from nacreous.scaling.compare.attribute_table import AttributeTable, products
 from nacreous.scaling.compare.estimate import Estimate
 from nacreous.scaling.data.fault import listed
@@ -20,6 +20,10 @@ from nacreous.value import value_class
 __all__ = ["Line", "Prediction"]
 
 Array = NDArray[np.float64]
+
+#: Times the noise's variance over the distances' degrees of freedom: what variance about the line
+#: is assumed at the least, so that benchmarks/attributes.py finds null weights in 3 to 7 %.
+_LEAST = 2.5
 
 
 @value_class
@@ -50,6 +54,7 @@ class Line:
     coefficients  float64 [term], of `columns`, with their covariance [term, term]
     crossed       their covariance over other people and other stimuli [term, term]
     unexplained   standard deviation of stimuli about the line; None where it cannot be known
+    assumed       the same as errors take it: not as small as few stimuli make it look by chance
     freedom       degrees of freedom of the answers' errors; freedoms: of the crossed ones [term]
     """
 
@@ -64,6 +69,7 @@ class Line:
     crossed: Array = field(default_factory=lambda: np.zeros((0, 0)))
     freedoms: Array = field(default_factory=lambda: np.zeros(0))
     unexplained: float | None = None
+    assumed: float | None = None
     freedom: float = np.inf
 
     @classmethod
@@ -95,14 +101,15 @@ class Line:
         """
         if fit.coefficients is None:
             raise InputError("the fit has no coefficients; allowed: a fit with a design")
-        unexplained = None if free is None else self._unexplained(free)
-        crossed, freedoms = errors.crossed(unexplained, self.rest)
+        unexplained, assumed = (None, None) if free is None else self._unexplained(free)
+        crossed, freedoms = errors.crossed(assumed, self.rest)
         return replace(
             self,
             coefficients=fit.coefficients / self.steps,
             covariance=errors.answers / np.outer(self.steps, self.steps),
             crossed=crossed / np.outer(self.steps, self.steps),
             unexplained=unexplained,
+            assumed=assumed,
             freedom=float(errors.freedom.min()),
             freedoms=freedoms,
         )
@@ -112,19 +119,25 @@ class Line:
         """Stimuli less terms and a mean: how many distances from the line are free."""
         return len(self.columns) - 1 - len(self.parts)
 
-    def _unexplained(self, free: Estimate) -> float | None:
-        """Standard deviation of the free scale about the line, without the noise of the answers.
+    def _unexplained(self, free: Estimate) -> tuple[float, float] | tuple[None, None]:
+        """Standard deviation of the free scale about the line, and what errors take it for.
 
         The method of moments: the sum of squares about the line is the noise's part, tr(M C), plus
         variance times degrees of freedom (Raudenbush 1994, as in meta-regression).
+
+        Few distances give 0 by chance where the truth is far from it: with 3 of them and an own sd
+        as large as the noise in 1 of 7 studies, of which a third then call a null weight certain.
+        Errors therefore take the variance to be no less than a share of the noise's **(ours)**.
         """
         if self.rest < 1:
-            return None
+            return None, None
         space = np.linalg.qr(np.column_stack([np.ones(len(self.columns)), self.unit]))[0]
         off = np.eye(len(space)) - space @ space.T
         scale = free.fit.scale
-        noise = float(np.trace(off @ free.covariance))
-        return float(max(0.0, (scale @ off @ scale - noise) / self.rest) ** 0.5)
+        noise = float(np.trace(off @ free.covariance)) / self.rest
+        variance = max(0.0, float(scale @ off @ scale) / self.rest - noise)
+        least = _LEAST * noise / self.rest
+        return variance**0.5, max(variance, least) ** 0.5
 
     @property
     def unit(self) -> Array:
@@ -140,10 +153,9 @@ class Line:
         # A new stimulus is off the line itself, and the others' being off it moves the line.
         leap = away / self.steps
         lever = float(leap @ np.linalg.solve(self.unit.T @ self.unit, leap))
-        spread = self.unexplained or 0.0
-        total = (variance + spread**2 * (1 + 1 / len(self.columns) + lever)) ** 0.5
-        freedom = min(self.freedom, self.rest) if spread else self.freedom
-        reach = float(t.ppf((1 + level) / 2, freedom)) * total
+        own = (self.assumed or 0.0) ** 2 * (1 + 1 / len(self.columns) + lever)
+        freedom = satterthwaite(np.array([variance]), np.array([own]), self.freedom, self.rest)[0]
+        reach = float(t.ppf((1 + level) / 2, freedom)) * (variance + own) ** 0.5
         value = float(away @ self.coefficients)
         return Prediction(
             value=value,

@@ -199,11 +199,15 @@ def _free(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | N
 
 
 def _held(data: Any, model: str, ties: bool | None, order: bool) -> Estimate | None:
-    """The same, held by a weak prior: how far stimuli are off the line, if rather too far."""
+    """The same, held by a weak prior: how far stimuli are off the line, if rather too far.
+
+    Over people nothing is known of a stimulus about which all agree, so answers stand alone here.
+    """
     try:
-        return estimate(data, model, ties=ties, order=order, prior=_WEAK)
+        fit = fit_of(data, model, ties=ties, order=order, prior=_WEAK)
     except InputError:
         return None
+    return Estimate(fit, fit.covariance("expected"), (), None, np.inf)
 
 
 def _weights(names: tuple[str, ...], line: Line, level: float) -> tuple[AttributeWeight, ...]:

@@ -16,8 +16,8 @@ __all__ = ["permutation_test"]
 
 Array = NDArray[np.float64]
 
-#: Random numbers at a time: 32 MB of them.
-_AT_ONCE = 1 << 22
+#: Random numbers at a time: 2 MB of them.
+_AT_ONCE = 1 << 18
 
 
 def permutation_test(

@@ -9,6 +9,7 @@ import numpy as np
 
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.unchanging import released
 
 __all__ = ["pooled"]
 
@@ -34,11 +35,11 @@ def _answers(parts: list[Answers], names: list[str], same_people: bool) -> Answe
             person.append(own[part.person])
     return Answers(
         stimuli=parts[0].stimuli,
-        left=np.concatenate([part.left for part in parts]),
-        right=np.concatenate([part.right for part in parts]),
-        outcome=np.concatenate([part.outcome for part in parts]),
+        left=released(np.concatenate([part.left for part in parts])),
+        right=released(np.concatenate([part.right for part in parts])),
+        outcome=released(np.concatenate([part.outcome for part in parts])),
         people=tuple(number),
-        person=np.concatenate(person),
+        person=released(np.concatenate(person)),
         groups={},
         response_s=None,
         time=None,

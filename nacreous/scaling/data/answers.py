@@ -38,6 +38,7 @@ class Answers:
     - `sided`: left and right are places before the eye, and not only an order of listing
     - `left_out`: how many rows of the table are no answers, such as those of instructions;
       `unanswered`: how many of them show a pair
+    - `encoding_guessed`: as which a file was read that does not say how its letters are written
 
     >>> answers = Answers.of_pairs([("a", "b"), ("a", "c"), ("c", "b")])
     >>> answers
@@ -56,6 +57,7 @@ class Answers:
     sided: bool = True
     left_out: int = 0
     unanswered: int = 0
+    encoding_guessed: str | None = None
 
     @classmethod
     def read(
@@ -172,9 +174,10 @@ class Answers:
         array([[0., 2.],
                [1., 0.]])
         """
-        return Comparisons.of_outcomes(
+        found = Comparisons.of_outcomes(
             self.stimuli, self.left, self.right, self.outcome, self.sided
         )
+        return replace(found, encoding_guessed=self.encoding_guessed)
 
     def take(self, rows: ArrayLike) -> Answers:
         """The answers of some rows (a mask, or positions), with the same stimuli and people."""
@@ -184,7 +187,7 @@ class Answers:
             return None if column is None else released(column[chosen])
 
         groups = {
-            name: Grouping(group.levels, released(group.code[chosen]))
+            name: replace(group, code=released(group.code[chosen]))
             for name, group in self.groups.items()
         }
         return replace(
@@ -224,6 +227,22 @@ class Answers:
             if len(rows):
                 parts[level] = self.take(rows)._with_own_people()
         return parts
+
+    def sizes(self, column: str) -> dict[str, tuple[int, int]]:
+        """How many people and answers each part of `split` has; people are 0 where unknown.
+
+        >>> table = {"left": ["a", "b"], "right": ["b", "a"], "chosen": ["a"] * 2}
+        >>> Answers.of_table(table | {"person": ["x", "x"], "eye": ["L", "R"]}).sizes("eye")
+        {'L': (1, 1), 'R': (1, 1)}
+        """
+        group = self._group(column)
+        found = {}
+        for index, level in enumerate(group.levels):
+            here = group.code == index
+            people = 0 if self.person is None else len(np.unique(self.person[here]))
+            if answers := int(here.sum()):
+                found[level] = (people, answers)
+        return found
 
     def _group(self, column: str) -> Grouping:
         column = name_of(column)

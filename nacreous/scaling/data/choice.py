@@ -9,27 +9,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.scaling.data.buttons import are_buttons, refuse_buttons_as_labels
 from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.likeness import number_of
-from nacreous.scaling.data.program import JSPSYCH, program_of
 from nacreous.scaling.data.roles import WORDS, Names
 from nacreous.scaling.data.table import Table
+from nacreous.scaling.data.truth import TIED
 
 _LEFT, _RIGHT, _TIE, _UNKNOWN = -2, -3, -4, -5
 
-#: Words for the sides, in small letters: as people and keyboards say them.
+#: Words for the sides and for neither, in small letters: as people and keyboards say them.
 SIDES = {
     **dict.fromkeys(("left", "l", "arrowleft", "{leftarrow}", "左"), _LEFT),
     **dict.fromkeys(("right", "r", "arrowright", "{rightarrow}", "右"), _RIGHT),
+    **dict.fromkeys(TIED, _TIE),
 }
-#: What words of other languages probably mean; only guessed at, in messages.
+#: What words of other languages, and numbers of keys, probably mean; only guessed at, in messages.
 _GUESSES = {
-    "left_word": {"links", "gauche", "izquierda", "sinistra", "esquerda", "first", "erste"},
-    "right_word": {"rechts", "droite", "derecha", "destra", "direita", "second", "zweite"},
+    "left_word": {"links", "gauche", "izquierda", "sinistra", "esquerda", "first", "erste", "37"},
+    "right_word": {"rechts", "droite", "derecha", "destra", "direita", "second", "zweite", "39"},
     "tie": {
-        *("equal", "same", "=", "gleich", "égal", "igual", "uguale", "draw", "both", "neither"),
-        *("no difference", "unentschieden", "同じ", "引き分け", "差なし"),
+        *("equal", "same", "=", "gleich", "égal", "igual", "uguale", "both", "neither"),
+        *("no difference", "unentschieden", "égalité", "empate", "同じ", "差なし"),
     },
 }
 _EITHER = (("yes", "no"), ("true", "false"), ("y", "n"), ("f", "j"))
@@ -160,8 +162,11 @@ def _meanings(
     shown: for each row its value, and indices into labels of the left and the right one.
     """
     known = _known(names, labels)
+    named = {label.casefold() for label in labels}
+    words = {word: side for word, side in SIDES.items() if word not in named}
     numbers = {number: known[word] for word in known if (number := number_of(word))}
-    meanings = [_meaning(cell, known, numbers) for cell in found]
+    meanings = [_meaning(cell, known, numbers, words) for cell in found]
+    refuse_buttons_as_labels(table, name, found, meanings, shown, faults)
     codes = {
         cell: code[1].replace("-0", "0")
         for cell, meaning in zip(found, meanings, strict=True)
@@ -169,12 +174,13 @@ def _meanings(
     }
     if not codes or "left_word" in names or "right_word" in names:
         return meanings
-    sides = _sides_of(table, set(codes.values()))
+    buttons = are_buttons(table, np.isin(shown[0], [found.index(cell) for cell in codes]))
+    sides = _sides_of(set(codes.values()), buttons)
     if sides is None:
-        faults.say(f"{name} holds {_asked(set(codes.values()))}")
+        faults.say(f"{name} holds {_asked(set(codes.values()), buttons)}")
         return meanings
     numbered = _number_in(codes, found, labels, shown)
-    if numbered and program_of(table.columns) is not JSPSYCH:
+    if numbered and not buttons:
         faults.say(
             f"{name} holds {_both(sorted(codes.values()))}, which may be sides or stimuli such as "
             f"{quoted(numbered)}; allowed: labels, left and right, or left_word='1', right_word='2'"
@@ -197,16 +203,21 @@ def _known(names: Names, labels: tuple[str, ...]) -> dict[str, int]:
     return known | {label: index for index, label in enumerate(labels)}
 
 
-def _meaning(cell: str, known: dict[str, int], numbers: dict[str, int]) -> int:
-    """An index into labels, a side or a tie; numbers are compared as numbers, 1.0 with 1."""
+def _meaning(
+    cell: str, known: dict[str, int], numbers: dict[str, int], words: dict[str, int]
+) -> int:
+    """An index into labels, a side or a tie; numbers are compared as numbers, 1.0 with 1.
+
+    words: in small letters, those that are no label in letters of any size.
+    """
     for each in dict.fromkeys((cell, unlisted(cell))):
         if each in known:
             return known[each]
         number = number_of(each)
         if number is not None and number in numbers:
             return numbers[number]
-        if each.casefold() in SIDES:
-            return SIDES[each.casefold()]
+        if each.casefold() in words:
+            return words[each.casefold()]
     return _UNKNOWN
 
 
@@ -235,13 +246,15 @@ def _number_in(
     return labels[min(meant)]
 
 
-def _asked(codes: set[str]) -> str:
+def _asked(codes: set[str], buttons: bool) -> str:
     """That numbers may mean either side, and the words that would say which."""
     held = sorted(codes, key=int)
     low, high = ("1", "2") if "2" in codes else ("-1", "1") if "-1" in codes else ("1", "0")
     tie = ", tie='0'" if "0" in codes and "0" not in (low, high) else ""
     if "2" in codes and "-1" in codes:
         low, high, tie = "WORD", "WORD", ", tie=WORD"
+    elif buttons and "2" in codes:
+        low, high, tie = "0", "1", ", tie='2'"
     such = f"left_word={low!r}, right_word={high!r}{tie}"
     return (
         f"{_both(held)}, and either side may be meant; allowed: labels, left and right, or the "
@@ -254,10 +267,8 @@ def _both(codes: list[str]) -> str:
     return " and ".join((", ".join(held[:-1]), held[-1]) if held[1:] else held)
 
 
-def _sides_of(table: Table, codes: set[str]) -> dict[str, int] | None:
-    """The sides that numbers stand for: the first and second, or jsPsych's buttons from 0."""
-    if codes == {"1", "2"}:
+def _sides_of(codes: set[str], buttons: bool) -> dict[str, int] | None:
+    """The sides that numbers stand for: the first and second, or buttons from 0."""
+    if codes == {"1", "2"} and not buttons:
         return {"1": _LEFT, "2": _RIGHT}
-    if codes <= {"0", "1"} and program_of(table.columns) is JSPSYCH:
-        return {"0": _LEFT, "1": _RIGHT}
-    return None
+    return {"0": _LEFT, "1": _RIGHT} if codes <= {"0", "1"} and buttons else None

@@ -13,12 +13,21 @@ from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
+from nacreous.scaling.data.kind import kind_said
 from nacreous.scaling.data.label import LONGEST_LABEL, natural
+from nacreous.scaling.data.number_text import numbers_of
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
 
-#: What programs write into a cell that holds nothing, in small letters.
-NOTHING = frozenset({"null", "none", "nan", "na", "n/a", "undefined", "."})
+#: What programs and people write into a cell that holds nothing, in small letters.
+NOTHING = frozenset(
+    {
+        *("null", "none", "nan", "na", "n/a", "n.a.", "undefined", "nat", "<na>", "#n/a", "#null!"),
+        *(".", "-", "--", "–", "—", "−"),
+    }
+)
+#: What is a label beside a plus, as of two poles.
+_MINUS = frozenset("-–—−")
 
 
 @value_class
@@ -26,11 +35,22 @@ class Grouping:
     """A column that sorts answers into groups, such as `sex` or `cohort`.
 
     `levels` are its values in natural order; `code` is int64 [answer], an index into them, or -1
-    where the cell is empty.
+    where the cell is empty. `nothing`: words that were read as an empty cell, such as NA.
+    `decimal_comma`: a number such as 1,250 is no thousand here.
     """
 
     levels: tuple[str, ...]
     code: NDArray[np.int64]
+    nothing: tuple[str, ...] = ()
+    decimal_comma: bool = False
+
+    def numbers(self, levels: Iterable[int]) -> NDArray[np.float64] | None:
+        """float64, these levels as numbers; None where any of them is none.
+
+        >>> Grouping(("20,5", "31"), np.array([0, 1])).numbers([0, 1])
+        array([20.5, 31. ])
+        """
+        return numbers_of([self.levels[level] for level in levels], self.decimal_comma)
 
 
 def text_column(table: Table, name: str) -> Any:
@@ -49,11 +69,19 @@ def text_column(table: Table, name: str) -> Any:
     try:
         text = pc.utf8_trim_whitespace(pc.cast(array, pa.large_string()))
     except (pa.ArrowInvalid, pa.ArrowNotImplementedError) as problem:
-        kind = f"column {name} holds values of the kind {array.type}"
-        raise InputError(f"{table.place}: {kind}; allowed: text or whole numbers") from problem
+        raise _of_kind(table, name, array.type) from problem
+    bytes_ = pa.types.is_binary(array.type) or pa.types.is_large_binary(array.type)
+    bytes_ = bytes_ or pa.types.is_fixed_size_binary(array.type)
+    if bytes_ and pc.any(pc.match_substring(text, "\0")).as_py():
+        raise _of_kind(table, name, array.type)
     if not pc.all(pc.string_is_ascii(text)).as_py():
         text = pc.utf8_normalize(text, form="NFC")
     return pc.if_else(pc.equal(text, ""), pa.scalar(None, pa.large_string()), text)
+
+
+def _of_kind(table: Table, name: str, kind: Any) -> InputError:
+    held = f"column {name} holds {kind_said(kind)}"
+    return InputError(f"{table.place}: {held}; allowed: text or whole numbers")
 
 
 def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
@@ -74,6 +102,20 @@ def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
     )
 
 
+def is_nothing(text: Any) -> NDArray[np.bool_]:
+    """Bool [row], where a text column is empty or has a word for nothing (`NOTHING`).
+
+    A dash is a label where a plus is one.
+    """
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    plus = bool(pc.any(pc.is_in(text, pa.array(["+", "＋"], text.type))).as_py())
+    words = NOTHING - _MINUS if plus else NOTHING
+    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(words), text.type))
+    return np.asarray(pc.or_(text.is_null(), pc.fill_null(word, True)))
+
+
 def refuse_nothing(
     name: str, text: Any, faults: Faults, labels: Iterable[str] = frozenset()
 ) -> None:
@@ -81,10 +123,9 @@ def refuse_nothing(
     import pyarrow as pa
     import pyarrow.compute as pc
 
-    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(NOTHING), text.type))
-    word = pc.and_not(word, pc.is_in(text, pa.array(sorted(labels), text.type)))
+    label = np.asarray(pc.is_in(text, pa.array(sorted(labels), text.type)))
     faults.say_of_rows(
-        np.flatnonzero(np.asarray(pc.fill_null(word, False))),
+        np.flatnonzero(is_nothing(text) & ~label & np.asarray(text.is_valid())),
         lambda row: (
             f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a label"
         ),
@@ -117,17 +158,36 @@ def codes_of(text: Any) -> tuple[tuple[str, ...], NDArray[np.int64]]:
 
 
 def group_column(table: Table, name: str) -> Grouping:
-    r"""Any column as a group. Lines become spaces, and control characters \\u and their number."""
+    r"""Any column as a group. Lines become spaces, and control characters \\u and their number.
+
+    Words for nothing are empty cells, but for `none` beside words, as of a dish without a sauce.
+    """
     import pyarrow as pa
 
-    text = text_column(table, name)
+    text, words = _without_nothing(text_column(table, name), table.decimal_comma)
     rows = _maybe_hidden(text)
     if rows:
         cells = text.to_pylist()
         for row in rows:
             cells[row] = printable(" ".join(cells[row].split()))
         text = pa.array(cells, pa.large_string())
-    return Grouping(*codes_of(text))
+    return Grouping(*codes_of(text), nothing=words, decimal_comma=table.decimal_comma)
+
+
+def _without_nothing(text: Any, decimal_comma: bool) -> tuple[Any, tuple[str, ...]]:
+    """The cells without words for nothing, and those words."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    nothing = is_nothing(text)
+    words = [word for word in text.filter(pa.array(nothing)).unique().to_pylist() if word]
+    others = text.filter(pa.array(~nothing)).unique().to_pylist()
+    if "none" in words and others and numbers_of(others, decimal_comma) is None:
+        words.remove("none")
+    if not words:
+        return text, ()
+    blank = pc.is_in(text, pa.array(words, text.type))
+    return pc.if_else(blank, pa.scalar(None, text.type), text), tuple(words)
 
 
 def _whole_where_possible(array: Any) -> Any:

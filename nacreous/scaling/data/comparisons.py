@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.encoding import guessed_encoding
 from nacreous.scaling.data.label import labels_of, numbered
 from nacreous.scaling.data.matrix import (
     check_counts,
@@ -21,7 +23,7 @@ from nacreous.scaling.data.matrix import (
     labelled_matrix,
     read_matrix,
 )
-from nacreous.scaling.data.table import is_table
+from nacreous.scaling.data.table import is_table, read_bytes
 from nacreous.value import value_class
 
 
@@ -33,6 +35,7 @@ class Comparisons:
     - `left`, `right`: int64 [row], indices into `stimuli`; where not `sided`, left < right
     - `left_wins`, `right_wins`, `ties`: float64 [row], 0 or more, not all 0
     - `sided`: left and right are places before the eye
+    - `encoding_guessed`: as which a file was read that does not say how its letters are written
 
     Rows stand in the order of (left, right).
 
@@ -47,6 +50,7 @@ class Comparisons:
     right_wins: NDArray[np.float64]
     ties: NDArray[np.float64]
     sided: bool
+    encoding_guessed: str | None = None
 
     @classmethod
     def of_counts(
@@ -101,7 +105,8 @@ class Comparisons:
         """
         values, labels = read_matrix(Path(path))
         matrix = check_counts(printable(str(path)), values, labels or numbered(len(values)))
-        return cls._of_matrix(matrix, np.zeros_like(matrix), labels)
+        found = cls._of_matrix(matrix, np.zeros_like(matrix), labels)
+        return replace(found, encoding_guessed=guessed_encoding(read_bytes(Path(path))))
 
     @classmethod
     def _of_matrix(

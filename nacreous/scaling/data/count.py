@@ -54,13 +54,13 @@ def counts_of(table: Table, name: str, faults: Faults) -> NDArray[np.int64]:
         np.flatnonzero(bad),
         lambda row: (
             f"{name} is {quoted(text[row]) if text[row].is_valid else 'empty'}; allowed: a whole "
-            f"number, 0 or more, or count='' to leave the column unused"
+            f"number from 0 to {MOST_ROWS}, or count='' to leave the column unused"
         ),
     )
     faults.stop()
     total = values.sum()
     if not 1 <= total <= MOST_ROWS:
-        faults.say(f"column {name} counts {total:g} answers; allowed: 1 to {MOST_ROWS}")
+        faults.say(f"column {name} counts {total:.0f} answers; allowed: 1 to {MOST_ROWS}")
     faults.stop()
     return values.astype(np.int64)
 

@@ -16,6 +16,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.encoding import utf8_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.header import Header, find_header
+from nacreous.scaling.data.spreadsheet import as_given, columns_as_given
 
 #: A row longer than this is read as one whose quotation mark is not closed.
 _LONGEST_ROW = 2**26
@@ -66,7 +67,7 @@ def parse_csv(
     for at, column in enumerate(columns):
         if at not in kept and not (header.row_names and at == 0 and _are_row_names(column)):
             _check_nameless(place, at, column, numbers, header.names)
-    names = [header.names[at] for at in kept]
+    names = [as_given(header.names[at]) for at in kept]
     twice = sorted({name for name in names if names.count(name) > 1})
     if not twice:
         _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
@@ -74,9 +75,9 @@ def parse_csv(
         _check_headless(place, header.rows, names, [columns[at] for at in kept])
     if twice:
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
-    texts = dict(zip(header.names, header.texts, strict=False))
-    found = [(header.names[at], columns[at]) for at in kept]
-    return CsvTable(found, numbers, texts, header.separator == ";")
+    texts = dict(zip(map(as_given, header.names), header.texts, strict=False))
+    found = [columns[at] for at in kept]
+    return CsvTable(list(zip(names, found, strict=True)), numbers, texts, header.separator == ";")
 
 
 def parse_csv_cells(place: str, content: bytes) -> list[list[str]]:
@@ -181,7 +182,7 @@ def _with_misfits(
     filled = ~_blank(columns)
     if not filled.all():
         columns = [column.filter(pa.array(filled)) for column in columns]
-    return columns, numbers[filled]
+    return columns_as_given(columns), numbers[filled]
 
 
 def _misfit_said(cells: list[str], allowed: int) -> str:

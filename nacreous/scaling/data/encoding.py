@@ -6,6 +6,7 @@ What could be read in two ways is refused, and the option named that decides it.
 from __future__ import annotations
 
 import codecs
+import re
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import nearest
@@ -14,6 +15,7 @@ from nacreous.scaling.data.fault import nearest
 ENCODINGS = {
     "utf-8": "utf-8-sig",
     "utf-16": "utf-16",
+    "utf-32": "utf-32",
     "shift-jis": "cp932",
     "euc-jp": "euc_jp",
     "iso-2022-jp": "iso2022_jp",
@@ -26,7 +28,30 @@ ENCODINGS = {
     "big5": "big5",
     "euc-kr": "euc_kr",
 }
+#: Other names for them, as programs and the Internet's registry have them.
+_ALIASES = {
+    "utf8": "utf-8",
+    "utf-8-sig": "utf-8",
+    "utf16": "utf-16",
+    "utf32": "utf-32",
+    "sjis": "shift-jis",
+    "ms932": "shift-jis",
+    "windows-31j": "shift-jis",
+    "cp932": "shift-jis",
+    "cp1250": "windows-1250",
+    "cp1251": "windows-1251",
+    "cp1252": "windows-1252",
+    "ansi": "windows-1252",
+    "latin1": "latin-1",
+    "iso-8859-1": "latin-1",
+    "macintosh": "mac-roman",
+    "macroman": "mac-roman",
+    "gbk": "gb18030",
+    "gb2312": "gb18030",
+}
 
+#: The encoding that is told by what the text would be in it, and by nothing else.
+_GUESS = "Shift-JIS"
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig", "UTF-8"),
     (codecs.BOM_UTF32_LE, "utf-32", "UTF-32"),  # begins as UTF-16 does, so it is asked first
@@ -49,6 +74,10 @@ _OTHERS = {
 _WESTERN = {chr(code) for code in range(0xA0, 0x100)} - set("¤¦¨¬¯¶¸") | set("ŒœŠšŽžŸ‘’“”–—…€•™")
 
 
+#: What is not ASCII, with the letters right before and behind it.
+_IN_A_WORD = re.compile(r"(?:(?<=([A-Za-z]))|(?<![A-Za-z]))([^\x00-\x7f]+)(?=([a-z]?))")
+
+
 def utf8_of(place: str, content: bytes, encoding: str | None = None) -> bytes:
     """The content as UTF-8 without a mark at its beginning.
 
@@ -59,8 +88,10 @@ def utf8_of(place: str, content: bytes, encoding: str | None = None) -> bytes:
     if content.startswith(_WORKBOOKS):
         raise InputError(f"{place}: is a workbook; allowed: a table as text (save it as CSV UTF-8)")
     name, shown = _encoding(place, content, encoding)
-    if name == "utf-16" and b"\0" not in content:  # a line of names has commas in it, or tabs
-        raise InputError(f"{place}: is not UTF-16 text; allowed: UTF-16, as was said or marked")
+    shown = shown.upper() if shown.startswith("utf") else shown
+    # A line of names has commas in it, or tabs.
+    if name.startswith(("utf-16", "utf-32")) and b"\0" not in content:
+        raise InputError(f"{place}: is not {shown} text; allowed: {shown}, as was said or marked")
     if name == "utf-8" and content.isascii():
         text = content
     else:
@@ -78,18 +109,29 @@ def utf8_of(place: str, content: bytes, encoding: str | None = None) -> bytes:
     return text
 
 
+def guessed_encoding(content: bytes) -> str | None:
+    """The encoding as which `utf8_of` reads this, where nothing in it says so; else None.
+
+    >>> guessed_encoding("光沢,巻き".encode("cp932")), guessed_encoding("光沢,巻き".encode())
+    ('Shift-JIS', None)
+    """
+    try:
+        _, shown = _encoding("", content, None)
+    except InputError:
+        return None
+    return shown if shown == _GUESS else None
+
+
 def _encoding(place: str, content: bytes, given: str | None) -> tuple[str, str]:
     """Python's name of the encoding, and the one to be shown."""
     if given is not None:
         known = str(given).lower().replace("_", "-")
-        known = {"utf8": "utf-8", "utf16": "utf-16", "sjis": "shift-jis", "cp932": "shift-jis"}.get(
-            known, known
-        )
+        known = _ALIASES.get(known, known)
         if known not in ENCODINGS:
             near = nearest(known, ENCODINGS)
             hint = f"did you mean {near}?" if near else f"allowed: {', '.join(ENCODINGS)}"
             raise InputError(f"encoding is {str(given)!a}; {hint}")
-        return ENCODINGS[known], known
+        return _ordered(content, ENCODINGS[known]), known
     for mark, name, shown in _MARKS:
         if content.startswith(mark):
             return name, shown
@@ -101,14 +143,26 @@ def _encoding(place: str, content: bytes, given: str | None) -> tuple[str, str]:
         codecs.decode(content, "utf-8")
     except UnicodeDecodeError as problem:
         if _is_shift_jis(content):
-            return "cp932", "Shift-JIS"
+            return "cp932", _GUESS
         raise InputError(_undecoded(place, content, problem, "UTF-8")) from problem
     return "utf-8", "UTF-8"
 
 
+def _ordered(content: bytes, name: str) -> str:
+    """UTF-16 and UTF-32 in the order of their bytes, where no mark says it."""
+    if name not in ("utf-16", "utf-32") or any(content.startswith(mark) for mark, *_ in _MARKS):
+        return name
+    size = 2 if name == "utf-16" else 4
+    lead = [content[at:64:size].count(0) for at in (0, size - 1)]
+    return f"{name}-be" if lead[0] > lead[1] else f"{name}-le"
+
+
 def _of_zeros(place: str, content: bytes) -> tuple[str, str]:
-    """UTF-16 without a mark: every other byte of a line of column names is 0."""
+    """UTF-16 or UTF-32 without a mark: of each letter of a line of names all but one byte is 0."""
     begin = content[:64]
+    for name, zeros in (("utf-32-le", (2, 3)), ("utf-32-be", (0, 1))):
+        if len(content) % 4 == 0 and not any(any(begin[at::4]) for at in zeros):
+            return name, "UTF-32"
     if begin[1::2].count(0) > len(begin) // 4 and 0 not in begin[0::2]:
         return "utf-16-le", "UTF-16"
     if begin[0::2].count(0) > len(begin) // 4 and 0 not in begin[1::2]:
@@ -123,13 +177,19 @@ def _of_zeros(place: str, content: bytes) -> tuple[str, str]:
 def _is_shift_jis(content: bytes) -> bool:
     """Whether this is Japanese, and neither Western European text nor half-width kana.
 
-    Half-width kana are single bytes, which any other encoding has as well.
+    Half-width kana are single bytes, which any other encoding has as well. A letter with an accent
+    takes the one behind it with it: of Mac Roman's Hélène and Éclat H四熟e and ツlat are left.
     """
     try:
         japanese = content.decode("cp932")
     except UnicodeDecodeError:
         return False
     if any("\uff61" <= letter <= "\uff9f" or "\ue000" <= letter <= "\uf8ff" for letter in japanese):
+        return False
+    runs = list(_IN_A_WORD.finditer(japanese))
+    if any(run[1] and run[3] for run in runs) or all(
+        len(run[2]) == 1 and f"{run[1] or ''}{run[3]}".islower() for run in runs
+    ):
         return False
     western = content.decode("cp1252", errors="replace")
     return not {letter for letter in western if not letter.isascii()} <= _WESTERN

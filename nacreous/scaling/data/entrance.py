@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any, TypedDict
 
 import numpy as np
@@ -27,7 +28,12 @@ from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.preview import without_previews
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
-from nacreous.scaling.data.tie_column import refuse_other_ties, tie_column, ties_of
+from nacreous.scaling.data.tie_column import (
+    refuse_other_ties,
+    refuse_tie_words,
+    tie_column,
+    ties_of,
+)
 from nacreous.scaling.data.time_column import time_column
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
 from nacreous.scaling.data.wide import long_of
@@ -48,6 +54,7 @@ class Fields(TypedDict):
     sided: bool
     left_out: int
     unanswered: int
+    encoding_guessed: str | None
 
 
 def fields_of(
@@ -93,6 +100,8 @@ def fields_of(
         _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in {*column.values(), tied}]
+    if won and tied is None:
+        refuse_tie_words(table, others)
     counts = counts_of(table, column["count"], faults) if "count" in column else None
     fields = Fields(
         stimuli=labels,
@@ -107,6 +116,7 @@ def fields_of(
         sided=sided and not won,
         left_out=unpaired + skipped,
         unanswered=skipped,
+        encoding_guessed=table.encoding_guessed,
     )
     return fields if counts is None else _counted(fields, counts)
 
@@ -147,7 +157,7 @@ def _counted(fields: Fields, counts: NDArray[np.int64]) -> Fields:
     counted["response_s"] = None if response_s is None else response_s[row]
     counted["time"] = None if time is None else time[row]
     counted["groups"] = {
-        name: Grouping(group.levels, group.code[row]) for name, group in fields["groups"].items()
+        name: replace(group, code=group.code[row]) for name, group in fields["groups"].items()
     }
     return counted
 

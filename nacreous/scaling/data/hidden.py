@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from unicodedata import category
 
+from nacreous.printable import by_number
+
 #: Unicode's categories of control and format characters, and separators of lines and paragraphs.
 _HIDDEN = ("Cc", "Cf", "Zl", "Zp")
 #: What shows nothing and is in none of these: joiners and fillers of letters, vowels of Khmer that
@@ -36,7 +38,7 @@ def hidden_in(label: str) -> str | None:
     text = _FLAG.sub("\U0001f3f4", label)
     bare = not visible(text)
     hidden = next((c for c in text if _is_hidden(c) or (bare and _ZERO_WIDTH.match(c))), None)
-    return None if hidden is None else f"\\u{ord(hidden):04x}"
+    return None if hidden is None else by_number(hidden)
 
 
 def visible(label: str) -> str:

@@ -8,9 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.column import is_nothing, text_column
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.number_text import (
+    has_decimal_points,
+    may_be_thousands,
+    parsed,
+    pointed,
+)
 from nacreous.scaling.data.table import Table
 
 
@@ -22,10 +28,13 @@ def number_column(
     Empty cells are NaN: that the time of one answer is unknown spoils no other. So are the words
     for nothing (`NOTHING`), and -1 where numbers are at least 0, which says that nobody answered.
     A list of one number, as PsychoPy writes it, is that number. A decimal comma is read where it
-    cannot be one between thousands. role: of a column that may be left unused, or None.
+    cannot be one between thousands; where the decimal mark is a comma, a point that may part
+    thousands is refused likewise. role: of a column that may be left unused, or None.
     """
     text = _filled(text_column(table, name), least)
-    good, values = _numbers(_pointed(table, text))
+    good, values = parsed(pointed(text, table.decimal_comma))
+    if table.decimal_comma and may_be_thousands(text).any() and not _has_points(table):
+        good &= ~may_be_thousands(text)
     _say_bad(name, role, text, ~good | np.isinf(values) | (values < least), least, faults)
     return values
 
@@ -59,23 +68,12 @@ def _filled(text: Any, least: float) -> Any:
     import pyarrow.compute as pc
 
     text = pc.replace_substring_regex(text, r"^\[\s*['\"]?([^,\[\]'\"]*)['\"]?\s*\]$", r"\1")
-    nothing = pc.is_in(pc.utf8_lower(text), pa.array([*sorted(NOTHING), "", "nat"], text.type))
+    nothing = pc.or_(pc.equal(text, ""), pa.array(is_nothing(text)))
     if least == 0:
         nothing = pc.or_(
             nothing, pc.fill_null(pc.match_substring_regex(text, r"^-1(\.0*)?$"), False)
         )
     return pc.if_else(nothing, pa.scalar(None, text.type), text)
-
-
-def _numbers(text: Any) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Whether each cell is empty or a number, and the numbers, NaN where there is none."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    number = r"^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$"
-    good = pc.fill_null(pc.match_substring_regex(text, number), True)
-    value = pc.cast(pc.if_else(good, text, pa.scalar(None, text.type)), pa.float64())
-    return np.asarray(good), np.asarray(pc.fill_null(value, np.nan)).copy()
 
 
 def _say_bad(
@@ -94,23 +92,9 @@ def _say_bad(
     )
 
 
-def _pointed(table: Table, text: Any) -> Any:
-    """Decimal commas as points, where the column's commas can be nothing else.
-
-    1,250 may be a thousand and a quarter of one; 0,834 and 1,25 may not. Beside a decimal point a
-    comma is none.
-    """
-    import pyarrow.compute as pc
-
-    def some(pattern: str) -> bool:
-        return bool(pc.any(pc.match_substring_regex(text, pattern)).as_py())
-
-    comma = r"^[+-]?[0-9]+,[0-9]+$"
-    sure = table.decimal_comma or some(r"^[+-]?(0[0-9]*|[0-9]{4,}),[0-9]+$")
-    sure = sure or some(r"^[+-]?[0-9]+,([0-9]{1,2}|[0-9]{4,})$")
-    if not some(comma) or not sure or some(r"\."):
-        return text
-    return pc.replace_substring_regex(text, r"^([+-]?[0-9]+),([0-9]+)$", r"\1.\2")
+def _has_points(table: Table) -> bool:
+    """Whether numbers anywhere in the table have a decimal point."""
+    return any(has_decimal_points(text_column(table, name)) for name in table.columns)
 
 
 def unused_by(role: str) -> str:
@@ -119,4 +103,6 @@ def unused_by(role: str) -> str:
 
 
 def _comma_hint(cell: object) -> str:
+    if re.fullmatch(r"[1-9][0-9]{0,2}\.[0-9]{3}", str(cell)):
+        return " without a point that may part thousands, such as 1250 or 1,25"
     return " with a decimal point" if re.fullmatch(r"[^\[]*,.*", str(cell)) else ""

@@ -14,7 +14,10 @@ from nacreous.scaling.data.table import Table
 _NUMBER = re.compile(
     r"(?:[a-z]{1,3}|question|trial|item|pair|問|設問|質問)?[\s_.]*[0-9]+[.)]?", re.IGNORECASE
 )
-_NUMBER_BEFORE = re.compile(r"(?:q[\s_.]*)?[0-9]+[.):]\s*(?=\S)", re.IGNORECASE)
+#: A number before a question, or LimeSurvey's codes of it and its row: `1. `, `q1[SQ001] `.
+_NUMBER_BEFORE = re.compile(
+    r"(?:(?:q[\s_.]*)?[0-9]+[.):]\s*|[a-z]\w*\[\w+\][.:]?\s+)(?=\S)", re.IGNORECASE
+)
 #: The end of a question that all left labels begin with: `Choose one. `, `Better - `.
 _QUESTION = re.compile(r".*[.,;:!?\-–—/)]\s+", re.DOTALL)
 #: What all right labels end with, and is no part of them: `(2)`, `_1`, ` - which one`.

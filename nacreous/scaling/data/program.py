@@ -22,6 +22,11 @@ JSPSYCH = Program(
     frozenset({"trial_type", "trial_index", "time_elapsed"}),
     {"chosen": "response", "response_ms": "rt", "trial": "trial_index"},
 )
+#: Before version 6.3 buttons and keys had columns of their own.
+JSPSYCH_BUTTONS, JSPSYCH_KEYS = (
+    Program(JSPSYCH.name, JSPSYCH.marks | {own}, {**JSPSYCH.columns, "chosen": own})
+    for own in ("button_pressed", "key_press")
+)
 LABJS = Program(
     "lab.js",
     frozenset({"sender", "sender_type", "sender_id"}),
@@ -39,7 +44,7 @@ GORILLA = Program(
 )
 SOSCI = Program("SoSci Survey", frozenset({"CASE", "QUESTNNR"}), {"person": "CASE"})
 LIMESURVEY = Program("LimeSurvey", frozenset({"id", "submitdate", "lastpage"}), {"person": "id"})
-PROGRAMS = (JSPSYCH, LABJS, GORILLA, SOSCI, LIMESURVEY)
+PROGRAMS = (JSPSYCH_BUTTONS, JSPSYCH_KEYS, JSPSYCH, LABJS, GORILLA, SOSCI, LIMESURVEY)
 
 #: Words for somebody who answers, each also with id, number and the like behind it.
 _SOMEBODY = (
@@ -52,6 +57,7 @@ _BEHIND = ("", "id", "ids", "nr", "no", "num", "number", "code", "番号")
 _PEOPLE = frozenset(
     {f"{word}{behind}" for word in _SOMEBODY for behind in _BEHIND}
     | {"responseid", "prolificpid", "runid", "participantprivateid", "participantpublicid"}
+    | {"expsubjectid"}
 )
 #: What may say who answered, or something else: only a person can tell.
 _PERHAPS = frozenset({"id", "name", "email", "code", "case", "session", "sessionid", "sub", "名前"})

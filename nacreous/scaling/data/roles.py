@@ -131,6 +131,13 @@ def columns_of(table: Table, names: Names, faults: Faults) -> dict[str, str]:
             lacking[role] = name
     if lacking:
         faults.say(_lacking(table, lacking, set(found.values())))
+    for role in found:
+        alike = [name for name in table.columns if name.casefold() == role]
+        if role not in names and len(alike) > 1:
+            faults.say(
+                f"has the columns {' and '.join(alike)}; allowed: one of them, or {role}="
+                f"{alike[0]!r} to name it"
+            )
     if "response_s" in found and "response_ms" in found:
         faults.say("has both response_s and response_ms; allowed: one of them")
     for name in dict.fromkeys(found.values()):

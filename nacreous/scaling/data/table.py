@@ -21,9 +21,10 @@ from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.csv_table import parse_csv
-from nacreous.scaling.data.encoding import utf8_of
+from nacreous.scaling.data.encoding import guessed_encoding, utf8_of
 from nacreous.scaling.data.fault import Faults, listed
 from nacreous.scaling.data.header import find_header, name_of
+from nacreous.scaling.data.kind import plain_array, plain_values
 
 #: The largest file that is opened: about 30 million answers.
 MOST_BYTES = 2**30
@@ -41,7 +42,7 @@ class Table:
     `place` is the file's name, or "table"; `numbers`, int64 [row], are those by which messages call
     the rows: of a CSV file as spreadsheets count, its header being row 1, otherwise from 0. `texts`
     says of a column what Qualtrics writes below its name. `decimal_comma`: numbers with a comma
-    cannot be whole thousands here.
+    cannot be whole thousands here. `encoding_guessed`: of a file that does not say it.
     """
 
     place: str
@@ -49,6 +50,7 @@ class Table:
     numbers: NDArray[np.int64]
     texts: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     decimal_comma: bool = False
+    encoding_guessed: str | None = None
 
     @property
     def rows(self) -> int:
@@ -81,7 +83,7 @@ def read_table(
     """
     file = Path(path)
     place = printable(str(file))
-    if file.suffix.lower() not in ENDINGS:
+    if file.suffix.lower() not in ENDINGS and not file.is_dir():
         given = printable(file.suffix) or "missing"
         raise InputError(f"{place}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
     content = read_bytes(file)
@@ -92,7 +94,13 @@ def read_table(
         return _table(place, _parse_parquet(place, content))
     found = parse_csv(place, content, wanted, skip_rows=skip_rows, encoding=encoding)
     table = _table(place, list(found.columns))
-    return replace(table, numbers=found.numbers, texts=found.texts, decimal_comma=found.semicolons)
+    return replace(
+        table,
+        numbers=found.numbers,
+        texts=found.texts,
+        decimal_comma=found.semicolons,
+        encoding_guessed=guessed_encoding(content) if encoding is None else None,
+    )
 
 
 def column_names(
@@ -163,9 +171,7 @@ def _is_frame(data: object) -> bool:
 
 def _table(place: str, columns: list[tuple[Any, Any]]) -> Table:
     names = [name_of(name) for name, _ in columns]
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
+    _refuse_twice(place, names)
     arrays = {
         name: _array(place, name, values) for name, (_, values) in zip(names, columns, strict=True)
     }
@@ -181,14 +187,21 @@ def _table(place: str, columns: list[tuple[Any, Any]]) -> Table:
     return Table(place, arrays, np.arange(rows))
 
 
+def _refuse_twice(place: str, names: list[str]) -> None:
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
+
+
 def _array(place: str, name: str, values: Any) -> Any:
     """An Arrow array of a column, whatever held it."""
     import pyarrow as pa
 
     if isinstance(values, pa.ChunkedArray):
-        return values.combine_chunks()
+        return plain_array(values.combine_chunks())
     if isinstance(values, pa.Array):
-        return values
+        return plain_array(values)
+    values = plain_values(values)
     lone = isinstance(values, str | bytes | Mapping) or not hasattr(values, "__iter__")
     if lone or (isinstance(values, np.ndarray) and values.ndim != 1):
         raise InputError(f"{place}: column {name} is {said(values)}; allowed: a list of values")
@@ -201,7 +214,7 @@ def _array(place: str, name: str, values: Any) -> Any:
         ) from problem
     except (pa.ArrowInvalid, pa.ArrowTypeError, pa.ArrowNotImplementedError, OverflowError):
         return pa.array([_mixed(place, name, row, cell) for row, cell in enumerate(values)])
-    return array.combine_chunks() if isinstance(array, pa.ChunkedArray) else array
+    return plain_array(array.combine_chunks() if isinstance(array, pa.ChunkedArray) else array)
 
 
 def _mixed(place: str, name: str, row: int, cell: Any) -> str | None:
@@ -219,6 +232,11 @@ def _parse_parquet(place: str, content: bytes) -> list[tuple[str, Any]]:
     import pyarrow as pa
     from pyarrow import parquet
 
+    try:
+        names = parquet.read_schema(pa.BufferReader(content)).names
+    except (pa.ArrowException, OSError, ValueError) as problem:
+        raise InputError(f"{place}: is no whole Parquet file") from problem
+    _refuse_twice(place, names)
     try:
         table = parquet.read_table(pa.BufferReader(content))
     except (pa.ArrowException, OSError, ValueError) as problem:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nacreous.scaling.data.column import NOTHING, text_column
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.kind import kind_said
 from nacreous.scaling.data.number_column import number_column, unused_by
 from nacreous.scaling.data.table import Table
 
@@ -39,7 +40,7 @@ def time_column(table: Table, name: str, role: str, faults: Faults) -> NDArray[n
     try:
         instant = pc.cast(array, pa.timestamp("us"), safe=False)
     except (pa.ArrowInvalid, pa.ArrowNotImplementedError):  # a time of day
-        faults.say(f"column {name} is of the kind {array.type}; allowed: numbers or ISO 8601")
+        faults.say(f"column {name} holds {kind_said(array.type)}; allowed: numbers or ISO 8601")
         return np.full(table.rows, np.nan)
     seconds = np.asarray(pc.fill_null(pc.cast(instant, pa.int64()), 0)) / 1e6
     return np.where(np.asarray(array.is_null()), np.nan, seconds)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.data.choice import is_unanswered
-from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.column import is_nothing, text_column
 from nacreous.scaling.data.fault import Faults
 from nacreous.scaling.data.roles import Names
 from nacreous.scaling.data.table import Table
@@ -24,7 +24,7 @@ def with_pairs(table: Table, column: dict[str, str]) -> Table:
 
     sides = ("winner", "loser") if "winner" in column else ("left", "right")
     first, second = (text_column(table, column[side]) for side in sides)
-    nothing = _is_nothing(first) & _is_nothing(second)
+    nothing = is_nothing(first) & is_nothing(second)
     alike = np.asarray(pc.fill_null(pc.equal(first, second), True))
     bare = np.flatnonzero(nothing & alike)
     if len(bare) == 0:
@@ -57,14 +57,6 @@ def refuse_unanswered(table: Table, column: dict[str, str], names: Names, faults
             "rows out"
         ),
     )
-
-
-def _is_nothing(text: Any) -> NDArray[np.bool_]:
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(NOTHING), text.type))
-    return np.asarray(pc.or_(text.is_null(), pc.fill_null(word, True)))
 
 
 def _labels(first: Any, second: Any, kept: NDArray[np.bool_]) -> frozenset[str]:

@@ -19,7 +19,7 @@ from nacreous._core import PairModel, PersonalAnswers
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import quoted
-from nacreous.scaling.fit.blocks import blocks_of, numbered
+from nacreous.scaling.fit.blocks import numbered
 from nacreous.scaling.fit.existence import pair_model
 from nacreous.unchanging import released
 from nacreous.value import value_class
@@ -34,6 +34,9 @@ LEAST_PEOPLE = 3
 #: People times parameters cubed up to which each person's own correction is worked out (a second).
 #: Beyond, all get the one of equal designs.
 _MOST_WORK = 2e9
+#: Where nobody gave more of the answers to any pair, nobody gets an own correction: a person has
+#: H_p <= s H of the information H, they lie within 1 and (1 - s)^-1/2, which is 1.005.
+_SMALL_SHARE = 0.01
 #: People whose corrections are worked out at a time.
 _PEOPLE = 64
 #: Numbers of people and contrasts that are held at a time.
@@ -48,14 +51,15 @@ class Clusters:
     """How far each person moved the parameters of a fit.
 
     influence  float64 [person, parameter]; its squares sum to the covariance
-    equal      whether all get the correction of equal designs; then the rest is empty
+    degrees    of freedom of every contrast, where all get the correction of equal designs; then the
+               rest is empty. None: people have their own
     lever      float64 [person, parameter, parameter]: a contrast of parameters to its working
                residual's weights; seen: float64 likewise, each person's expected information
     spread     float64 [parameter, parameter], the inverse of the whole expected information
     """
 
     influence: Array
-    equal: bool
+    degrees: float | None
     lever: Array
     seen: Array
     spread: Array
@@ -72,8 +76,8 @@ class Clusters:
         (trace P)^2 / trace P^2.
         """
         people = len(self.influence)
-        if self.equal:
-            return np.full(len(contrasts), people - 1.0)
+        if self.degrees is not None:
+            return np.full(len(contrasts), self.degrees)
         at_once = max(1, _NUMBERS // (people * contrasts.shape[1]))
         parts = [contrasts[at : at + at_once] for at in range(0, len(contrasts), at_once)]
         return np.concatenate([np.zeros(0), *map(self._freedom, parts)])
@@ -165,10 +169,10 @@ def clusters(
     people, size = scores.shape
     scores = scores - scores.mean(axis=0)  # 0 but for a prior, which pulls all people alike
     none = np.zeros((0, size, size))
-    alike = not like[2] and _same_pairs(answers, people)
-    if alike or people * size**3 > _MOST_WORK:
+    degrees = _common_degrees(answers, people, size, sided=like[2])
+    if degrees is not None:
         influence = scores @ observed * np.sqrt(people / (people - 1))
-        return Clusters(influence, True, none, none, expected)
+        return Clusters(influence, degrees, none, none, expected)
     seen = _information(answers, parameters, like)
     values, vectors = np.linalg.eigh(seen)
     values = np.where(values > 1e-10 * values.max(), values, 0.0)
@@ -178,17 +182,33 @@ def clusters(
         correction = _corrected(values[some], vectors[some], expected)
         influence[some] = np.einsum("cij,cj->ci", correction, scores[some]) @ observed
         lever[some] = np.swapaxes(correction, 1, 2) @ observed
-    return Clusters(influence, False, released(lever), released(seen), expected)
+    return Clusters(influence, None, released(lever), released(seen), expected)
 
 
-def _same_pairs(answers: Answers, people: int) -> bool:
-    """Whether everyone answered the same pairs equally often; the side is no matter."""
-    blocks = blocks_of(answers)
-    pairs = len(blocks.first)
-    if len(blocks.answers) != people * pairs:
-        return False
-    each = blocks.answers.reshape(people, pairs)
-    return bool((each == each[0]).all())
+def _common_degrees(answers: Answers, people: int, size: int, sided: bool) -> float | None:
+    """Degrees of freedom where all people get one correction; None where each gets their own.
+
+    sided: a pair the other way round is another, for the fit has an advantage of the left one. With
+    a largest share s of the answers to a pair, no contrast has fewer than 1/s: nobody has more than
+    s of its variance, and (sum v)^2 / sum v^2 >= sum v / max v.
+    """
+    count = len(answers.stimuli)
+    left, right = answers.left, answers.right
+    if not sided:
+        left, right = np.minimum(left, right), np.maximum(left, right)
+    pairs, pair = numbered(left * count + right, count**2)
+    known = np.zeros(len(answers), np.int64) if answers.person is None else answers.person
+    block = known * len(pairs) + pair
+    cells, cell = numbered(block, (int(known.max()) + 1) * len(pairs))
+    each = np.bincount(cell)
+    if len(each) == people * len(pairs):
+        by_person = each.reshape(people, len(pairs))
+        if (by_person == by_person[0]).all():
+            return people - 1.0
+    largest = float((each / np.bincount(pair)[cells % len(pairs)]).max())
+    if largest <= _SMALL_SHARE:
+        return min(people - 1.0, 1 / largest - 1)
+    return people - 1.0 if people * size**3 > _MOST_WORK else None
 
 
 def _information(

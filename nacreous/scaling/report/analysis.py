@@ -107,6 +107,12 @@ class Analysis:
         return self.ties_half and likely and self.settings.ties is None
 
     @property
+    def encoding_guessed(self) -> str | None:
+        """The encoding as which the file was read, where nothing in it says so."""
+        data = self.comparisons if self.answers is None else self.answers
+        return data.encoding_guessed
+
+    @property
     def pairs(self) -> int:
         """How many pairs were compared."""
         return len(self.comparisons.unsided())
@@ -217,6 +223,7 @@ def analyse(
     doubt = doubt_of(fit, wanted, watch)
     rest = None if progress is None else lambda share: show(_RESAMPLING + share * _DEALING)
     people = people_of(answers, wanted, rest)
+    consistent = consistency(comparisons if answers is None else answers, own.scale)
     groups = None
     if wanted.group is not None and answers is not None:
         groups = groups_of(answers, wanted, fit.tie_threshold is not None)
@@ -229,7 +236,7 @@ def analyse(
         doubt=doubt,
         neighbours=neighbours_of(fit, doubt, wanted.level),
         goodness=goodness(own, wanted.level),
-        consistency=consistency(comparisons if answers is None else answers, own.scale),
+        consistency=consistent,
         people=people,
         groups=groups,
         example=example,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import Estimate, estimate
 from nacreous.scaling.compare.groups import PERMUTATIONS, GroupComparison, compared
@@ -46,7 +48,8 @@ def groups_of(answers: Answers, settings: Settings, with_ties: bool) -> Groups:
 
     with_ties: as the scale of all was fitted. Raises `InputError` where there is no such column.
     """
-    parts = answers.split(settings.group or "")
+    # Neither time nor its length tells groups apart, and of millions of answers both are large.
+    parts = replace(answers, response_s=None, time=None).split(settings.group or "")
     placed = {name: _placed(part, settings, with_ties) for name, part in parts.items()}
     left_out = _left_out(placed)
     found = {name: one for name, one in placed.items() if isinstance(one, Estimate)}
@@ -55,7 +58,9 @@ def groups_of(answers: Answers, settings: Settings, with_ties: bool) -> Groups:
     held = {name: parts[name] for name in found}
     same = None if _apart(held) else True
     comparison = compared(held, found, same, PERMUTATIONS, settings.level, settings.seed)
-    return Groups(comparison, left_out)
+    # The report shows nothing of the answers of all once more.
+    shared = replace(comparison.shared, answers=None)
+    return Groups(replace(comparison, shared=shared), left_out)
 
 
 def left_out_of(

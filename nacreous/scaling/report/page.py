@@ -18,7 +18,7 @@ from nacreous.scaling.report.chapters import (
     scale,
     short,
 )
-from nacreous.scaling.report.translation import Html, Words, markup, thousands
+from nacreous.scaling.report.translation import Html, Words, apart, thousands
 
 __all__ = ["html"]
 
@@ -54,7 +54,7 @@ def html(analysis: Analysis, language: str = "en", screens: Mapping[str, int] | 
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{_title(analysis, words, markup)}</title>
+<title>{_title(analysis, words, apart)}</title>
 <style>
 {_STYLE.read_text(encoding="utf-8")}</style>
 </head>
@@ -110,7 +110,7 @@ def _asked(analysis: Analysis, words: Words) -> Html:
         said.append(words("head.missing", pairs=words.count("pair", missing)))
     if counts.ties.any():
         said.append(words("head.ties", ties=thousands(float(counts.ties.sum()))))
-    said += _left_out(analysis, words)
+    said += _left_out(analysis, words) + _as_read(analysis, words)
     shown = f"<p>{words.sentences(*said)}</p>\n"
     if analysis.settings.simulated:
         shown = f'<p class="note"><b>{words("head.simulated")}</b></p>\n' + shown
@@ -142,6 +142,20 @@ def _left_out(analysis: Analysis, words: Words) -> list[Html]:
     unpaired = analysis.answers.left_out - unanswered
     found = {"head.unpaired": unpaired, "head.unanswered": unanswered}
     return [words(key, rows=words.count("row", count)) for key, count in found.items() if count]
+
+
+def _as_read(analysis: Analysis, words: Words) -> list[Html]:
+    """What of the file was read by a guess, and words that were read as nothing."""
+    found = []
+    if analysis.encoding_guessed:
+        found.append(words("head.guessed", encoding=analysis.encoding_guessed))
+    groups = {} if analysis.answers is None else analysis.answers.groups
+    columns = [
+        words("head.nothing_in", cells=words.names(group.nothing), column=words.name(name))
+        for name, group in groups.items()
+        if group.nothing
+    ]
+    return found + ([words("head.nothing", columns=words.listed(columns))] if columns else [])
 
 
 def _range(each: np.typing.NDArray[np.float64], words: Words) -> Html:

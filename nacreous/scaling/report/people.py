@@ -5,7 +5,12 @@ from __future__ import annotations
 from math import ceil
 
 from nacreous.problem import InputError
-from nacreous.scaling.check.covariate import Covariate, person_covariates
+from nacreous.scaling.check.covariate import (
+    Covariate,
+    Untested,
+    person_covariates,
+    untested_columns,
+)
 from nacreous.scaling.check.population import Population, population
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.shared import Progress, SharedScale, shared_scale
@@ -24,13 +29,14 @@ class People:
 
     `differ`: they do not, at the level asked for. `population`: what describes them; None where
     they do not differ, and where they are too few or too many for that. `covariates`: columns of
-    people, tested in any case.
+    people, tested in any case; `untested`: those that cannot be, and why.
     """
 
     shared: SharedScale
     differ: bool
     population: Population | None
     covariates: tuple[Covariate, ...]
+    untested: tuple[Untested, ...]
 
     @property
     def spread_told(self) -> bool:
@@ -52,7 +58,7 @@ def people_of(
     differ = shared.differ(settings.level)
     described = _population(answers, settings) if differ else None
     covariates = person_covariates(answers, permutations, settings.seed)
-    return People(shared, differ, described, covariates)
+    return People(shared, differ, described, covariates, untested_columns(answers))
 
 
 def _permutations(answers: int, level: float) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv as tables
 import io
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, is_dataclass, replace
 from typing import Any
 
@@ -17,6 +17,7 @@ from nacreous.scaling.check.population import Population
 from nacreous.scaling.check.triads import Triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.spreadsheet import as_written
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.doubt import Pair
 
@@ -36,7 +37,7 @@ def csv(analysis: Analysis) -> str:
     rows = [
         (
             place + 1,
-            fit.stimuli[at],
+            as_written(fit.stimuli[at]),
             f"{fit.scale[at]:z.6f}",
             fit.unit,
             *(f"{value:z.6f}" for value in (*_ends(analysis)[at], doubt.se[at])),
@@ -129,6 +130,7 @@ def _people(analysis: Analysis) -> Any:
         "test": asdict(people.shared) | {"reversed": len(people.shared.reversed)},
         "differ": people.differ,
         "columns": people.covariates,
+        "columns_not_compared": people.untested,
         "described_by": None if found is None else found.kind,
         **_spread(found),
         "candidates": () if found is None else found.candidates,
@@ -240,17 +242,17 @@ def _repeats(answers: Answers) -> bool:
 
 def _counts_csv(counts: Comparisons) -> str:
     rows = [
-        (label, *(f"{count:.12g}" for count in row))
+        (as_written(label), *(f"{count:.12g}" for count in row))
         for label, row in zip(counts.stimuli, counts.matrix.tolist(), strict=True)
     ]
-    return _table(("", *counts.stimuli), rows)
+    return _table(("", *map(as_written, counts.stimuli)), rows)
 
 
 def _answers_csv(answers: Answers) -> str:
-    names = answers.stimuli
+    names = [as_written(label) for label in answers.stimuli]
     columns: dict[str, list[Any]] = {}
     if answers.person is not None:
-        columns["person"] = [answers.people[at] for at in answers.person.tolist()]
+        columns["person"] = _levels(answers.people, answers.person)
     columns["left"] = [names[at] for at in answers.left.tolist()]
     columns["right"] = [names[at] for at in answers.right.tolist()]
     tie = _tie_word(answers)
@@ -266,8 +268,14 @@ def _answers_csv(answers: Answers) -> str:
         columns["response_s"] = [_cell(value) for value in answers.response_s.tolist()]
     for name, group in answers.groups.items():
         if name not in _ROLES:
-            columns[name] = [group.levels[at] if at >= 0 else "" for at in group.code.tolist()]
+            columns[as_written(name)] = _levels(group.levels, group.code)
     return _table(tuple(columns), zip(*columns.values(), strict=True))
+
+
+def _levels(labels: Sequence[str], code: NDArray[np.int64]) -> list[str]:
+    """A column of labels, empty where the code is below 0."""
+    written = [*map(as_written, labels), ""]
+    return [written[max(at, -1)] for at in code.tolist()]
 
 
 def _cell(value: float) -> str:

@@ -9,6 +9,7 @@ from functools import cache
 from html import escape
 from pathlib import Path
 from typing import Any
+from unicodedata import bidirectional
 
 from nacreous.printable import printable_lines
 from nacreous.problem import InputError
@@ -37,17 +38,63 @@ def language_of(label: object) -> str:
     """The attribute that gives a label the glyphs of its language, "" for other scripts.
 
     A browser picks glyphs by language where languages share characters: without one, Japanese
-    labels on an English page may get Chinese glyphs. Characters of Japanese, also those that
-    Chinese shares, count as Japanese; Hangul as Korean.
+    labels on an English page may get Chinese glyphs. Kana and characters that only Japan writes are
+    Japanese, those that only China or Taiwan writes Chinese, Hangul Korean. Labels of characters
+    that both write, such as 真珠, have none: a wrong one would force the other's glyphs on them,
+    and without one they have those of the page's language, or on an English page the reader's own.
 
-    >>> language_of("真珠 1"), language_of("진주"), language_of("pearl 1")
-    (' lang="ja"', ' lang="ko"', '')
+    >>> language_of("光沢 1"), language_of("骨头"), language_of("진주"), language_of("真珠")
+    (' lang="ja"', ' lang="zh-Hans"', ' lang="ko"', '')
     """
     text = str(label)
     if re.search("[\uac00-\ud7af\u1100-\u11ff]", text):
         return ' lang="ko"'
-    japanese = "[\u3005-\u3007\u3040-\u30ff\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff\uff66-\uff9f]"
-    return ' lang="ja"' if re.search(japanese, text) else ""
+    if re.search("[\u3005-\u3007\u3040-\u30ff\uff66-\uff9f]", text):
+        return ' lang="ja"'
+    han = re.findall("[\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff]", text)
+    where = [tuple(_is_in(each, codec) for codec in _REPERTOIRES) for each in han]
+    if (True, False, False) in where:
+        return ' lang="ja"'
+    if any(china and not japan for japan, china, _ in where):
+        return ' lang="zh-Hans"'
+    return ' lang="zh-Hant"' if (False, False, True) in where else ""
+
+
+#: What Japan, China and Taiwan write day by day: JIS X 0208, GB 2312, Big5.
+_REPERTOIRES = ("shift_jis", "gb2312", "big5")
+
+
+def _is_in(letter: str, codec: str) -> bool:
+    return letter.encode(codec, "ignore") != b""
+
+
+def direction_of(label: object) -> str:
+    """The attribute that sets a label apart that is read from right to left, "" for others.
+
+    Without it the order of labels in a row, and of signs between them, would turn.
+
+    >>> direction_of("שלום"), direction_of("pearl 1")
+    (' dir="auto"', '')
+    """
+    return ' dir="auto"' if _turns(str(label)) else ""
+
+
+def apart(value: object) -> Html:
+    """The value as HTML without marks, set apart where it is read from right to left.
+
+    For text that can hold no element: titles, attributes, and what is not known to be a label.
+
+    >>> apart("a < b"), len(apart("שלום"))
+    ('a &lt; b', 6)
+    """
+    text = markup(value)
+    if isinstance(value, Html) or not _turns(text):
+        return text
+    return Html(f"\N{FIRST STRONG ISOLATE}{text}\N{POP DIRECTIONAL ISOLATE}")
+
+
+def _turns(text: str) -> bool:
+    return any(bidirectional(letter) in ("R", "AL") for letter in text)
 
 
 class Words:
@@ -65,7 +112,7 @@ class Words:
 
     def __call__(self, key: str, **values: object) -> Html:
         """The text of a key as HTML, with the values in their places."""
-        safe = {name: markup(value) for name, value in values.items()}
+        safe = {name: apart(value) for name, value in values.items()}
         return Html(escape(self._texts[key], quote=False).format(**safe))
 
     def plain(self, key: str) -> str:
@@ -77,9 +124,9 @@ class Words:
         return self._texts["paper.question"] if asked is None and example else asked
 
     def quoted(self, text: str) -> Html:
-        """A question as it was put, in the glyphs of its language."""
-        language = language_of(text)
-        return Html(f"<span{language}>{markup(text)}</span>") if language else markup(text)
+        """A question as it was put, in the glyphs and the direction of its language."""
+        look = language_of(text) + direction_of(text)
+        return Html(f"<span{look}>{markup(text)}</span>") if look else markup(text)
 
     def count(self, noun: str, number: float) -> Html:
         """A number with its noun: "1 person", "2 people".
@@ -92,7 +139,8 @@ class Words:
 
     def name(self, label: object) -> Html:
         """A stimulus, a person or a group, set so that it stands out of the sentence."""
-        return Html(f'<b class="name"{language_of(label)}>{markup(str(label))}</b>')
+        look = language_of(label) + direction_of(label)
+        return Html(f'<b class="name"{look}>{markup(str(label))}</b>')
 
     def listed(self, items: Sequence[object], most: int = 30) -> Html:
         """Items in a row: "a, b and c"; beyond `most` the rest is only counted."""
@@ -144,9 +192,10 @@ class Words:
         """What stands under an axis."""
         return self._texts[f"scale.unit.{unit.rstrip(chr(39))}"]
 
-    def alt(self, key: str, **values: object) -> str:
-        """What a drawing shows, as plain text."""
-        return self._texts[key].format(**values)
+    def alt(self, key: str, **values: object) -> Html:
+        """What a drawing shows, for an attribute."""
+        safe = {name: apart(value) for name, value in values.items()}
+        return Html(escape(self._texts[key]).format(**safe))
 
     def paragraph(self, key: str, **values: object) -> Html:
         """A text as a paragraph."""

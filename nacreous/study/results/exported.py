@@ -12,7 +12,6 @@ from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.study.results.scale import called_simulated
 from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
-from nacreous.study.store.spreadsheet import as_given
 from nacreous.study.task.counting import counts
 from nacreous.study.task.row import Row
 from nacreous.study.task.tasks import columns_of_tasks, task_of
@@ -119,8 +118,7 @@ def _rows(table: Table, where: str) -> list[Row]:
 def _texts(table: Table, name: str) -> list[str | None]:
     """A column as text; empty cells are None."""
     texts: list[str | None] = text_column(table, name).to_pylist()
-    # Parquet is no spreadsheet's, and holds every text as it is.
-    return texts if table.place.lower().endswith(".parquet") else [as_given(text) for text in texts]
+    return texts
 
 
 def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nacreous.study.store.flags import WATCHED, flags_of_people
+from nacreous.study.store.flags import flags_of_people
 from nacreous.study.task.flag import Flag
 
 if TYPE_CHECKING:
@@ -15,6 +15,5 @@ __all__ = ["people_flags"]
 
 def people_flags(running: Running) -> dict[int, list[Flag]]:
     """The flags of every person who has entered, by number (`nacreous.study.store.flags`)."""
-    parts = running.store.parts(running.study, WATCHED)
     people = running.store.sessions(running.study)
-    return flags_of_people(running.frozen.design, parts, people)
+    return flags_of_people(running.frozen.design, running.store.watched(running.study), people)

@@ -68,11 +68,12 @@ def _told_most(answers: Answers, columns: list[str], settings: Settings) -> str 
     """The first column of which groups can be compared; else the first of which any are known."""
     from nacreous.scaling.report.groups import left_out_of
 
-    known = {column: answers.split(column) for column in columns if column in answers.groups}
-    if len(known) == 1:  # whatever can be compared, there is no other
-        return next((column for column, parts in known.items() if parts), None)
-    for column, parts in known.items():
+    told = [column for column in columns if column in answers.groups and answers.sizes(column)]
+    if len(told) == 1:  # whatever can be compared, there is no other
+        return told[0]
+    for column in told:
+        parts = answers.split(column)
         # Whether ties are fitted changes nothing for which groups have a scale of their own.
         if len(parts) - len(left_out_of(parts, settings, with_ties=False)) > 1:
             return column
-    return next((column for column, parts in known.items() if parts), None)
+    return told[0] if told else None

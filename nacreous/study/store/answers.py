@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
-from nacreous.study.store import check, journal, people, tokens
+from nacreous.study.store import check, journal, lines, people, tokens
 from nacreous.study.store.engine import in_parts
 from nacreous.study.store.record import PLACES, Answer, Receipt
 from nacreous.study.store.refusal import Conflict, NotAllowed, OutOfTurn
@@ -16,8 +16,21 @@ from nacreous.study.store.schema import answers, sessions
 from nacreous.study.task.counting import DATA
 from nacreous.study.task.row import Row, Tallied
 
-#: Answers that are read at a time, and held as Python objects.
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+#: Answers that are read at a time.
 ROWS = 8192
+#: What a scale takes of an answer, and how it is held.
+COUNTED = {
+    **dict.fromkeys((*PLACES, "chosen", "who"), "text"),
+    **{"trial": "int64", "response_ms": "float64"},
+}
+#: What flags of an answer's person hang on, and how it is held.
+WATCHED = {
+    **dict.fromkeys(("session", "kind", "question", *PLACES, "chosen", "flags"), "text"),
+    **{"received_at": "string", "response_ms": "float64", "simulated": "bool"},
+}
 REFUSED = "answer refused"
 #: Answers of one session that are kept after they were refused. A second tab or device gives a few;
 #: more only a program that would fill the disk.
@@ -152,24 +165,37 @@ def parts(
 
 def counting_parts(
     connection: sa.Connection, study: str, question: str, *, simulated: bool
-) -> Iterator[dict[str, Sequence[Any]]]:
-    """What a scale takes of the answers that count, in the order of arrival, as `parts`.
+) -> Iterator[pa.Table]:
+    """What a scale takes of the answers that count (`COUNTED`), in the order of arrival.
 
-    Those of `nacreous.study.task.counting`, as the database finds them. trial: of an erased
-    person, who has none left, the order of arrival.
+    Those of `nacreous.study.task.counting`, as the database finds them. who: the session, or the
+    random name of an erased person; trial: of an erased person, who has none left, the order of
+    arrival.
     """
     trial = sa.func.coalesce(answers.c.trial, answers.c.seq)
-    columns = (
+    who = sa.func.coalesce(answers.c.session, answers.c.erased_as)
+    query = sa.select(
         *(answers.c[name] for name in (*PLACES, "chosen", "response_ms")),
-        *(_PERSON, trial.label("trial"), sessions.c.groups),
-    )
-    query = _joined(study, *columns).where(
+        *(who.label("who"), trial.label("trial")),
+    ).where(
+        answers.c.study == study,
         answers.c.question == question,
         answers.c.kind.in_(DATA),
-        _EXCLUDED.is_(None),
+        answers.c.excluded_reason.is_(None),
         answers.c.simulated == simulated,
     )
-    yield from _in_parts(connection, query.order_by(answers.c.seq))
+    out = sa.select(sessions.c.id).where(
+        sessions.c.study == study, sessions.c.excluded_reason.is_not(None)
+    )
+    if connection.execute(out.limit(1)).first():
+        query = query.where(sa.or_(answers.c.session.is_(None), answers.c.session.not_in(out)))
+    yield from lines.tables(connection, query, COUNTED, {"response_ms"}, ROWS)
+
+
+def watched_parts(connection: sa.Connection, study: str) -> Iterator[pa.Table]:
+    """What flags hang on (`WATCHED`), of all answers in the order of arrival."""
+    query = sa.select(*(answers.c[name] for name in WATCHED)).where(answers.c.study == study)
+    yield from lines.tables(connection, query, WATCHED, {"session", "response_ms"}, ROWS)
 
 
 def _joined(study: str, *columns: Any) -> sa.Select[Any]:

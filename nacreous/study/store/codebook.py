@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from nacreous.scaling.data.spreadsheet import NOTE
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.store.progress import Progress
-from nacreous.study.store.spreadsheet import NOTE
 from nacreous.study.task.column import Column
 from nacreous.study.task.counting import KINDS
 from nacreous.study.task.tasks import TASKS, columns_of_tasks

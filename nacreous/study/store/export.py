@@ -17,12 +17,13 @@ from typing import TYPE_CHECKING
 from nacreous import file, folder
 from nacreous.number import truth_of
 from nacreous.problem import InputError
+from nacreous.scaling.data.spreadsheet import defused, plain
+from nacreous.study.memory import give_back
 from nacreous.study.store import answers as answering
-from nacreous.study.store import check
-from nacreous.study.store.answers import ROWS
+from nacreous.study.store import check, people
+from nacreous.study.store.answers import COUNTED, ROWS
 from nacreous.study.store.codebook import description, group_column
 from nacreous.study.store.coded import Coded
-from nacreous.study.store.spreadsheet import defused, plain
 from nacreous.study.store.store import Store
 from nacreous.study.store.tables import TABLES, Table, levels_of
 from nacreous.study.task.tasks import task_of
@@ -35,11 +36,6 @@ if TYPE_CHECKING:
 _RECORD = "dataset_description.json"
 #: Parts of a table that are one row group of Parquet: 65,536 rows.
 _ROW_GROUP = 65_536 // ROWS
-#: What a scale takes of an answer, and how it is held.
-_COUNTED = {
-    **dict.fromkeys(("left", "right", "chosen", "person", "groups"), "text"),
-    **{"trial": "int64", "response_ms": "float64"},
-}
 _MAKER = "nacreous study export"
 
 
@@ -58,7 +54,7 @@ def export(
     folder, which must not be there yet: `dataset_description.json` describes every column, and
     `data/` holds all three. A file or folder is whole or absent.
     bom: begin a .csv with a byte order mark, by which Excel knows UTF-8. In CSV texts that a
-    spreadsheet would take for a formula are defused (`nacreous.study.store.spreadsheet`).
+    spreadsheet would take for a formula are defused (`nacreous.scaling.data.spreadsheet`).
     identifying: with what may identify a person (`nacreous.study.store.person_columns`), readable
     by the owner alone. Raises `InputError` where it cannot be written.
     """
@@ -100,18 +96,38 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     ...     answers_of(store, study, "deeper")
     Answers(1 answers, 2 stimuli, 1 person)
     """
-    columns = Coded(_COUNTED)
+    columns = Coded(COUNTED)
     with store.reading() as connection:
         for part in answering.counting_parts(connection, study, question, simulated=simulated):
-            columns.add(part)
+            columns.add(dict(zip(part.column_names, part.columns, strict=True)))
+        known = people.by_session(connection, study)
     table = columns.table()
     if not table.num_rows:
         raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
-    given = table["groups"].combine_chunks()
+    held = {name: table[name] for name in table.column_names if name != "who"}
+    person, given = _of_people(table["who"].combine_chunks(), known)
+    del table  # each column is as large as all that a part of the answers takes
     groups = {group_column(name).name: level for name, level in levels_of(given).items()}
-    held = {name: table[name] for name in table.column_names if name != "groups"}
-    del table, given  # each column is as large as all that a part of the answers takes
-    return task_of({}).answers(held, groups)
+    found = task_of({}).answers({**held, "person": person}, groups)
+    del held, person, given, groups
+    give_back()
+    return found
+
+
+def _of_people(
+    who: pa.DictionaryArray, known: Mapping[str, tuple[str, str]]
+) -> tuple[pa.DictionaryArray, pa.DictionaryArray]:
+    """By row who answered, by number, and the groups as JSON; erased people have a name alone."""
+    import pyarrow as pa
+
+    found = [known.get(one, (one, "{}")) for one in who.dictionary.to_pylist()]
+    named = pa.array([person for person, _ in found], pa.string())
+    given = pa.array([groups for _, groups in found], pa.string())
+    rows = who.indices
+    return (
+        pa.DictionaryArray.from_arrays(rows, named),
+        pa.DictionaryArray.from_arrays(rows, given),
+    )
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:

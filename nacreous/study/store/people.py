@@ -141,6 +141,13 @@ def groups_of_answers(connection: sa.Connection, study: str) -> list[str]:
     return list(connection.scalars(query.where(sessions.c.study == study, known, answered)))
 
 
+def by_session(connection: sa.Connection, study: str) -> dict[str, tuple[str, str]]:
+    """By session's id the person's number as text, and the groups as JSON."""
+    query = sa.select(sessions.c.id, sessions.c.number, sessions.c.groups)
+    found = connection.execute(query.where(sessions.c.study == study))
+    return {one: (str(number), groups or "{}") for one, number, groups in found}
+
+
 def one(connection: sa.Connection, session: str) -> Session:
     """A session by its id."""
     found = find(connection, sessions.c.id == session)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from datetime import timedelta
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nacreous.problem import InputError
 from nacreous.study.store import answers as answering
@@ -20,6 +20,9 @@ from nacreous.study.store.progress import Progress
 from nacreous.study.store.record import Answer, Receipt, Session
 from nacreous.study.store.schema import sessions
 from nacreous.study.task.row import Row, Tallied
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 
 class Store(Lab):
@@ -224,6 +227,11 @@ class Store(Lab):
         """
         with self.reading() as connection:
             yield from answering.parts(connection, study, names)
+
+    def watched(self, study: str) -> Iterator[pa.Table]:
+        """What flags hang on, of every answer in the order of arrival, some thousands at a time."""
+        with self.reading() as connection:
+            yield from answering.watched_parts(connection, study)
 
     def groups_of_answers(self, study: str) -> list[str]:
         """The groups, as JSON, of all who have given an answer, each once."""

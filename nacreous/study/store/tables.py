@@ -22,7 +22,7 @@ from nacreous.study.store.codebook import (
     group_column,
 )
 from nacreous.study.store.disclosure import plain_flags
-from nacreous.study.store.flags import WATCHED, flags_of_people
+from nacreous.study.store.flags import flags_of_people
 from nacreous.study.store.person_columns import Known, PersonColumns
 from nacreous.study.task.column import Column
 from nacreous.study.task.tasks import TASKS, columns_of_tasks
@@ -142,9 +142,7 @@ def _known(store: Store, study: str, design: Design | None) -> Known:
         labels={
             one.number: one.label for one in store.invitations(study) if one.number is not None
         },
-        flags={}
-        if design is None
-        else flags_of_people(design, store.parts(study, WATCHED), people),
+        flags={} if design is None else flags_of_people(design, store.watched(study), people),
     )
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, cast
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from nacreous.scaling.check.response import MOST_FAST
 from nacreous.study.task.flag import LONGEST_PAUSE_S, Flag
 from nacreous.study.task.row import Row
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 __all__ = ["NOTICED", "Watch"]
 
@@ -38,23 +41,29 @@ class Watch:
         self._catches_missed: Counter[int] = Counter()
         self._noticed: Counter[tuple[int, str]] = Counter()
 
-    def add(self, part: Mapping[str, Sequence[Any]]) -> None:
-        """Answers of people who have a number, as the store's columns, later than all before."""
-        person = np.array(part["number"], np.int64)
+    def add(self, part: pa.Table) -> None:
+        """Answers of people who have a `number`, as the store's columns, later than all before."""
+        import pyarrow as pa
+        import pyarrow.compute as pc
+
+        person = np.asarray(part["number"])
         if not len(person):
             return
         self._grow(int(person.max()) + 1)
-        self._count(person, part)
-        self._pause(person, part["received_at"])
-        for at, kind in enumerate(part["kind"]):
-            if kind == "catch":
-                row = cast("Row", {name: values[at] for name, values in part.items()})
-                self._catches[part["number"][at]] += 1
-                self._catches_missed[part["number"][at]] += self._missed(row)
-        for number, flags in zip(part["number"], part["flags"], strict=True):
-            if flags != "{}":  # as nearly all are
-                names = (name for name, value in json.loads(flags).items() if value)
-                self._noticed.update((number, name) for name in names if name in NOTICED)
+        self._count(person, np.asarray(pc.fill_null(part["response_ms"], np.inf)))
+        self._pause(person, _microseconds(part["received_at"]))
+        for row in part.filter(pc.equal(part["kind"].cast(pa.string()), "catch")).to_pylist():
+            self._catches[row["number"]] += 1
+            self._catches_missed[row["number"]] += self._missed(cast("Row", row))
+        self._notice(person, part["flags"].combine_chunks())
+
+    def _notice(self, person: NDArray[np.int64], flags: pa.DictionaryArray) -> None:
+        code = np.asarray(flags.indices)
+        for at, text in enumerate(flags.dictionary.to_pylist()):
+            names = [name for name, value in json.loads(text).items() if value and name in NOTICED]
+            if names:  # of nearly no answers
+                numbers = person[code == at].tolist()
+                self._noticed.update((number, name) for number in numbers for name in names)
 
     def flags(self) -> Iterator[tuple[int, list[Flag]]]:
         """By the number of each person who has answered."""
@@ -68,17 +77,18 @@ class Watch:
             setattr(self, name, grown)
         self._longest_us = np.pad(self._longest_us, (0, more))
 
-    def _count(self, person: NDArray[np.int64], part: Mapping[str, Sequence[Any]]) -> None:
-        # A time of 0 is none: nobody's page says it.
-        times_ms = np.array([time or np.inf for time in part["response_ms"]], np.float64)
+    def _count(self, person: NDArray[np.int64], times_ms: NDArray[np.float64]) -> None:
+        waited_ms = np.where(
+            times_ms == 0, np.inf, times_ms
+        )  # a time of 0 is none: no page says it
         self._answers += np.bincount(person, minlength=len(self._answers))
-        early = person[times_ms < self._minimum_ms]
+        early = person[waited_ms < self._minimum_ms]
         self._sooner += np.bincount(early, minlength=len(self._answers))
 
-    def _pause(self, person: NDArray[np.int64], received_at: Sequence[str]) -> None:
+    def _pause(self, person: NDArray[np.int64], received_us: NDArray[np.int64]) -> None:
         """The longest time between two answers, by the server's clock."""
         order = np.argsort(person, kind="stable")
-        who, at_us = person[order], _microseconds(received_at)[order]
+        who, at_us = person[order], received_us[order]
         before_us = np.roll(at_us, 1)
         first = np.append(True, who[1:] != who[:-1])
         before_us[first] = self._last_us[who[first]]
@@ -106,9 +116,8 @@ class Watch:
 _NEVER = np.iinfo(np.int64).min
 
 
-def _microseconds(texts: Sequence[str]) -> NDArray[np.int64]:
+def _microseconds(texts: pa.ChunkedArray) -> NDArray[np.int64]:
     """Times as the store writes them, since 1970."""
     import pyarrow as pa
 
-    times = pa.array(texts, pa.string()).cast(pa.timestamp("us", "UTC"))
-    return np.asarray(times.cast(pa.int64()))
+    return np.asarray(texts.cast(pa.timestamp("us", "UTC")).cast(pa.int64()))

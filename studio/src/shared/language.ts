@@ -23,5 +23,15 @@ export function said(words: Words, language: Language): string {
 
 /** Words with each {place} filled. */
 export function fill(words: string, places: Record<string, string | number>): string {
-  return words.replace(/\{(\w+)\}/g, (place, name: string) => String(places[name] ?? place));
+  return words.replace(/\{(\w+)\}/g, (place, name: string) => apart(String(places[name] ?? place)));
+}
+
+/**
+ * A text that is read from right to left, set apart from the words around it, which would change
+ * places otherwise; every other text as it is.
+ */
+export function apart(text: string): string {
+  return /[\p{Script=Hebrew}\p{Script=Arabic}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u.test(text)
+    ? `\u2068${text}\u2069`
+    : text;
 }

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 3fa68962a3132d2194fa4ac75ba956dc49b6593418482275242782f3cd2c62e5
+ * e3d87a37f33eacab4f04cdabf0eafa82702401763a0f9e2865677a12547d7f2e
  */
 
 export type JsonValue = unknown;
@@ -370,7 +370,7 @@ export interface ScaleTold {
   people_told: boolean;
 }
 /**
- * A stimulus on the scale, with its interval, of which null is an end that answers do not set.
+ * A stimulus on the scale, with its interval; null: an end that the answers do not set.
  */
 export interface StimulusTold {
   label: string;

@@ -13,7 +13,6 @@ from nacreous.scaling.report.translation import Html, Words, chance, number, per
 __all__ = ["chapter", "shares"]
 
 MOST_SIDES = 40
-_MOST_MISFITS = 3
 #: Share of pairs with few answers beyond which `goodness` decides by Pearson's statistic.
 _MOST_SPARSE = 0.2
 #: Two maps stand side by side.
@@ -21,7 +20,7 @@ _MAP_PT = 256.0
 
 
 def chapter(analysis: Analysis, words: Words) -> Html:
-    """Verdict, largest misfits, the two maps, the tests."""
+    """Verdict, largest misfits, the maps, the tests."""
     untold = "few" if analysis.goodness.df else "none"
     good = "good_sums" if analysis.people_differ else "good"
     verdict = {None: untold, True: good, False: "bad"}[analysis.goodness.describes]
@@ -37,7 +36,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     else:
         parts.append(words.paragraph("fit.too_many"))
     if analysis.comparisons.ties.any():
-        parts.append(Html(f'<p class="quiet">{words("fit.ties_half")}</p>\n'))
+        fitted = analysis.goodness.tie_residuals is not None
+        half = words("fit.ties_apart" if fitted else "fit.ties_half")
+        parts.append(Html(f'<p class="quiet">{half}</p>\n'))
     if analysis.goodness.describes is not None:
         parts.append(_tests(analysis, words))
     return Html("".join(parts))
@@ -52,28 +53,31 @@ def shares(analysis: Analysis) -> np.typing.NDArray[np.float64]:
 
 
 def _largest(analysis: Analysis, words: Words) -> Html:
-    residuals, observed = analysis.goodness.residuals, shares(analysis)
-    expected = analysis.fit.proportions
+    """A row for each of the pairs that stray farthest: by its choices, or by its ties."""
     rows = []
-    upper = np.triu(np.nan_to_num(np.abs(residuals)), 1)
-    for flat in np.argsort(-upper, axis=None, kind="stable")[:_MOST_MISFITS]:
-        i, j = (int(at) for at in np.unravel_index(flat, upper.shape))
-        if upper[i, j] == 0:
-            break
-        i, j = (i, j) if residuals[i, j] > 0 else (j, i)
-        first, second = (words.name(analysis.fit.stimuli[at]) for at in (i, j))
+    for worst in analysis.goodness.misfits:
+        first, second = words.name(worst.first), words.name(worst.second)
+        if worst.by_ties:
+            pair = words("fit.equal", first=first, second=second)
+            shares = worst.ties, worst.ties_expected
+            strayed = worst.tie_residual
+        else:
+            pair = words("neighbours.over", first=first, second=second)
+            shares = worst.observed, worst.expected
+            strayed = worst.residual
+        if worst.left is not None:
+            pair = words("fit.left", pair=pair, left=words.name(worst.left))
         rows.append(
             (
-                words("neighbours.over", first=first, second=second),
-                percent(float(observed[i, j])),
-                percent(float(expected[i, j])),
-                number(float(residuals[i, j]), 1, sign=True),
+                pair,
+                *(percent(share or 0.0) for share in shares),
+                number(strayed or 0.0, 1, sign=True),
             )
         )
-    if not rows:
-        return Html("")
+    fitted = analysis.goodness.tie_residuals is not None
+    lead = words.paragraph("fit.largest_ties" if fitted else "fit.largest")
     heads = ["", words("fit.observed"), words("fit.foretold"), words("fit.residual")]
-    return Html(words.paragraph("fit.largest") + table(heads, rows, ["", "n", "n", "n"]))
+    return Html(lead + table(heads, rows, ["", "n", "n", "n"]))
 
 
 def _maps(analysis: Analysis, words: Words) -> Html:
@@ -88,21 +92,34 @@ def _maps(analysis: Analysis, words: Words) -> Html:
         words("fit.proportions_caption"),
         _MAP_PT,
     )
-    missed = picture(
+    residuals, tied = analysis.goodness.residuals, analysis.goodness.tie_residuals
+    missed = _missed(analysis, words, "residuals", residuals)
+    pair = Html(f'<div class="pair">{observed}{missed}</div>\n')
+    if tied is None:
+        return pair
+    return Html(
+        f'{pair}<div class="pair">{_missed(analysis, words, "tie_residuals", tied)}</div>\n'
+    )
+
+
+def _missed(
+    analysis: Analysis, words: Words, key: str, values: np.typing.NDArray[np.float64]
+) -> Html:
+    """A map of misfits."""
+    return picture(
         lambda path, width: matrix_plot(
-            analysis.goodness.residuals,
-            stimuli,
+            values,
+            analysis.fit.stimuli,
             path,
             kind="residuals",
-            order=order,
+            order=analysis.order,
             width_pt=width,
         ),
-        "misfits",
-        words.alt("fit.residuals_alt", **ends),
-        words("fit.residuals_caption"),
+        "misfits" if key == "residuals" else "misfits-of-ties",
+        words.alt(f"fit.{key}_alt", first=analysis.ranking[0], last=analysis.ranking[-1]),
+        words(f"fit.{key}_caption"),
         _MAP_PT,
     )
-    return Html(f'<div class="pair">{observed}{missed}</div>\n')
 
 
 def _tests(analysis: Analysis, words: Words) -> Html:

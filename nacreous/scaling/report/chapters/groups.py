@@ -56,18 +56,17 @@ def _sizes(analysis: Analysis, words: Words) -> Html:
     if analysis.answers is None or analysis.settings.group is None:
         return Html("")
     items = ""
-    parts = analysis.answers.split(analysis.settings.group)
-    for name, part in list(parts.items())[:_MOST_SIZES]:
-        key = "groups.size" if part.people else "groups.size_answers"
+    sizes = analysis.answers.sizes(analysis.settings.group)
+    for name, (people, answers) in list(sizes.items())[:_MOST_SIZES]:
         said = words(
-            key,
+            "groups.size" if people else "groups.size_answers",
             name=words.name(name),
-            people=words.count("person", len(part.people)),
-            answers=words.count("answer", len(part)),
+            people=words.count("person", people),
+            answers=words.count("answer", answers),
         )
         items += f"<li>{said}</li>\n"
-    if len(parts) > _MOST_SIZES:
-        items += f"<li>{words('list.more', n=len(parts) - _MOST_SIZES)}</li>\n"
+    if len(sizes) > _MOST_SIZES:
+        items += f"<li>{words('list.more', n=len(sizes) - _MOST_SIZES)}</li>\n"
     return Html(f"<ul>\n{items}</ul>\n")
 
 

@@ -14,6 +14,8 @@ from nacreous.scaling.report.translation import Html, Words, chance, number, per
 __all__ = ["chapter", "described"]
 
 _MOST_COVARIATES = 20
+#: People from which on classes and spread are told apart in most studies (docs/people.md).
+_MOSTLY_TOLD = 15
 #: Correlation of two classes' scales below which one is called near the reverse of the other.
 _OPPOSITE = -0.8
 
@@ -34,6 +36,7 @@ def chapter(analysis: Analysis, words: Words) -> Html:
             parts.append(_classes(people.population, words))
             parts.append(_candidates(people.population, words))
     parts.append(_covariates(analysis, people, words))
+    parts.append(_untested(people, words))
     return Html("".join(parts))
 
 
@@ -52,6 +55,10 @@ def described(analysis: Analysis, found: Population, words: Words) -> Html:
         return words("people.one")
     if found.kind == "spread":
         return _spread(analysis, found, words)
+    if found.kind == "spread or classes":
+        few = analysis.answers is not None and len(analysis.answers.people) < _MOSTLY_TOLD
+        more = words("people.untold_few" if few else "people.untold_more", least=_MOSTLY_TOLD)
+        return words.sentences(words("people.untold"), more)
     shares = words.listed([percent(one.share) for one in found.classes])
     said = [words("people.classes", count=len(found.classes), shares=shares)]
     if len(found.classes) == 2:
@@ -152,6 +159,21 @@ def _called(name: str, words: Words) -> Html:
     if name == "spread":
         return words("people.candidate.spread")
     return words("people.candidate.classes", count=name.split()[0])
+
+
+def _untested(people: People, words: Words) -> Html:
+    """Columns that cannot be compared, and why."""
+    if not people.untested:
+        return Html("")
+    columns = [
+        words(
+            f"people.not_compared_{one.reason.replace(' ', '_')}",
+            column=words.name(one.column),
+            cells=words.names(one.cells, 3),
+        )
+        for one in people.untested[:_MOST_COVARIATES]
+    ]
+    return words.paragraph("people.not_compared", columns=words.sentences(*columns))
 
 
 def _covariates(analysis: Analysis, people: People, words: Words) -> Html:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from nacreous.scaling.check.worst import Misfit
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.people import described
 from nacreous.scaling.report.translation import Html, Words, number, percent
@@ -99,15 +100,31 @@ def _fit(analysis: Analysis, words: Words) -> Html:
         if analysis.people_differ:
             return words("short.fits_sums")
         return words("short.fits" if analysis.people_told else "short.fits_counts")
-    worst = analysis.goodness.largest
-    return words(
-        "short.misfits_ties" if worst.ties else "short.misfits",
-        ties=percent(worst.ties),
-        first=words.name(worst.first),
-        second=words.name(worst.second),
-        observed=percent(worst.observed),
-        expected=percent(worst.expected),
-    )
+    return _misfit(analysis.goodness.largest, words)
+
+
+def _misfit(worst: Misfit, words: Words) -> Html:
+    """The pair that strays farthest: by its choices, or by its ties."""
+    first, second = words.name(worst.first), words.name(worst.second)
+    if worst.by_ties and worst.ties_expected is not None:
+        expected = percent(worst.ties_expected)
+        ties = percent(worst.ties)
+        said = words(
+            "short.misfits_equal", first=first, second=second, ties=ties, expected=expected
+        )
+    else:
+        fitted = worst.ties_expected is not None
+        said = words(
+            "short.misfits_chosen" if fitted else f"short.misfits{'_ties' if worst.ties else ''}",
+            ties=percent(worst.ties),
+            first=first,
+            second=second,
+            observed=percent(worst.observed),
+            expected=percent(worst.expected),
+        )
+    if worst.left is None:
+        return said
+    return words.sentences(said, words("short.misfits_left", left=words.name(worst.left)))
 
 
 def _agreement(analysis: Analysis, words: Words) -> Html | None:

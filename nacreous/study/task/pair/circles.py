@@ -27,9 +27,8 @@ def circle_flags(data: PairData, asked: Asked[PairKeys], shares: Shares) -> dict
     most: dict[int, int] = {}
     by_chance: dict[int, np.typing.NDArray[np.int64]] = {}
     for place, ((question, simulated), expected) in enumerate(shares.items()):
-        here = data.question == asked.questions.index(question)
-        own = np.flatnonzero(here & (data.simulated == simulated) & ~data.repeat)
-        complete = list(_complete(data.take(own), len(asked.labels)))
+        of = asked.questions.index(question)
+        complete = list(_complete(data, len(asked.labels), of, simulated))
         drawn = circles_by_chance(expected, place) if complete else np.zeros(0, np.int64)
         for number, found in complete:
             circular[number] = circular.get(number, 0.0) + found
@@ -43,11 +42,15 @@ def circle_flags(data: PairData, asked: Asked[PairKeys], shares: Shares) -> dict
     return flags
 
 
-def _complete(data: PairData, count: int) -> Iterator[tuple[int, float]]:
-    """Who has compared all pairs of so many stimuli, and their circular triads."""
+def _complete(
+    data: PairData, count: int, question: int, simulated: bool
+) -> Iterator[tuple[int, float]]:
+    """Who has compared all pairs of so many stimuli under a question, and their circular triads."""
     if count < 3:
         return
-    for number, own in data.by_person():
+    for number, all_answers in data.by_person():
+        here = (all_answers.question == question) & (all_answers.simulated == simulated)
+        own = all_answers.take(np.flatnonzero(here & ~all_answers.repeat))
         if len(own.person) < comb(count, 2):
             continue
         pairs, at = np.unique(own.pair(count), return_inverse=True)

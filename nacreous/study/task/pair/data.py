@@ -31,7 +31,7 @@ class PairData:
     simulated; counts: whether the person is not left out. response_ms: NaN where unknown.
     """
 
-    person: NDArray[np.int64]
+    person: NDArray[np.int32]
     question: NDArray[np.int16]
     left: NDArray[np.int16]
     right: NDArray[np.int16]
@@ -47,16 +47,16 @@ class PairData:
         labels = {label: place for place, label in enumerate(asked.labels)}
         questions = {question: place for place, question in enumerate(asked.questions)}
         sides = [
-            _coded(rows[side], lambda label: labels[label_of(label)]).astype(np.int16)
+            _coded(rows[side], lambda label: labels[label_of(label)], np.int16)
             for side in ("left", "right")
         ]
         return cls(
-            person=_numbers(rows["number"], np.int64),
-            question=_coded(rows["question"], questions.__getitem__).astype(np.int16),
+            person=_numbers(rows["number"], np.int32),
+            question=_coded(rows["question"], questions.__getitem__, np.int16),
             left=sides[0],
             right=sides[1],
-            outcome=_coded(rows["chosen"], _OUTCOME.__getitem__).astype(np.int8),
-            repeat=_coded(rows["kind"], lambda kind: int(kind == "repeat")).astype(bool),
+            outcome=_coded(rows["chosen"], _OUTCOME.__getitem__, np.int8),
+            repeat=_coded(rows["kind"], lambda kind: kind == "repeat", np.bool_),
             simulated=_numbers(rows["simulated"], np.bool_),
             counts=np.asarray(rows["excluded"].is_null()),
             response_ms=_numbers(rows["response_ms"], np.float64),
@@ -69,9 +69,10 @@ class PairData:
     def by_person(self) -> Iterator[tuple[int, PairData]]:
         """Each person's number and answers."""
         order = np.argsort(self.person, kind="stable")
-        found = np.unique(self.person[order], return_index=True, return_counts=True)
-        for person, start, count in zip(*(part.tolist() for part in found), strict=True):
-            yield person, self.take(order[start : start + count])
+        answers = np.bincount(self.person)
+        ends = np.cumsum(answers)
+        for person in np.flatnonzero(answers).tolist():
+            yield person, self.take(order[ends[person] - answers[person] : ends[person]])
 
     def pair(self, stimuli: int) -> NDArray[np.int64]:
         """The same number for a pair on whichever side, from how many stimuli there are."""
@@ -85,21 +86,18 @@ class PairData:
 
 
 def _numbers(column: Any, kind: type) -> NDArray[Any]:
-    import pyarrow.compute as pc
-
-    filled = pc.fill_null(column, np.nan) if kind is np.float64 else column
-    return np.asarray(filled, dtype=kind)
+    """NaN where a float is unknown."""
+    return np.asarray(column.to_numpy(), dtype=kind)
 
 
-def _coded(column: Any, code: Any) -> NDArray[np.int64]:
+def _coded(column: Any, code: Any, kind: type) -> NDArray[Any]:
     """A column of text as numbers, each text looked at once."""
     import pyarrow as pa
 
     whole = column.combine_chunks()
     coded = whole if pa.types.is_dictionary(whole.type) else whole.dictionary_encode()
-    indices = np.asarray(coded.indices)
-    values = np.zeros(len(coded.dictionary), np.int64)
-    for place in np.unique(indices).tolist():  # a dictionary may hold texts of other rows
+    values: NDArray[Any] = np.zeros(len(coded.dictionary), kind)
+    for place in coded.indices.unique().to_pylist():  # a dictionary may hold texts of other rows
         values[place] = code(coded.dictionary[place].as_py())
-    found: NDArray[np.int64] = values[indices]
+    found: NDArray[Any] = values[np.asarray(coded.indices)]
     return found

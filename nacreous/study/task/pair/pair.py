@@ -9,6 +9,7 @@ import numpy as np
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.study.memory import give_back
 from nacreous.study.task.asked import Asked
 from nacreous.study.task.column import Column
 from nacreous.study.task.flag import Flag
@@ -107,6 +108,7 @@ class Pair(Task[PairKeys]):
         """Repeats, sides, circles and haste."""
         data = PairData.of_rows(rows, asked)
         del rows  # twice as large as what was made of it
+        give_back()
         return consistent.consistency_flags(data, asked)
 
     def simulate(

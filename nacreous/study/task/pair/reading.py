@@ -170,7 +170,7 @@ def _grouping(column: Any) -> Grouping:
     if not levels:
         return Grouping((), codes.astype(np.int64))
     known = group_column(table_of({"level": levels}), "level")
-    return Grouping(known.levels, released(np.append(known.code, -1)[codes]))
+    return replace(known, code=released(np.append(known.code, -1)[codes]))
 
 
 def comparisons(labels: Sequence[str], tally: Iterable[Tallied]) -> dict[str, Comparisons]:

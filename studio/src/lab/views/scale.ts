@@ -2,7 +2,7 @@
 
 import { element } from "../../shared/dom";
 import { Problem } from "../../shared/http";
-import { fill, said } from "../../shared/language";
+import { apart, fill, said } from "../../shared/language";
 import type { Scale } from "../api";
 import type { Desk, View } from "../desk";
 import { chart, numeral } from "./chart";
@@ -140,7 +140,7 @@ class Drawing {
     if (this.found === null || width < 100) return;
     const before = this.place.querySelector("svg");
     const words = this.desk.speech.words.scale;
-    const labels = this.found.stimuli.map((one) => one.label).join(", ");
+    const labels = this.found.stimuli.map((one) => apart(one.label)).join(", ");
     const drawn = chart(this.found, width, {
       alt: fill(words.chart, { labels }),
       axis: fill(words.axis, { unit: this.found.unit }),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-__all__ = ["NOTE", "as_given", "defused", "plain"]
+__all__ = ["NOTE", "as_given", "as_written", "columns_as_given", "defused", "plain"]
 
 #: For the code book.
 NOTE = (
@@ -15,6 +15,7 @@ NOTE = (
 )
 
 # Full-width signs too, which spreadsheets in East Asian locales take for the others.
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _BEGINS = "'*[=+\\-@\\t\\r\\n\uff1d\uff0b\uff0d\uff20]"
 
 
@@ -35,6 +36,34 @@ def defused(table: Any) -> Any:
     return table
 
 
+def as_written(text: str) -> str:
+    """A text as CSV holds it; a number is none that a spreadsheet would take for a formula.
+
+    >>> as_written("=1+1"), as_written("'@x"), as_written("a-b"), as_written("-1")
+    ("'=1+1", "''@x", 'a-b', '-1')
+    """
+    if not re.match(_BEGINS, text) or _NUMBER.fullmatch(text):
+        return text
+    return f"'{text}"
+
+
+def columns_as_given(columns: list[Any]) -> list[Any]:
+    """Arrow columns of text of a CSV file as they were before.
+
+    >>> import pyarrow as pa
+    >>> columns_as_given([pa.array(["'=1+1", "a", None])])[0].to_pylist()
+    ['=1+1', 'a', None]
+    """
+    import pyarrow.compute as pc
+
+    return [
+        pc.replace_substring_regex(column, f"\\A'({_BEGINS})", "\\1")
+        if pc.any(pc.starts_with(column, "'")).as_py()
+        else column
+        for column in columns
+    ]
+
+
 def plain(table: Any) -> Any:
     """An Arrow table without dictionaries, which CSV has not."""
     import pyarrow as pa
@@ -46,10 +75,10 @@ def plain(table: Any) -> Any:
     return table
 
 
-def as_given(text: str | None) -> str | None:
+def as_given(text: str) -> str:
     """A cell of such a CSV file as it was before; every other text as it is.
 
-    >>> as_given("'=1+1"), as_given("''@x"), as_given("'s a pearl"), as_given(None)
-    ('=1+1', "'@x", "'s a pearl", None)
+    >>> as_given("'=1+1"), as_given("''@x"), as_given("'s a pearl")
+    ('=1+1', "'@x", "'s a pearl")
     """
-    return text[1:] if text and re.match(f"'{_BEGINS}", text) else text
+    return text[1:] if re.match(f"'{_BEGINS}", text) else text
