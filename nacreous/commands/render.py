@@ -151,7 +151,8 @@ def _again(args: argparse.Namespace, output: str) -> _Job:
     kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else (), scene)
     size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)
     made = recipe(kept.pearls, kept.scene, size, samples)
-    developed, left_out = kept.developed, ()
+    left_out: tuple[str, ...] = ()
+    developed = kept.developed
     if Path(output).suffix.lower() == ".exr":
         developed, left_out = _of_light(developed)
     bits, space, gamut, alpha = developed

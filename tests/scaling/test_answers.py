@@ -17,6 +17,7 @@ from pyarrow import parquet
 import nacreous as nc
 from nacreous.scaling import Answers, Comparisons
 from nacreous.scaling.data import table as table_module
+from nacreous.scaling.data.spreadsheet import as_written
 
 TABLE: dict[str, list[Any]] = {
     "person": ["mika", "mika", "ren", "ren"],
@@ -147,7 +148,8 @@ def test_answers_survive_a_file(tmp_path_factory, data):
         "chosen": [both[which] for _, both, which in rows],
     }
     path = tmp_path_factory.mktemp("file") / "answers.csv"
-    pd.DataFrame(table).to_csv(path, index=False)
+    held = {name: [as_written(text) for text in texts] for name, texts in table.items()}
+    pd.DataFrame(held).to_csv(path, index=False)
     expected = Answers.of_table(table, repeats=True)
     assert same(Answers.read(path, repeats=True), expected)
     assert [expected.stimuli[i] for i in expected.left] == table["left"]
