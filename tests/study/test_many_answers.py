@@ -59,6 +59,19 @@ def test_parts_are_the_rows_column_by_column(store: Store) -> None:
     assert not rows
 
 
+def test_what_the_database_joins_is_what_its_rows_hold(store: Store) -> None:
+    odd = {"left": 'a, "b"\n', "right": "'真珠';", "response_ms": 0.1 + 0.2, "flags": '{"x":"\\""}'}
+    row = {**pair_answer(0, "q", "a", "b", "left").row, "study": STUDY, "erased_as": "e", **odd}
+    blank = {**row, "response_ms": None, "left": "", "right": "NULL"}
+    with store.engine.begin() as connection:
+        for trial, one in enumerate((row, blank)):
+            values = {**one, "trial": trial, "received_at": "2026-03-01T09:30:00.000001Z"}
+            connection.execute(sa.insert(answers), values)
+        wanted = connection.execute(sa.select(answers).order_by(answers.c.seq)).mappings().all()
+    found = [row for part in store.watched(STUDY) for row in part.to_pylist()]
+    assert found == [{name: one[name] for name in found[0]} for one in wanted]
+
+
 def test_a_database_that_fails_while_parts_are_read_is_told_as_any_other(tmp_path: Path) -> None:
     with Store.open(tmp_path / "answers.sqlite") as store:
         with store.engine.begin() as connection:
