@@ -185,7 +185,7 @@ def guarded(browser: Browser, url: str, expected: str = "$^", **options: Any) ->
     """A context of its own; at its end nothing may have been complained of."""
     options = {"viewport": {"width": 1280, "height": 800}, "locale": "en-GB", **options}
     context = browser.new_context(**options)
-    context.set_default_timeout(15_000)
+    context.set_default_timeout(60_000)
     guard = Guarded(context, url, expected)
     yield guard
     context.close()

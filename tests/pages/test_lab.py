@@ -305,7 +305,7 @@ def test_a_server_that_is_gone_is_told_until_it_is_back(browser: Browser, server
         expect(page.locator(".banner")).to_contain_text("The server does not answer")
         assert figure(page, "entered") != ""
         guard.context.set_offline(False)
-        expect(page.locator(".banner")).to_have_count(0, timeout=15_000)
+        expect(page.locator(".banner")).to_have_count(0, timeout=60_000)
 
 
 @pytest.mark.parametrize(

@@ -65,7 +65,7 @@ EXTREMES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "no coherence": ({"interference": Interference(coherence_nm=0)}, {}),
     "endless coherence": ({"interference": Interference(coherence_nm=1e6, threshold=0)}, {}),
     "all light lost": ({"interference": Interference(diffuse_loss=0.9, mixing=1)}, {}),
-    "one thin layer": ({"nacre": Layers(thickness_nm=[1e-3])}, {}),
+    "one thin layer": ({"nacre": Layers(thickness_nm=[1.0])}, {}),
     "one thick layer": ({"nacre": Layers(thickness_nm=[1e5], protein_nm=200)}, {}),
     "no difference in index": ({"nacre": Layers(thickness_nm=[400], protein=1.53)}, {}),
     "nacre of air": ({"nacre": Layers(thickness_nm=[400] * 9, aragonite=1, protein=1)}, {}),

@@ -106,5 +106,5 @@ def test_listed_layers_are_spread_from_column_to_column() -> None:
 
 
 def test_no_spread_is_needed_to_be_finite() -> None:
-    thin = Pearl(nacre={"thickness_nm": [0.001]}, film={"column_spread_nm": 200.0})
+    thin = Pearl(nacre={"thickness_nm": [1.0]}, film={"column_spread_nm": 200.0})
     assert np.isfinite(nc.render(thin, size=16, samples=1).linear).all()
