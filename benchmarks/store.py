@@ -41,7 +41,7 @@ from benchmarks.server import address, children, peak_mb, postgresql, processor_
 from tests.support import database
 
 NAME, PASSWORD = "lab", "correct horse battery staple"
-#: The server starts a second process, which is then ready.
+#: The server has then done whatever it does at its start.
 SETTLING_S = 8.0
 #: Beyond, a measurement is given up.
 LONGEST_S = 240.0

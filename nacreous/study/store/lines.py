@@ -16,10 +16,7 @@ from nacreous.study.store.schema import answers
 if TYPE_CHECKING:
     import pyarrow as pa
 
-__all__ = ["KINDS", "tables"]
-
-#: How a column is held: "text" is an Arrow dictionary of the part, the others are Arrow's own.
-KINDS = ("text", "string", "int64", "float64", "bool")
+__all__ = ["tables"]
 
 
 def tables(
@@ -31,8 +28,9 @@ def tables(
 ) -> Iterator[pa.Table]:
     """What a query of answers finds, in the order of arrival, from so many places at a time.
 
-    query: whose columns bear the names of `kinds`, and which selects from `answers`. nullable: the
-    columns that may be NULL.
+    query: whose columns bear the names of `kinds`, and which selects from `answers`. kinds: how
+    each is held: "text" (an Arrow dictionary of the part), or Arrow's string, int64, float64 or
+    bool. nullable: the columns that may be NULL.
     """
     columns = {column.name: column for column in query.selected_columns}
     fields = [(columns[name], kind, name in nullable) for name, kind in kinds.items()]
