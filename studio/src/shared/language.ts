@@ -31,7 +31,9 @@ export function fill(words: string, places: Record<string, string | number>): st
  * places otherwise; every other text as it is.
  */
 export function apart(text: string): string {
-  return /[\p{Script=Hebrew}\p{Script=Arabic}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u.test(text)
+  return /[\p{Script=Hebrew}\p{Script=Arabic}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u.test(
+    text,
+  )
     ? `\u2068${text}\u2069`
     : text;
 }
