@@ -10,10 +10,13 @@ __all__ = ["give_back", "hold_little"]
 
 
 def give_back() -> None:
-    """Let Arrow give back what it has freed: of two million answers that is 130 MB."""
+    """Let Arrow and glibc give back what was freed: of two million answers that is 130 MB."""
     import pyarrow as pa
 
     pa.default_memory_pool().release_unused()
+    if sys.platform == "linux":
+        with suppress(OSError, AttributeError):  # another C library
+            ctypes.CDLL(None).malloc_trim(0)
 
 
 def hold_little() -> None:

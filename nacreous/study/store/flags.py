@@ -22,7 +22,7 @@ __all__ = ["flags_of_people"]
 
 #: What flags of what answers say of each other hang on, and how it is held.
 _KINDS = {
-    **{"number": "int64", "kind": "text", "question": "text", "response_ms": "float64"},
+    **{"number": "int32", "kind": "text", "question": "text", "response_ms": "float64"},
     **{"simulated": "bool", "excluded": "text"},
     **{column.name: "text" for column in columns_of_tasks()},
 }
@@ -50,6 +50,7 @@ def flags_of_people(
     give_back()
     for number, flags in (*watch.flags(), *task.flags(design.asked, data.table()).items()):
         found.get(number, []).extend(flags)  # of who entered or was erased meanwhile, none
+    give_back()
     return found
 
 
@@ -60,7 +61,7 @@ def _of_living(part: pa.Table, people: Mapping[str, Session]) -> pa.Table:
 
     session = part["session"].combine_chunks()
     known = [people.get(one) for one in session.dictionary.to_pylist()]
-    number = pa.array([one and one.number for one in known], pa.int64())
+    number = pa.array([one and one.number for one in known], pa.int32())
     excluded = pa.array([one and one.excluded_reason for one in known], pa.string())
     told = part.append_column("number", number.take(session.indices)).append_column(
         "excluded", excluded.take(session.indices).dictionary_encode()

@@ -57,7 +57,7 @@ class Watch:
             self._catches_missed[row["number"]] += self._missed(cast("Row", row))
         self._notice(person, part["flags"].combine_chunks())
 
-    def _notice(self, person: NDArray[np.int64], flags: pa.DictionaryArray) -> None:
+    def _notice(self, person: NDArray[np.int32], flags: pa.DictionaryArray) -> None:
         code = np.asarray(flags.indices)
         for at, text in enumerate(flags.dictionary.to_pylist()):
             names = [name for name, value in json.loads(text).items() if value and name in NOTICED]
@@ -77,7 +77,7 @@ class Watch:
             setattr(self, name, grown)
         self._longest_us = np.pad(self._longest_us, (0, more))
 
-    def _count(self, person: NDArray[np.int64], times_ms: NDArray[np.float64]) -> None:
+    def _count(self, person: NDArray[np.int32], times_ms: NDArray[np.float64]) -> None:
         waited_ms = np.where(
             times_ms == 0, np.inf, times_ms
         )  # a time of 0 is none: no page says it
@@ -85,7 +85,7 @@ class Watch:
         early = person[waited_ms < self._minimum_ms]
         self._sooner += np.bincount(early, minlength=len(self._answers))
 
-    def _pause(self, person: NDArray[np.int64], received_us: NDArray[np.int64]) -> None:
+    def _pause(self, person: NDArray[np.int32], received_us: NDArray[np.int64]) -> None:
         """The longest time between two answers, by the server's clock."""
         order = np.argsort(person, kind="stable")
         who, at_us = person[order], received_us[order]

@@ -114,7 +114,7 @@ impl Transport {
     pub(crate) fn has_edges(&self, surroundings: &Lit, sight: &Sight) -> bool {
         let lean_rad = self.response.microfacets().spread_rad();
         let mean_rad = sight.spread.mean_rad();
-        if mean_rad < lean_rad || mean_rad > 2.0 * FINE * lean_rad {
+        if mean_rad < lean_rad || mean_rad > 2.0 * FINE * lean_rad.max(USUAL_LEAN_RAD) {
             return false;
         }
         let (mirrored, within_rad) = self.lobe(sight, LOBE_REACH);

@@ -51,5 +51,7 @@ def expected_shares(data: PairData, asked: Asked[PairKeys]) -> Shares:
 def _compared(data: PairData, seen: NDArray[np.int16], asked: Asked[PairKeys]) -> Comparisons:
     """The answers counted, of those stimuli alone that were seen."""
     labels = tuple(printable(asked.labels[at]) for at in seen)
-    left, right = np.searchsorted(seen, data.left), np.searchsorted(seen, data.right)
+    place = np.zeros(len(asked.labels), np.int32)  # of four bytes, for there may be millions
+    place[seen] = np.arange(len(seen))
+    left, right = place[data.left], place[data.right]
     return Comparisons.of_outcomes(labels, left, right, data.outcome, sided=True)
