@@ -280,6 +280,10 @@ const WIDE_AT_EDGES: f64 = 0.45;
 /// lean **(ours)**: of a usual pearl, where it is more than some 30 pixels wide.
 const FINE: f64 = 3.0;
 
+/// Facets that lean less than a usual pearl's have edges looked at as if they leaned so much: where a pixel mirrors many
+/// times their lean, one sample in each row and column would show an edge in steps **(ours)**.
+const USUAL_LEAN_RAD: f64 = 0.055;
+
 /// Share of a pearl's disc whose lobes meet the edge of a window, about, where there is one **(ours)**.
 const NEAR_EDGES: f64 = 0.25;
 
