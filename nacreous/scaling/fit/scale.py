@@ -272,8 +272,8 @@ class Scale:
         samples: 2 to 1 000 000. seed: 0 to 2^63 - 1; same seed, same bytes. progress: called
         with the finished share, 0 to 1, now and then. Ctrl-C interrupts.
         Raises `InputError` for what is out of range, for fits that are not of maximum likelihood or
-        have a prior over the spread, for people that are not known and for answers of counts that
-        are not whole numbers.
+        have a prior over the spread, for people that are not known or fewer than 8 of whom judged a
+        stimulus, and for answers of counts that are not whole numbers.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> fit = thurstone(paper())
