@@ -197,5 +197,6 @@ _BY = {
     "people": "resampling people",
     "answers": "resampling answers",
     "clusters": "people as clusters, Student's t",
+    "jackknife": "people left out one by one, Student's t",
     "information": "the model",
 }

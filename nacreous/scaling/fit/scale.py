@@ -174,8 +174,8 @@ class Scale:
 
         kind: "people", the default where people are known: the answers of one person may hang
         together and the model be wrong (a sandwich with people as clusters, CR2 by Bell and
-        McCaffrey 2002); "expected", the default elsewhere, or "observed" information, which trust
-        the model and every answer to stand alone. Least squares has no "people".
+        McCaffrey 2002; of least squares by leaving each person out); "expected", the default
+        elsewhere, or "observed" information, which trust the model and every answer to stand alone.
         Raises `InputError` where fewer than three people judged a stimulus, and where all answered
         alike: that tells nothing of how people differ.
 

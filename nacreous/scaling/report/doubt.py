@@ -41,8 +41,9 @@ class Doubt:
     """Margins of a scale, in its unit.
 
     `by`: what was resampled, "people" or "answers"; where nothing was, "clusters" (people by their
-    scores) or "information". `samples`: how often something was drawn; `without_maximum`: how many
-    samples had no scale of their own, with more than 2 of 100 the reason why none is used.
+    scores), "jackknife" (people left out one by one) or "information". `samples`: how often
+    something was drawn; `without_maximum`: how many samples had no scale of their own, with more
+    than 2 of 100 the reason why none is used.
     `intervals` [n, 2] of the places. `errors`: what differences are tested by.
     `too_few`: people are known, but they tell nothing of how people differ. `endless`: sets, the
     highest first, between which the answers put no end to the distance: there the intervals are
@@ -132,7 +133,8 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
         # Samples that do not differ tell nothing either, and need no word.
         samples, missing = (0, 0) if drawn.placed else (samples, missing)
     bounds = intervals(fit.scale, over_people, settings.level)
-    return Doubt("clusters", samples, missing, bounds, over_people, too_few=False)
+    by = "jackknife" if fit.method == "least-squares" else "clusters"
+    return Doubt(by, samples, missing, bounds, over_people, too_few=False)
 
 
 def _many(fit: Scale) -> bool:
