@@ -169,6 +169,8 @@ def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
         table = long_of(table, names, faults)
         faults.stop()
         names.pop("person", None)  # which is called person now
+        if names.get("count"):
+            names.pop("count")  # which is done with
     column = columns_of(table, names, faults)
     faults.stop()
     paired = with_pairs(table, column)
