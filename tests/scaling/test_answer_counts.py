@@ -92,7 +92,7 @@ def test_a_row_of_a_wide_table_is_as_many_people_as_it_counts(name):
 def test_nobody_gave_answers_that_count_0():
     counted = Answers.of_table(WIDE | {"count": [3, 0, 1]})
     assert len(counted.people) == 4
-    with pytest.raises(nc.InputError, match="column n may say how many .* count='n' .* count=''"):
+    with pytest.raises(nc.InputError, match=r"column n may say how many .* count='n' .* count=''"):
         Answers.of_table(WIDE | {"n": [3, 0, 1]})
     assert len(Answers.of_table(WIDE | {"n": [3, 0, 1]}, count="").people) == 3
 

@@ -16,19 +16,10 @@ from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
 from nacreous.scaling.data.kind import kind_said
 from nacreous.scaling.data.label import LONGEST_LABEL, natural
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.number_text import DecimalMark, numbers_of
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
-
-#: What programs and people write into a cell that holds nothing, in small letters.
-NOTHING = frozenset(
-    {
-        *("null", "none", "nan", "na", "n/a", "n.a.", "undefined", "nat", "<na>", "#n/a", "#null!"),
-        *(".", "-", "--", "–", "—", "−"),
-    }
-)
-#: What is a label beside a plus, as of two poles.
-_MINUS = frozenset("-–—−")
 
 
 @value_class
@@ -101,36 +92,6 @@ def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
     faults.say_of_rows(
         np.array(hidden, np.int64),
         lambda row: f"{name} is {quoted(text[row])}; allowed: no {hidden_in(str(text[row]))} in it",
-    )
-
-
-def is_nothing(text: Any) -> NDArray[np.bool_]:
-    """Bool [row], where a text column is empty or has a word for nothing (`NOTHING`).
-
-    A dash is a label where a plus is one.
-    """
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    plus = bool(pc.any(pc.is_in(text, pa.array(["+", "＋"], text.type))).as_py())
-    words = NOTHING - _MINUS if plus else NOTHING
-    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(words), text.type))
-    return np.asarray(pc.or_(text.is_null(), pc.fill_null(word, True)))
-
-
-def refuse_nothing(
-    name: str, text: Any, faults: Faults, labels: Iterable[str] = frozenset()
-) -> None:
-    """Note the words that programs write into an empty cell, unless they are among the labels."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    label = np.asarray(pc.is_in(text, pa.array(sorted(labels), text.type)))
-    faults.say_of_rows(
-        np.flatnonzero(is_nothing(text) & ~label & np.asarray(text.is_valid())),
-        lambda row: (
-            f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a label"
-        ),
     )
 
 

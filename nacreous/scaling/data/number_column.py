@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.data.column import is_nothing, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.decimal_mark import decimal_mark_of
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.number_text import DecimalMark, may_be_thousands, parsed, pointed
 from nacreous.scaling.data.table import Table
 

@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from nacreous.scaling.data.choice import SIDES
-from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.count import count_column, counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.likeness import number_of
+from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.pair_columns import pairs_of
 from nacreous.scaling.data.pair_name import PairName
 from nacreous.scaling.data.program import is_response_id, names_people
