@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.data.buttons import are_buttons, refuse_buttons_as_labels
-from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
+from nacreous.scaling.data.column import check_labels, codes_of, text_column
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.likeness import number_of
+from nacreous.scaling.data.nothing import NOTHING, refuse_errors
 from nacreous.scaling.data.roles import WORDS, Names
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.truth import TIED
@@ -82,6 +83,9 @@ def outcomes_of(
     check_labels(table, name, text, faults)
     faults.stop()
     found, code = codes_of(text)
+    said: Any = names
+    refuse_errors(name, found, code, faults, {*labels, *(said.get(role) for role in WORDS)})
+    faults.stop()
     _check_given(name, names, found, labels, faults)
     meanings = _meanings(table, name, names, found, labels, (code, left, right), faults)
     faults.stop()

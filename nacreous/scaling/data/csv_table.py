@@ -29,14 +29,13 @@ class CsvTable:
     """Columns of a CSV file by name, Arrow large_string with null for an empty cell.
 
     numbers: int64 [row], the number of each row as spreadsheets count. texts: by column, what
-    Qualtrics says of it below its name. semicolons: they separate the cells, as where the decimal
-    mark is a comma.
+    Qualtrics says of it below its name. separator: of cells.
     """
 
     columns: list[tuple[str, Any]]
     numbers: NDArray[np.int64]
     texts: Mapping[str, str]
-    semicolons: bool
+    separator: str
 
 
 class _Misfit(NamedTuple):
@@ -77,7 +76,7 @@ def parse_csv(
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
     texts = dict(zip(map(as_given, header.names), header.texts, strict=False))
     found = [columns[at] for at in kept]
-    return CsvTable(list(zip(names, found, strict=True)), numbers, texts, header.separator == ";")
+    return CsvTable(list(zip(names, found, strict=True)), numbers, texts, header.separator)
 
 
 def parse_csv_cells(place: str, content: bytes) -> list[list[str]]:

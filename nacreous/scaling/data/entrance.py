@@ -16,13 +16,13 @@ from nacreous.scaling.data.column import (
     check_labels,
     codes_of,
     group_column,
-    refuse_nothing,
     text_column,
 )
 from nacreous.scaling.data.count import counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
+from nacreous.scaling.data.nothing import refuse_errors, refuse_nothing
 from nacreous.scaling.data.number_column import seconds_column
 from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.preview import without_previews
@@ -103,6 +103,12 @@ def fields_of(
     if won and tied is None:
         refuse_tie_words(table, others)
     counts = counts_of(table, column["count"], faults) if "count" in column else None
+    groups = {name: group_column(table, name) for name in others}
+    for name, group in groups.items():
+        refuse_errors(
+            name, group.levels, group.code, faults, allowed="what was meant, or an empty cell"
+        )
+    faults.stop()
     fields = Fields(
         stimuli=labels,
         left=left,
@@ -110,7 +116,7 @@ def fields_of(
         outcome=outcome,
         people=people,
         person=person,
-        groups={name: group_column(table, name) for name in others},
+        groups=groups,
         response_s=response_s,
         time=trial if time is None else time,
         sided=sided and not won,
@@ -169,6 +175,8 @@ def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
         table = long_of(table, names, faults)
         faults.stop()
         names.pop("person", None)  # which is called person now
+        if names.get("count"):
+            names.pop("count")  # which is done with
     column = columns_of(table, names, faults)
     faults.stop()
     paired = with_pairs(table, column)
@@ -205,6 +213,8 @@ def _stimuli(
         refuse_nothing(name, text, faults, {"none", *(labels or ())})  # a dish without a sauce
     found, both = codes_of(pa.concat_arrays(texts))
     left, right = both[: table.rows], both[table.rows :]
+    for name, code in zip(shown, (left, right), strict=True):
+        refuse_errors(name, found, code, faults, labels or ())
     itself = np.flatnonzero((left == right) & (left >= 0))
     faults.say_of_rows(
         itself,
@@ -237,6 +247,7 @@ def _people(
     check_labels(table, column["person"], text, faults)
     refuse_nothing(column["person"], text, faults)
     people, person = codes_of(text)
+    refuse_errors(column["person"], people, person, faults)
     faults.stop()
     check_alike(people, table.place)
     return people, person

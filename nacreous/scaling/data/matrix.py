@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from nacreous.number import array_of, number_of, said
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.count import are_grouped
 from nacreous.scaling.data.csv_table import parse_csv_cells
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import MOST_STIMULI
@@ -145,6 +147,7 @@ def _matrix_of(
     place: str, rows: list[list[str]], first_row: int, own: list[int]
 ) -> NDArray[np.float64]:
     """The numbers in cells of text; an empty diagonal is NaN. own: for each row its own column."""
+    _refuse_grouped(place, rows, first_row)
     matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
     faults = Faults(place, np.arange(len(rows)) + first_row)
     for i, row in enumerate(rows):
@@ -157,6 +160,23 @@ def _matrix_of(
                 matrix[i, j] = number
     faults.stop()
     return matrix
+
+
+def _refuse_grouped(place: str, rows: list[list[str]], first_row: int) -> None:
+    """Refuse counts with marks between their thousands, all in one line."""
+    import pyarrow as pa
+
+    cells = [(at, j, cell) for at, row in enumerate(rows) for j, cell in enumerate(row)]
+    grouped = np.flatnonzero(are_grouped(pa.array([cell for *_, cell in cells], pa.large_string())))
+    faults = Faults(place, np.array([at for at, *_ in cells]) + first_row)
+    faults.say_of_column(
+        grouped,
+        lambda index: (
+            f"column {cells[index][1] + 1} is {quoted(cells[index][2])}; allowed: a whole number "
+            f"without a mark in it, such as {re.sub('[^0-9]', '', cells[index][2])}"
+        ),
+    )
+    faults.stop()
 
 
 def _number(cell: str) -> float | None:
