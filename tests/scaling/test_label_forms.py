@@ -8,6 +8,7 @@ from nacreous.problem import InputError
 from nacreous.scaling import (
     Answers,
     Plan,
+    analyse,
     cluster_ratio,
     compare_groups,
     compare_ratios,
@@ -109,3 +110,25 @@ def test_two_forms_of_one_name_are_no_two_groups():
         compare_groups(groups, same_people=False)
     with pytest.raises(InputError, match=r"groups has .* again; allowed: each name once"):
         compare_ratios(groups, ["a"], ["b", "c"], same_people=False)
+
+
+# --- glyphs
+
+
+@pytest.mark.parametrize(
+    ("question", "labels", "guessed", "japanese"),
+    [
+        ("どちらが真珠らしいですか", ["真珠", "直光", "骨核"], None, True),
+        (None, ["真珠", "直光", "骨核"], "Shift-JIS", True),
+        (None, ["真珠", "直光", "あこや"], None, True),
+        (None, ["真珠", "直光", "骨核"], None, False),
+        ("どちらが真珠らしいですか", ["真珠", "直光", "骨头"], None, False),
+    ],
+)
+def test_kanji_beside_japanese_have_japanese_glyphs_on_an_english_page(
+    question, labels, guessed, japanese
+):
+    answers = simulate(dict(zip(labels, (0.5, 0.0, -0.5), strict=True)), 20)
+    answers = replace(answers, encoding_guessed=guessed)
+    page = analyse(answers, bootstrap=0, question=question).text("report.html")
+    assert ('<b class="name" lang="ja">真珠</b>' in page) == japanese
