@@ -5,7 +5,7 @@ from __future__ import annotations
 from nacreous.scaling.check.worst import Misfit
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.people import described
-from nacreous.scaling.report.translation import Html, Words, number, percent
+from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
 __all__ = ["chapter"]
 
@@ -140,8 +140,12 @@ def _agreement(analysis: Analysis, words: Words) -> Html | None:
     level = analysis.settings.level
     sure = agreed.p_value < 1 - level and agreed.u > 0
     few = agreed.least_p_value >= 1 - level
-    key = "short.agree" if sure else "short.agree_few" if few else "short.disagree"
-    said = [words(key, same=percent((1 + agreed.u) / 2))]
+    people = 0 if analysis.answers is None else len(analysis.answers.people)
+    # Of many people of whom few chose anything, it is the choices that are too few.
+    scarce = "agree_few" if agreed.people == people else "agree_few_choices"
+    key = "agree" if sure else scarce if few else "disagree"
+    same = percent((1 + agreed.u) / 2)
+    said = [words(f"short.{key}", same=same, choices=thousands(agreed.answers))]
     if agreed.ties:
         said.append(words("consistency.agreement_ties", ties=percent(agreed.ties)))
     return words.sentences(*said)
