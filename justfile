@@ -278,7 +278,7 @@ _test-pages:
     if missing=$(just _node-tools 2>&1); then
         just test-pages
     else
-        tests/every-part --left-out "the study's pages: $missing"
+        tests/every-part --left-out "the study's pages: $(echo "$missing" | head -n 1)"
     fi
 
 [script]
@@ -286,5 +286,5 @@ _test-wasm:
     if missing=$(just _wasm-tools 2>&1); then
         just wasm
     else
-        tests/every-part --left-out "WebAssembly: $missing"
+        tests/every-part --left-out "WebAssembly: $(echo "$missing" | head -n 1)"
     fi

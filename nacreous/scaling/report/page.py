@@ -76,10 +76,12 @@ def html(analysis: Analysis, language: str = "en", screens: Mapping[str, int] | 
 
 
 def _order(analysis: Analysis) -> list[str]:
-    """The chapters; people come before the scale where it is not that of each of them."""
+    """The chapters; before the scale come people and groups that do not share it."""
     said = {"groups": analysis.groups is not None, "people": analysis.answers is not None}
     keys = [key for key in _CHAPTERS if said.get(key, True)]
-    return sorted(keys, key=lambda key: key != "people") if analysis.people_differ else keys
+    first = ["people"] if analysis.single_people_differ or analysis.people_apart_by else []
+    first += ["groups"] if analysis.groups_differ else []
+    return sorted(keys, key=lambda key: key not in first)
 
 
 def _title(analysis: Analysis, words: Words, quoted: Callable[[str], Html]) -> Html:

@@ -22,9 +22,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     found += [_side(analysis, words)] if analysis.side_draws and not analysis.side_decides else []
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
-    if analysis.groups is not None:
+    if analysis.groups is not None and not analysis.groups_differ:
         differ = analysis.groups.differ(analysis.settings.level)
-        key = {True: "groups_differ", False: "groups_alike", None: "groups_untold"}[differ]
+        key = "groups_untold" if differ is None else "groups_alike"
         found.append(words(f"short.{key}", column=words.name(analysis.settings.group)))
     items = "".join(f"<li>{sentence}</li>\n" for sentence in found)
     return Html(f'<ul class="short">\n{items}</ul>\n')
@@ -37,10 +37,14 @@ def _side(analysis: Analysis, words: Words) -> Html:
 
 
 def _people(analysis: Analysis, words: Words) -> Html:
-    people = analysis.people
+    people, columns = analysis.people, words.names(analysis.apart_by)
+    if not analysis.single_people_differ:
+        return words("short.parts_differ", columns=columns)
     said = [words("short.people_differ")]
     if people is not None and people.population is not None:
         said.append(described(analysis, people.population, words))
+    if analysis.apart_by:
+        said.append(words("short.apart_by", columns=columns))
     return words.sentences(*said)
 
 
@@ -97,8 +101,10 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes:
         if analysis.fit_hidden_by is not None:
             return words(f"short.fits_{analysis.fit_hidden_by}", ties=percent(analysis.tied))
-        if analysis.people_differ:
+        if analysis.single_people_differ:
             return words("short.fits_sums")
+        if analysis.apart_by:
+            return words("short.fits_parts", columns=words.names(analysis.apart_by))
         return words("short.fits" if analysis.people_told else "short.fits_counts")
     return _misfit(analysis.goodness.largest, words)
 
