@@ -58,6 +58,7 @@ def refused(folder: Path, columns: list[str], *rows: str) -> str:
         "Q{n} {pair}",
         "Q{n}. Which is better? {pair}",
         "<p>Which is better</p> {pair}",
+        "Which is <b>better</b>? <i>{pair}</i>",
     ],
 )
 @pytest.mark.parametrize("row", ["left,Right,RIGHT", "1,2,2", "A,C,A"])
@@ -66,6 +67,11 @@ def test_what_stands_beside_a_pair_is_no_part_of_a_label(tmp_path, form, row):
     assert outcomes(tmp_path, columns, row) == ["A>B", "B<C", "C<A"]
     joined = [f"Q{at}_{pair.replace(' ', '_')}" for at, pair in enumerate(PAIRS, 1)]
     assert outcomes(tmp_path, joined, row) == ["A>B", "B<C", "C<A"]
+
+
+def test_letters_set_by_tags_are_the_same_letters(tmp_path):
+    columns = [f"<b>{a}</b> vs <span style='x'>{b}</span>" for a, b in ("AB", "BC", "CA")]
+    assert outcomes(tmp_path, columns, "A,C,A") == ["A>B", "B<C", "C<A"]
 
 
 @pytest.mark.parametrize(

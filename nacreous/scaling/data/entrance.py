@@ -26,6 +26,7 @@ from nacreous.scaling.data.nothing import refuse_errors, refuse_nothing
 from nacreous.scaling.data.number_column import seconds_column
 from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.preview import without_previews
+from nacreous.scaling.data.repeat import refuse_repeats
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.tie_column import (
@@ -97,7 +98,7 @@ def fields_of(
     tied = tie_column(table, column.values())
     outcome = _outcomes(table, column, names, labels, (left, right), tied, faults)
     if not repeats:
-        _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
+        refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in {*column.values(), tied}]
     if won and tied is None:
@@ -218,7 +219,7 @@ def _stimuli(
     itself = np.flatnonzero((left == right) & (left >= 0))
     faults.say_of_rows(
         itself,
-        lambda row: f"{quoted(found[left[row]])} is paired with itself; allowed: two stimuli",
+        lambda row: f"{quoted(found[left[row]])} is paired with itself; allowed: {_two(both, row)}",
     )
     faults.stop()
     check_alike(found, table.place)
@@ -236,6 +237,13 @@ def _stimuli(
         )
     faults.stop()
     return labels, order[left], order[right]
+
+
+def _two(both: NDArray[np.int64], row: int) -> str:
+    """What is allowed for a pair of one; a first row with a label of its own tells of columns."""
+    if row or (both == both[0]).sum() > 2:
+        return "two stimuli"
+    return "two stimuli (remove the row, if it says the units or kinds of the columns)"
 
 
 def _people(
@@ -258,40 +266,3 @@ def _response(table: Table, column: dict[str, str], faults: Faults) -> NDArray[n
         if role in column:
             return seconds_column(table, column[role], role, faults, per_s)
     return None
-
-
-def _refuse_repeats(
-    table: Table, columns: list[NDArray[Any]], person: NDArray[np.int64] | None, faults: Faults
-) -> None:
-    """Note rows that say again what an earlier row said, with nothing to tell them apart.
-
-    With people known: the same person, left, right, and time and trial where there are such
-    columns. Without people two such rows may well be two people; only rows that are the same in
-    every column are refused, and only where a time is among them.
-    """
-    if not columns:
-        return
-    first = _earlier_twin([np.nan_to_num(column, nan=np.inf) for column in columns])
-    who = "the same person on the same pair" if person is not None else "the same in every column"
-    again = np.flatnonzero(first >= 0)
-    _, at = np.unique(table.numbers[again], return_index=True)  # a row of a wide table is several
-    faults.say_of_rows(
-        again[at],
-        lambda row: (
-            f"repeats row {table.numbers[first[row]]}: {who}, and no time or trial tells "
-            "them apart; remove one, or pass repeats=True"
-        ),
-    )
-
-
-def _earlier_twin(columns: list[Any]) -> NDArray[np.int64]:
-    """For each row the first row equal to it in all columns, or -1 for the first itself."""
-    key = np.zeros(len(columns[0]), np.int64)
-    for column in columns:  # joined two at a time, so that the key never grows beyond rows²
-        _, code = np.unique(column, return_inverse=True)
-        _, key = np.unique(key * (code.max() + 1) + code, return_inverse=True)
-    order = np.argsort(key, kind="stable")
-    starts = np.flatnonzero(np.diff(key[order], prepend=-1))
-    first = np.empty(len(key), np.int64)
-    first[order] = np.repeat(order[starts], np.diff(np.append(starts, len(key))))
-    return np.where(first == np.arange(len(key)), -1, first)
