@@ -246,7 +246,7 @@ def _densest(stack: LayerStack) -> float:
     known = [sampled("layer", medium, colour.WAVELENGTH_NM) for medium in media]
     numbers = [n for n in known if not isinstance(n, str)]
     parts = [part for n in numbers for part in (n[-2:] if isinstance(n, tuple) else (n,))]
-    return max((float(np.max(np.real(part))) for part in parts), default=0.0)
+    return max((float(np.asarray(part).real.max()) for part in parts), default=0.0)
 
 
 def _between(
