@@ -120,16 +120,17 @@ def codes_of(text: Any) -> tuple[tuple[str, ...], NDArray[np.int64]]:
     return tuple(levels), order[rows]
 
 
-def group_column(table: Table, name: str) -> Grouping:
+def group_column(table: Table, name: str, *, declared: bool = False) -> Grouping:
     r"""Any column as a group. Lines become spaces, and control characters \\u and their number.
 
-    Words for nothing are empty cells, but for `none` beside words, as of a dish without a sauce.
+    Words for nothing are empty cells, but for `none` beside words, as of a dish without a sauce;
+    where the values are `declared`, as a study's are, each word is one of them.
     """
     import pyarrow as pa
 
     text = text_column(table, name)
     mark = _mark(table, name, text)
-    text, words = _without_nothing(text, mark)
+    text, words = (text, ()) if declared else _without_nothing(text, mark)
     rows = _maybe_hidden(text)
     if rows:
         cells = text.to_pylist()
