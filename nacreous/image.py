@@ -106,7 +106,7 @@ class Image(Unchanging):
     @property
     def linear(self) -> NDArray[np.float32]:
         """The picture's light."""
-        return self._loaded()[0]
+        return self._loaded()[0].view()
 
     @property
     def layers(self) -> Mapping[str, NDArray[np.float32]]:
@@ -114,17 +114,17 @@ class Image(Unchanging):
         return self._loaded()[1]
 
     def _loaded(self) -> _Arrays:
-        if self._arrays is None:
-            if self._picture is None:
-                raise TypeError("an image has neither arrays nor a picture")
-            pixels, parts = self._picture.parts()
-            pixels = released(pixels)
-            layers = {name: pixels[..., first:end] for name, first, end in parts}
-            first_four = list(layers.values())[:4]
-            linear = released(sum(first_four[1:], first_four[0]))
-            keep(self, _arrays=(linear, layers))
-            return linear, layers
-        return self._arrays
+        if self._arrays is not None:
+            return self._arrays
+        if self._picture is None:
+            raise TypeError("an image has neither arrays nor a picture")
+        pixels, parts = self._picture.parts()
+        pixels = released(pixels)
+        layers = {name: pixels[..., first:end] for name, first, end in parts}
+        first_four = list(layers.values())[:4]
+        linear = released(sum(first_four[1:], first_four[0]))
+        keep(self, _arrays=(linear, layers))
+        return self._loaded()
 
     def develop(
         self,

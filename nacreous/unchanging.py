@@ -13,7 +13,16 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeGuard, TypeVar
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["ReadOnlyMapping", "Unchanging", "keep", "key_of", "ordered", "released", "settled"]
+__all__ = [
+    "ReadOnlyMapping",
+    "Unchanging",
+    "keep",
+    "key_of",
+    "ordered",
+    "released",
+    "seen",
+    "settled",
+]
 
 K = TypeVar("K")
 V = TypeVar("V", covariant=True)
@@ -34,7 +43,8 @@ class ReadOnlyMapping(Mapping[K, V]):
 
     def __getitem__(self, key: K) -> V:
         """The item of a key."""
-        return self._items[key]
+        item: V = seen(self._items[key])
+        return item
 
     def __iter__(self) -> Iterator[K]:
         """The keys in their order."""
@@ -90,6 +100,20 @@ def settled(item: Any) -> Any:
     if isinstance(item, Mapping) and not isinstance(item, ReadOnlyMapping):
         return ReadOnlyMapping(item)
     return item
+
+
+def seen(item: Any) -> Any:
+    """What is handed out: of an array a view, for NumPy lets anybody set shape and dtype of one.
+
+    >>> import numpy as np
+    >>> kept = released(np.arange(6))
+    >>> seen(kept).shape = (2, 3)
+    >>> kept.shape
+    (6,)
+    """
+    if type(item) is tuple:
+        return tuple(map(seen, item)) if any(map(is_array, item)) else item
+    return item.view() if is_array(item) else item
 
 
 def released(array: NDArray[Any]) -> NDArray[Any]:

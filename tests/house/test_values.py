@@ -73,6 +73,18 @@ def test_no_array_of_a_result_can_be_written_to_however_it_was_made(result: Any)
 
 
 @each_result
+def test_no_array_of_a_result_takes_another_shape_or_type(result: Any) -> None:
+    item = copy.deepcopy(result)
+    for array in arrays(item):
+        if array.size:
+            np.ndarray.shape.__set__(array, (1, *array.shape))
+            np.ndarray.dtype.__set__(array, f"u{array.itemsize}" if array.itemsize < 16 else "2u8")
+    assert item == result
+    assert hash(item) == hash(result)
+    assert [array.shape for array in arrays(item)] == [array.shape for array in arrays(result)]
+
+
+@each_result
 def test_a_result_comes_back_equal_from_copies_and_pickles(result: Any) -> None:
     for other in copies(result):
         assert other == result
