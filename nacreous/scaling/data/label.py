@@ -88,9 +88,10 @@ def check_visible(labels: Iterable[str], place: str) -> None:
 def group_names(groups: Mapping[Any, Any]) -> tuple[str, ...]:
     r"""Names of groups as a caller gave them, in Unicode's form NFC, no two the same.
 
-    >>> group_names({"e\u0301": 1, "\u00e9": 2})
-    Traceback (most recent call last):
-    nacreous.problem.InputError: groups has "\u00e9" again; allowed: each name once
+    Raises `InputError` for a name that is there twice, or has characters that nobody can see.
+
+    >>> group_names({"cafe\u0301": 1, 2: 2}) == ("caf\u00e9", "2")
+    True
     """
     names = tuple(label_of(str(name)) for name in groups)
     check_visible(names, "groups")
