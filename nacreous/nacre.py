@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import datetime as dt
 from collections.abc import Sequence
 from dataclasses import field, replace
@@ -93,6 +94,10 @@ class LayerStack:
             raise InputError(f"thickness_nm {verdict}")
         # Copied only now that it is known to be short enough.
         keep(self, thickness_nm=layers, protein_nm=nm, **given, cover=_cover(cover), _compiled=core)
+
+    def __deepcopy__(self, _: object) -> LayerStack:
+        """With the same media, for a copy of a function need not equal it."""
+        return copy.copy(self)
 
     def __repr__(self) -> str:
         """Layers and thickness, not every layer."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import functools
 import pickle
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
@@ -206,6 +207,12 @@ def test_an_array_of_a_stack_cannot_be_unlocked() -> None:
     stack = nc.LayerStack(np.array([400.0, 500.0]))
     with pytest.raises(ValueError, match="cannot set WRITEABLE"):
         stack.thickness_nm.flags.writeable = True
+
+
+def test_a_deep_copy_of_a_stack_has_the_same_media() -> None:
+    stack = nc.LayerStack([400.0], protein=functools.partial(np.full_like, fill_value=1.5))
+    assert copy.deepcopy(stack) == stack
+    assert hash(copy.deepcopy([stack])[0]) == hash(stack)
 
 
 class Uniform(nc.LayerStack):
