@@ -48,8 +48,8 @@ test-rust *options: setup
 # Run the Python tests, the examples in docstrings, README, docs and examples/ included
 [group("trust")]
 test-python *options: setup
-    @# Tests of servers mostly wait, browsers do not; a file's tests stay together, for they share what they made.
-    tests/own-temporary-folder pytest --numprocesses 2 --dist loadfile {{ options }}
+    @# Three on two processors, for tests of pages mostly wait; a file's tests stay together, for they share what they made.
+    tests/own-temporary-folder pytest --numprocesses 3 --dist loadfile {{ options }}
 
 # Check the pages' types and format, and run the tests that need no server
 [group("trust")]
@@ -278,7 +278,7 @@ _test-pages:
     if missing=$(just _node-tools 2>&1); then
         just test-pages
     else
-        tests/every-part --left-out "the study's pages: $missing"
+        tests/every-part --left-out "the study's pages: $(echo "$missing" | head -n 1)"
     fi
 
 [script]
@@ -286,5 +286,5 @@ _test-wasm:
     if missing=$(just _wasm-tools 2>&1); then
         just wasm
     else
-        tests/every-part --left-out "WebAssembly: $missing"
+        tests/every-part --left-out "WebAssembly: $(echo "$missing" | head -n 1)"
     fi

@@ -17,6 +17,7 @@ from nacreous.problem import InputError
 from nacreous.spec import document
 from nacreous.spec.specfile import find
 from nacreous.study.design.design import Design
+from nacreous.study.design.exported_names import check_exported_names
 from nacreous.study.design.manifest import (
     MAKER,
     RECORD,
@@ -62,6 +63,7 @@ def freeze(
     values = document.read(path)
     # As it is written: the paths in the manifest do not depend on where the program ran.
     design = Design.check(copy.deepcopy(values), where, Path())
+    check_exported_names(design, where)
     places = [f"{where}: stimuli.{place}" for place in range(len(design.stimuli))]
     sources = [
         Source.of(stimulus, path.parent, place)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
+import numpy as np
+
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import text_column
+from nacreous.scaling.data.column import group_column, text_column
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.study.results.scale import called_simulated
 from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
@@ -58,20 +61,18 @@ def exported_answers(
         )
     elif question not in asked:
         raise InputError(f"{path}: question is {question!a}; allowed: {', '.join(asked)}")
-    which = [
-        place
-        for place, row in enumerate(rows)
-        if row["question"] == question and counts(row, simulated=simulated)
-    ]
-    if not which:
+    which = np.array(
+        [row["question"] == question and counts(row, simulated=simulated) for row in rows], bool
+    )
+    if not which.any():
         others = any(row["question"] == question and counts(row, simulated=True) for row in rows)
         hint = "; those of simulated observers do with --simulated" if others else ""
         raise InputError(f"{path}: no answers to {question!a} count; wanted: at least one{hint}")
-    groups = {name: _texts(table, name) for name in table.columns if name not in _KNOWN}
-    kept = [rows[place] for place in which]
+    counted = table.take(which)
+    kept = [rows[place] for place in np.flatnonzero(which)]
     answers = task_of(kept[0]).answers(
         {name: [cast("Any", row)[name] for row in kept] for name in _COUNTED},
-        {name: [levels[place] for place in which] for name, levels in groups.items()},
+        {name: group_column(counted, name) for name in table.columns if name not in _KNOWN},
     )
     return called_simulated(answers) if simulated else answers
 
@@ -100,10 +101,10 @@ def _rows(table: Table, where: str) -> list[Row]:
     """Rows as the store gives them, as far as the file says."""
     texts = {name: _texts(table, name) for name in _NAMES}
     rows = []
+    comma = table.separator == ";"
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
         cell = f"{where}: row {place + 1}"
-        comma = table.decimal_comma
         row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
         trial = _number(row["trial"], f"{cell}: trial", comma)
         row["trial"] = row["seq"] if trial is None else trial  # of an erased person
@@ -128,6 +129,8 @@ def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | Non
         number = float(text.replace(",", ".", 1) if decimal_comma else text)
     except ValueError:
         number = math.nan
+    if decimal_comma and re.fullmatch(r"[1-9][0-9]{0,2}\.[0-9]{3}", text):
+        number = math.nan  # the point may part thousands
     if not math.isfinite(number):
         raise InputError(f"{quantity} is {text[:40]!a}; allowed: a number")
     return number

@@ -186,22 +186,25 @@ def _single(path: Path) -> None:
 
 
 def _checked(path: Path) -> Copied:
-    """Whole, of a known schema, and how much is in it."""
-    with _refused(str(path)):
-        with _read_only(path) as connection:
+    """Of a known schema, whole, and how much is in it.
+
+    The schema first: SQLite runs what a table names, to see whether that is whole.
+    """
+    engine = sa.create_engine(f"sqlite:///file:{_quoted(path)}?mode=ro&uri=true")
+    try:
+        with _refused(str(path)), engine.connect() as reading:
+            if check_revision(reading, str(path)) is None:
+                raise InputError(f"{path}: is empty; wanted: a backup of a store")
+        with _refused(str(path)), _read_only(path) as connection:
             verdict = connection.execute("PRAGMA integrity_check(1)").fetchone()[0]
             stray = connection.execute("PRAGMA foreign_key_check").fetchone()
         if verdict != "ok" or stray is not None:
             raise InputError(f"{path}: is damaged; wanted: a whole backup")
-        engine = sa.create_engine(f"sqlite:///file:{_quoted(path)}?mode=ro&uri=true")
-        try:
-            with translated(str(path)), engine.connect() as reading:
-                if check_revision(reading, str(path)) is None:
-                    raise InputError(f"{path}: is empty; wanted: a backup of a store")
-                _check_manifests(reading, str(path))
-                return Copied(*(_count(reading, table) for table in (studies, sessions, answers)))
-        finally:
-            engine.dispose()
+        with translated(str(path)), engine.connect() as reading:
+            _check_manifests(reading, str(path))
+            return Copied(*(_count(reading, table) for table in (studies, sessions, answers)))
+    finally:
+        engine.dispose()
 
 
 def _check_manifests(connection: sa.Connection, place: str) -> None:
@@ -250,8 +253,8 @@ def _refused(place: str) -> Iterator[None]:
     """SQLite's own errors in one line."""
     try:
         yield
-    except sqlite3.DatabaseError as problem:
-        text = str(problem)
+    except (sqlite3.DatabaseError, sa.exc.DatabaseError) as problem:
+        text = str(problem.orig if isinstance(problem, sa.exc.DatabaseError) else problem)
         if "not a database" in text or "malformed" in text:
             raise InputError(f"{place}: is no whole store; wanted: a backup") from problem
         raise StoreError(f"cannot be copied ({text})", place) from problem

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nacreous.scaling.data.spreadsheet import NOTE
+from nacreous.study.design.exported_names import PREFIX
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.store.progress import Progress
 from nacreous.study.task.column import Column
@@ -73,18 +74,23 @@ CHOSEN_BY = Column(
     ("greedy", "drawn"),
 )
 
-_NAMES = frozenset(
-    column.name for column in (*COLUMNS, CHOSEN_BY, *PERSON, *IDENTIFYING, *PEOPLE, PLAN)
-)
+_OWN = (*COLUMNS, CHOSEN_BY, *PERSON, *IDENTIFYING, *PEOPLE, PLAN, *LOG, *LOG_IDENTIFYING)
+_NAMES = frozenset(column.name for column in _OWN)
 
 
 def group_column(name: str) -> Column:
     """The column of a group; one that is called as a column of ours gets a prefix.
 
-    >>> group_column("sex").name, group_column("left").name
-    ('sex', 'group_left')
+    No two groups have one column: a name that is such a column already gets a prefix too.
+
+    >>> [group_column(name).name for name in ("sex", "left", "group_left")]
+    ['sex', 'group_left', 'group_group_left']
     """
-    return Column(f"group_{name}" if name in _NAMES else name, f"The person's group: {name}.")
+    plain = name
+    while plain not in _NAMES and plain.startswith(PREFIX):
+        plain = plain.removeprefix(PREFIX)
+    column = f"{PREFIX}{name}" if plain in _NAMES else name
+    return Column(column, f"The person's group: {name}.")
 
 
 def description(

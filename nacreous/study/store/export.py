@@ -9,15 +9,21 @@ import codecs
 import json
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import islice
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from nacreous import file, folder
 from nacreous.number import truth_of
 from nacreous.problem import InputError
+from nacreous.scaling.data.column import Grouping
+from nacreous.scaling.data.column import group_column as grouping_of
 from nacreous.scaling.data.spreadsheet import defused, plain
+from nacreous.scaling.data.table import table_of
 from nacreous.study.memory import give_back
 from nacreous.study.store import answers as answering
 from nacreous.study.store import check, people
@@ -27,6 +33,7 @@ from nacreous.study.store.coded import Coded
 from nacreous.study.store.store import Store
 from nacreous.study.store.tables import TABLES, Table, levels_of
 from nacreous.study.task.tasks import task_of
+from nacreous.unchanging import released
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -107,7 +114,7 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     held = {name: table[name] for name in table.column_names if name != "who"}
     person, given = _of_people(table["who"].combine_chunks(), known)
     del table  # each column is as large as all that a part of the answers takes
-    groups = {group_column(name).name: level for name, level in levels_of(given).items()}
+    groups = {group_column(name).name: _grouping(level) for name, level in levels_of(given).items()}
     found = task_of({}).answers({**held, "person": person}, groups)
     del held, person, given, groups
     give_back()
@@ -128,6 +135,16 @@ def _of_people(
         pa.DictionaryArray.from_arrays(rows, named),
         pa.DictionaryArray.from_arrays(rows, given),
     )
+
+
+def _grouping(levels: pa.DictionaryArray) -> Grouping:
+    """Levels by row as a group, each looked at once. A level such as NA was declared."""
+    codes = np.asarray(levels.indices.fill_null(-1))
+    if not len(levels.dictionary):
+        return Grouping((), codes.astype(np.int64))
+    table = table_of({"level": levels.dictionary.to_pylist()})
+    known = grouping_of(table, "level", declared=True)
+    return replace(known, code=released(np.append(known.code, -1)[codes]))
 
 
 def counts(store: Store, study: str, question: str, *, simulated: bool = False) -> Comparisons:

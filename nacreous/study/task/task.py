@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
     from nacreous.scaling import Answers
+    from nacreous.scaling.data.column import Grouping
     from nacreous.scaling.report.settings import Settings
 
 __all__ = ["Items", "SoFar", "Task"]
@@ -81,8 +82,8 @@ class Task(ABC, Generic[K]):
         """Whether a catch was answered otherwise than by what is known."""
 
     @abstractmethod
-    def answers(self, columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
-        """Answers as a scale takes them; groups: by name, a column of levels.
+    def answers(self, columns: Mapping[str, Any], groups: Mapping[str, Grouping]) -> Answers:
+        """Answers as a scale takes them, with groups by name.
 
         columns: lists or Arrow arrays by name: those of the task, and person (a label), trial,
         response_ms.

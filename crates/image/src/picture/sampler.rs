@@ -257,14 +257,15 @@ impl Sampler {
             return Detail::Rim;
         }
         let cached = self.reflections.0[ball].is_some();
-        match self.pearls[ball].model.is_smooth() {
-            true if cached && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm => {
-                Detail::None
-            }
-            true if !cached && self.shows(ball, &ray, Model::has_edges) => Detail::Edges,
-            true => Detail::BelowPixel,
-            false if many => Detail::Unknown,
-            false => Detail::Edges,
+        if !self.pearls[ball].model.is_smooth() {
+            return if many { Detail::Unknown } else { Detail::Edges };
+        }
+        if cached && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm {
+            Detail::None
+        } else if !cached && self.shows(ball, &ray, Model::has_edges) {
+            Detail::Edges
+        } else {
+            Detail::BelowPixel
         }
     }
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
     from nacreous.scaling import Answers
+    from nacreous.scaling.data.column import Grouping
     from nacreous.scaling.report.settings import Settings
 
 __all__ = ["PAIR", "Pair"]
@@ -84,7 +85,7 @@ class Pair(Task[PairKeys]):
         ]
         return reading.chosen_of(row) not in expected[-1:]
 
-    def answers(self, columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
+    def answers(self, columns: Mapping[str, Any], groups: Mapping[str, Grouping]) -> Answers:
         """As `nacreous.scaling` takes them."""
         return reading.answers(columns, groups)
 

@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import Grouping, group_column
+from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.comparisons import Comparisons
-from nacreous.scaling.data.label import label_of
-from nacreous.scaling.data.table import table_of
+from nacreous.scaling.data.label import label_of, natural
 from nacreous.study.task.row import Row, Tallied
 from nacreous.unchanging import released
 
@@ -87,12 +86,12 @@ def settings(chosen_by: str | None) -> Settings:
     return known[chosen_by]
 
 
-def answers(columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
+def answers(columns: Mapping[str, Any], groups: Mapping[str, Grouping]) -> Answers:
     """Columns as `nacreous.scaling` takes them, left, right, chosen, person, trial, response_ms.
 
-    groups: by name, a column of levels. People are named by number, erased ones by their random
-    names. Trials give the order. Labels are as they can be shown. Each text is checked once,
-    however many answers have it.
+    People are named by number, erased ones by their random names. Trials give the order. Labels are
+    as they can be shown; one such as NA is a label here. Each text is checked once, however many
+    answers have it.
     """
     from nacreous.scaling import Answers
 
@@ -105,9 +104,10 @@ def answers(columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
         name: [texts[at] for at in cell]
         for name, texts, cell in zip(names, shown, cells, strict=True)
     }
-    pair = Answers.of_table(pairs, repeats=True)
+    stimuli = natural({*pairs["left"], *pairs["right"]})
+    pair = Answers.of_table(pairs, stimuli=stimuli, repeats=True)
     first = {name: [column[0]] * len(person[0]) for name, column in pairs.items()}
-    people = Answers.of_table({**first, "person": person[0]}, repeats=True)
+    people = Answers.of_table({**first, "person": person[0]}, stimuli=stimuli, repeats=True)
     if people.person is None:
         raise AssertionError("the table has a column of people")
     times_ms = _floats(columns["response_ms"])
@@ -118,7 +118,7 @@ def answers(columns: Mapping[str, Any], groups: Mapping[str, Any]) -> Answers:
         outcome=released(pair.outcome[row]),
         people=people.people,
         person=released(people.person[person[1]]),
-        groups={name: _grouping(column) for name, column in groups.items()},
+        groups=groups,
         response_s=released(times_ms / 1000),
         time=_floats(columns["trial"]),
     )
@@ -162,15 +162,6 @@ def _distinct(
         cells.append((found % size).tolist())
         found = found // size
     return cells[::-1], row
-
-
-def _grouping(column: Any) -> Grouping:
-    """A column of levels as a group, each level looked at once."""
-    levels, codes = _coded(column)
-    if not levels:
-        return Grouping((), codes.astype(np.int64))
-    known = group_column(table_of({"level": levels}), "level")
-    return replace(known, code=released(np.append(known.code, -1)[codes]))
 
 
 def comparisons(labels: Sequence[str], tally: Iterable[Tallied]) -> dict[str, Comparisons]:
