@@ -85,8 +85,11 @@ class Image(Unchanging):
         return self._png((8, "srgb", "soft", False))[0]
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
-        """By its arrays, so that it goes from process to process."""
-        return type(self), (self.linear, dict(self.layers), dict(self.recipe))
+        """By its arrays, for other processes; each in the order of its pixels."""
+        import numpy as np
+
+        layers = {name: np.ascontiguousarray(layer) for name, layer in self.layers.items()}
+        return type(self), (np.ascontiguousarray(self.linear), layers, dict(self.recipe))
 
     def __eq__(self, other: object) -> bool:
         """Same light, same parts, same recipe."""

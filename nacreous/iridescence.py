@@ -219,7 +219,8 @@ class _Fine:
     def _places(self) -> int:
         """Wavenumbers at which lines are looked for: at most a quarter of a fringe apart."""
         fringes = 2e3 * self.stack.total_um * 8 * (1 / _FIRST_NM - 1 / colour.WAVELENGTH_NM[-1])
-        return max(_FEWEST_PLACES, math.ceil(fringes * max(1.0, _densest(self.stack) / 2))) + 1
+        steps = math.ceil(float(fringes) * max(1.0, _densest(self.stack) / 2))
+        return max(_FEWEST_PLACES, steps) + 1
 
     def _log_per_nm(self, cosine: float, least: float) -> float:
         """Samples a nm that resolve the lines at an angle, as a power of 2; 0 where none matter.

@@ -141,16 +141,24 @@ def key_of(item: Any) -> Any:
         return frozenset((key, key_of(part)) for key, part in item.items())
     if isinstance(item, (tuple, list)):
         return tuple(map(key_of, item))
+    if type(item).__module__ == "numpy" and hasattr(item, "item"):  # float32(1.1) equals 1.1 there
+        item = item.item()
     if isinstance(item, (float, complex)) and item != item:
         return "nan"
     return item
 
 
 def ordered(key: Any) -> Any:
-    """A key of `key_of` with the items of mappings in a fixed order, the same in every process."""
+    """A key of `key_of` in one form: mappings in a fixed order, equal numbers of one type."""
     if isinstance(key, frozenset):
         return "mapping", *sorted(map(ordered, key), key=repr)
-    return tuple(map(ordered, key)) if isinstance(key, tuple) else key
+    if isinstance(key, tuple):
+        return tuple(map(ordered, key))
+    if isinstance(key, complex) and key.imag == 0:
+        key = key.real
+    if (isinstance(key, float) and key.is_integer()) or isinstance(key, bool):
+        return int(key)
+    return key + 0.0 if isinstance(key, complex) else key
 
 
 def is_array(item: object) -> TypeGuard[NDArray[Any]]:

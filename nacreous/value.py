@@ -84,7 +84,7 @@ def value_class(cls: type[T]) -> type[T]:
     def set_state(self: Any, state: dict[str, Any]) -> None:
         _set_state(made, self, state)
 
-    for field in dataclasses.fields(made):
+    for field in dataclasses.fields(made):  # type: ignore[arg-type]
         if _ARRAYS.search(str(field.type)):
             setattr(made, field.name, _Shown(field))
     cls.__getstate__ = state  # type: ignore[method-assign]
