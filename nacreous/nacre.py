@@ -77,7 +77,7 @@ class LayerStack:
         substrate: Medium = 1.53,
         cover: Sequence[tuple[Medium, float]] = (),
     ) -> None:
-        media = map(_plain, (aragonite, protein, ambient, substrate))
+        media = map(alone, (aragonite, protein, ambient, substrate))
         given: dict[str, Medium] = dict(zip(_MEDIA, media, strict=True))
         layers = row_of("thickness_nm", thickness_nm)
         nm = _protein(protein_nm)
@@ -93,7 +93,8 @@ class LayerStack:
         if (verdict := thin_layers(layers.tolist())) is not None:
             raise InputError(f"thickness_nm {verdict}")
         # Copied only now that it is known to be short enough.
-        keep(self, thickness_nm=layers, protein_nm=nm, **given, cover=_cover(cover), _compiled=core)
+        plain = {name: _plain(medium) for name, medium in given.items()}
+        keep(self, thickness_nm=layers, protein_nm=nm, **plain, cover=_cover(cover), _compiled=core)
 
     def __deepcopy__(self, _: object) -> LayerStack:
         """With the same media, for a copy of a function need not equal it."""
