@@ -113,6 +113,13 @@ def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, c
     [
         (("invite", "0", "--label", "x"), "count is 0; allowed: 1 to 1000"),
         (("invite", "1", "--label", "x", "--url", "ftp://a"), "url is 'ftp://a'"),
+        *(
+            (("invite", "1", "--label", "x", "--url", f"http://{host}"), "url is 'http://")
+            for host in (
+                *("a b", "exa mple", "pearls.example\\x", "<b>", "a_b..c", "a%20b", "a,b", "-"),
+                *("a.-b", "a-.b", "999.1.1.1", "a\tb", "[::1", "u@a", "a:0"),
+            )
+        ),
         (("close", "--store", "no/such/folder/a.sqlite"), "does not exist"),
         (("open", "--everyone", "--invited"), "not allowed with"),
         (("readmit", "3"), "does not exist; wanted: a store"),
