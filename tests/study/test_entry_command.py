@@ -108,6 +108,22 @@ def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, c
         assert [row["excluded"] for row in store.answers(study)] == [None, "withdrew"]
 
 
+def test_an_erased_person_is_called_by_number(folder: Path, capsys) -> None:
+    with Store.open(folder) as store:
+        study = store.add_study(open_frozen(folder).manifest())
+        store.set_registration(study, "open", "lab")
+        store.enter(study, "en", {})
+    assert call("erase", folder, "0") == 0
+    for words in (
+        ("revoke", folder, "--person", "0"),
+        ("readmit", folder, "0"),
+        ("exclude", folder, "0", "--reason", "slept"),
+    ):
+        capsys.readouterr()
+        assert call(*words) == 2
+        assert "person 0 was erased; nothing can be" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
