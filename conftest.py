@@ -28,7 +28,7 @@ def _arrays_print_as_numpy_prints_them() -> Iterator[None]:
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Say how many tests were left out for want of what, with the line that installs it."""
-    if "PYTEST_XDIST_WORKER" in os.environ:  # whose tests are counted once more by who started it
+    if hasattr(terminalreporter.config, "workerinput"):  # who started it counts its tests once more
         return
     reasons = Counter(
         report.longrepr[2].removeprefix("Skipped: ")

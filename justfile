@@ -48,8 +48,8 @@ test-rust *options: setup
 # Run the Python tests, the examples in docstrings, README, docs and examples/ included
 [group("trust")]
 test-python *options: setup
-    @# Tests of servers mostly wait, browsers do not; a file's tests stay together, for they share what they made.
-    tests/own-temporary-folder pytest --numprocesses 2 --dist loadfile {{ options }}
+    @# Three on two processors, for tests of pages mostly wait; a file's tests stay together, for they share what they made.
+    tests/own-temporary-folder pytest --numprocesses 3 --dist loadfile {{ options }}
 
 # Check the pages' types and format, and run the tests that need no server
 [group("trust")]

@@ -1,6 +1,6 @@
 """How often intervals over people hold the truth, and how often equals are told apart.
 
-    python benchmarks/people.py [--studies 250]
+    python benchmarks/people.py [--studies 250] [--method least-squares]
 
 Simulated studies of 6 stimuli in 3 pairs of equals, each person with values of their own (standard
 deviation 0.5 z), 5 repeats of all 15 pairs; in "unequal" designs half of the people answer a fifth
@@ -35,9 +35,9 @@ def study(people: int, repeats: int, unequal: bool, seed: int) -> Answers:
     return answers.take((answers.person % 2 == 0) | (chance < 0.2))
 
 
-def looked_at(answers: Answers) -> tuple[float, bool, float]:
+def looked_at(answers: Answers, method: str) -> tuple[float, bool, float]:
     """Share of the 15 differences held, whether equals are told apart, mean width in z."""
-    fit = thurstone(answers)
+    fit = thurstone(answers, method=method)
     truth = VALUES / np.sqrt(1 + 2 * SPREAD**2)
     place = {label: k for k, label in enumerate(fit.stimuli)}
     held, width = [], []
@@ -57,13 +57,15 @@ def main() -> None:
     """Print a line for each design."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--studies", type=int, default=250)
-    studies = parser.parse_args().studies
+    parser.add_argument("--method", default="maximum-likelihood")
+    asked = parser.parse_args()
+    studies = asked.studies
     print("people repeats design   held  +-     together  width  refused")
     for people, repeats, unequal in DESIGNS:
         found = []
         for seed in range(studies):
             try:
-                found.append(looked_at(study(people, repeats, unequal, seed)))
+                found.append(looked_at(study(people, repeats, unequal, seed), asked.method))
             except InputError:
                 continue
         held, apart, width = (np.array(column, float) for column in zip(*found, strict=True))

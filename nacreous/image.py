@@ -85,8 +85,11 @@ class Image(Unchanging):
         return self._png((8, "srgb", "soft", False))[0]
 
     def __reduce__(self) -> tuple[type[Image], tuple[object, ...]]:
-        """By its arrays, so that it goes from process to process."""
-        return type(self), (self.linear, dict(self.layers), dict(self.recipe))
+        """By its arrays, for other processes; each in the order of its pixels."""
+        import numpy as np
+
+        layers = {name: np.ascontiguousarray(layer) for name, layer in self.layers.items()}
+        return type(self), (np.ascontiguousarray(self.linear), layers, dict(self.recipe))
 
     def __eq__(self, other: object) -> bool:
         """Same light, same parts, same recipe."""
@@ -106,7 +109,7 @@ class Image(Unchanging):
     @property
     def linear(self) -> NDArray[np.float32]:
         """The picture's light."""
-        return self._loaded()[0]
+        return self._loaded()[0].view()
 
     @property
     def layers(self) -> Mapping[str, NDArray[np.float32]]:
@@ -114,17 +117,17 @@ class Image(Unchanging):
         return self._loaded()[1]
 
     def _loaded(self) -> _Arrays:
-        if self._arrays is None:
-            if self._picture is None:
-                raise TypeError("an image has neither arrays nor a picture")
-            pixels, parts = self._picture.parts()
-            pixels = released(pixels)
-            layers = {name: pixels[..., first:end] for name, first, end in parts}
-            first_four = list(layers.values())[:4]
-            linear = released(sum(first_four[1:], first_four[0]))
-            keep(self, _arrays=(linear, layers))
-            return linear, layers
-        return self._arrays
+        if self._arrays is not None:
+            return self._arrays
+        if self._picture is None:
+            raise TypeError("an image has neither arrays nor a picture")
+        pixels, parts = self._picture.parts()
+        pixels = released(pixels)
+        layers = {name: pixels[..., first:end] for name, first, end in parts}
+        first_four = list(layers.values())[:4]
+        linear = released(sum(first_four[1:], first_four[0]))
+        keep(self, _arrays=(linear, layers))
+        return self._loaded()
 
     def develop(
         self,

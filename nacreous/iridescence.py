@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core, colour
 from nacreous.deprecation import keep_former_names
+from nacreous.medium import sampled
 from nacreous.nacre import LayerStack
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
@@ -56,9 +57,10 @@ def exact(
     less: thick stacks have fringes finer than that, which would beat with the steps in colours that
     are not there. Where light resonates between two mirrors, as it does near grazing in a flake
     with the same medium on either side, steps are finer than the lines in which it does; beyond
-    89.9 degrees, where lines narrow without end, colours are a straight line to what is known at
+    89.88 degrees, where lines narrow without end, colours follow a parabola to what is known at
     grazing: everything comes back. The grid of angles is halved until straight lines between its
-    nodes stay within CIEDE2000 0.2, from 129 angles to 4097. Ctrl-C interrupts.
+    nodes stay within CIEDE2000 0.2, from 129 angles to 4097; with narrow lines it has 4097.
+    Ctrl-C interrupts.
 
     Lines narrower than the steps are worked out as far as 1e10 layers (and 50 more) times
     wavelengths times angles go, ten to twenty seconds on one core, in pieces of some 100 MB. Light
@@ -77,7 +79,8 @@ def exact(
     found = _core.iridescence(known, spectrum, str(observer), str(polarisation))
     fine = _Fine(stack, spectrum, str(observer), str(polarisation))
     reflected, transmitted = (ByAngle(table) for table in fine.resolved(found))
-    fine.check(reflected, transmitted)
+    if len(found[0]) == _MOST_ROWS:
+        fine.check(reflected, transmitted)
     return reflected, transmitted
 
 
@@ -112,11 +115,14 @@ def illuminant_model(
 _MOST_ROWS = 4097
 #: The largest CIEDE2000 that straight lines may make.
 _TOLERANCE = 0.2
-#: Cosine below which colours go straight to grazing: at twice the angle from grazing T is not yet
-#: bent by more than a fiftieth of itself.
-_GRAZING = 0.002
+#: Cosine below which colours go to grazing by a parabola through two nodes beyond.
+_GRAZING = 1 / 512
+#: Cosines that are nodes where lines matter, whatever the grid.
+_NEAR_GRAZING = np.arange(1, 17) / 512
 #: Cosines at which lines are looked for.
 _PROBES = np.geomspace(_GRAZING, 1.0, 16)
+#: Steps between wavenumbers at which lines are looked for, in stacks thinner than their light.
+_FEWEST_PLACES = 64
 #: What lines narrower than a step may hold, beside the lesser of R and T.
 _UNRESOLVED = 0.02
 #: What they may hold in any case, of white: in the darkest colour CIEDE2000 0.1.
@@ -145,25 +151,21 @@ class _Fine:
 
     def resolved(self, found: tuple[NDArray[np.float64], ...]) -> list[NDArray[np.float64]]:
         """Tables of R and T, rows where lines are narrower than the steps worked out again."""
-        tables = [table.copy() for table in found]
-        cosine = np.linspace(0.0, 1.0, len(tables[0]))
+        cosine = np.linspace(0.0, 1.0, len(found[0]))
         white_y = self.weights[:, 1].sum()
         least = np.min([np.interp(_PROBES, cosine, table[:, 1]) for table in found], axis=0)
         logs = [self._log_per_nm(*probe) for probe in zip(_PROBES, least / white_y, strict=True)]
-        per_nm = np.exp2(np.interp(cosine, _PROBES, logs))
-        again = (per_nm > self.sampled_per_nm) & (cosine >= _GRAZING)
-        if not again.any():
-            return tables
+        known = np.union1d(cosine, _NEAR_GRAZING)
+        per_nm = np.exp2(np.interp(known, _PROBES, logs))
+        again = (per_nm > self.sampled_per_nm) & (known >= _GRAZING)
+        if not again[np.isin(known, cosine)].any():
+            return [table.copy() for table in found]
         self._require_work(per_nm[again])
+        tables = [_between(cosine, table, known) for table in found]
         for row in np.flatnonzero(again):
-            for table, xyz in zip(tables, self.at(float(cosine[row]), per_nm[row]), strict=True):
+            for table, xyz in zip(tables, self.at(float(known[row]), per_nm[row]), strict=True):
                 table[row] = xyz
-        first = int(np.searchsorted(cosine, _GRAZING))
-        for table in tables:
-            table[1:first] = table[0] + cosine[1:first, None] / cosine[first] * (
-                table[first] - table[0]
-            )
-        return tables
+        return [_to_grazing(known, table) for table in tables]
 
     @property
     def sampled_per_nm(self) -> float:
@@ -200,8 +202,6 @@ class _Fine:
 
     def check(self, *tables: ByAngle) -> None:
         """The finest grid is fine enough half-way between some of its nodes."""
-        if len(tables[0].xyz) < _MOST_ROWS:
-            return
         white = self.weights.sum(axis=0)
         for cosine in (np.linspace(0.02, 0.99, 24) * (_MOST_ROWS - 1)).round() + 0.5:
             place = float(cosine / (_MOST_ROWS - 1))
@@ -216,14 +216,19 @@ class _Fine:
                         f"the angle; allowed: what {_MOST_ROWS} angles show to CIEDE2000 0.2"
                     )
 
+    def _places(self) -> int:
+        """Wavenumbers at which lines are looked for: at most a quarter of a fringe apart."""
+        fringes = 2e3 * self.stack.total_um * 8 * (1 / _FIRST_NM - 1 / colour.WAVELENGTH_NM[-1])
+        steps = math.ceil(float(fringes) * max(1.0, _densest(self.stack) / 2))
+        return max(_FEWEST_PLACES, steps) + 1
+
     def _log_per_nm(self, cosine: float, least: float) -> float:
         """Samples a nm that resolve the lines at an angle, as a power of 2; 0 where none matter.
 
         least: the lesser of R and T there.
         """
         nm = colour.WAVELENGTH_NM
-        step = 1 / (8 * 2 * 1e3 * self.stack.total_um)
-        wavenumber = np.arange(1 / nm[-1], 1 / _FIRST_NM, step)
+        wavenumber = np.linspace(1 / nm[-1], 1 / _FIRST_NM, self._places())
         at_nm = 1 / wavenumber
         stack, angle = self.stack.at(at_nm), np.array([np.arccos(cosine)])
         _, _, width, height = _core.resonances(stack, angle, at_nm, self.polarisation)
@@ -234,6 +239,35 @@ class _Fine:
             return 0.0
         narrowest = float(width[order[counts.argmax()]])
         return max(0.0, math.log2(_STEPS_TO_HALF_WIDTH / (narrowest * _FIRST_NM**2)))
+
+
+def _densest(stack: LayerStack) -> float:
+    """The largest index of a layer that is given by numbers; those with names are all below 2."""
+    media = (stack.aragonite, stack.protein)
+    known = [sampled("layer", medium, colour.WAVELENGTH_NM) for medium in media]
+    numbers = [n for n in known if not isinstance(n, str)]
+    parts = [part for n in numbers for part in (n[-2:] if isinstance(n, tuple) else (n,))]
+    return max((float(np.asarray(part).real.max()) for part in parts), default=0.0)
+
+
+def _between(
+    cosine: NDArray[np.float64], table: NDArray[np.float64], at: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Columns of a table at other cosines, by straight lines."""
+    return np.stack([np.interp(at, cosine, column) for column in table.T], axis=1)
+
+
+def _to_grazing(cosine: NDArray[np.float64], table: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A table on the finest grid, by a parabola from the first node that is known to grazing."""
+    fine = np.linspace(0.0, 1.0, _MOST_ROWS)
+    smooth = _between(cosine, table, fine)
+    first = int(np.searchsorted(cosine, _GRAZING))
+    one, two = cosine[first], cosine[2 * first]
+    near = fine[fine < one]
+    rise, next_rise = ((table[at] - table[0]) / cosine[at] for at in (first, 2 * first))
+    bend = (next_rise - rise) / (two - one)
+    smooth[: near.size] = table[0] + near[:, None] * (rise + bend * (near[:, None] - one))
+    return smooth
 
 
 def _checked(stack: LayerStack, light: str | ArrayLike) -> tuple[_core.Stack, NDArray[np.float64]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import datetime as dt
 from collections.abc import Sequence
 from dataclasses import field, replace
@@ -76,7 +77,7 @@ class LayerStack:
         substrate: Medium = 1.53,
         cover: Sequence[tuple[Medium, float]] = (),
     ) -> None:
-        media = map(alone, (aragonite, protein, ambient, substrate))
+        media = map(_plain, (aragonite, protein, ambient, substrate))
         given: dict[str, Medium] = dict(zip(_MEDIA, media, strict=True))
         layers = row_of("thickness_nm", thickness_nm)
         nm = _protein(protein_nm)
@@ -93,6 +94,10 @@ class LayerStack:
             raise InputError(f"thickness_nm {verdict}")
         # Copied only now that it is known to be short enough.
         keep(self, thickness_nm=layers, protein_nm=nm, **given, cover=_cover(cover), _compiled=core)
+
+    def __deepcopy__(self, _: object) -> LayerStack:
+        """With the same media, for a copy of a function need not equal it."""
+        return copy.copy(self)
 
     def __repr__(self) -> str:
         """Layers and thickness, not every layer."""
@@ -165,11 +170,25 @@ class LayerStack:
         return counted.size, float(counted.mean()), float(counted.std())
 
 
+def _plain(medium: Medium) -> Medium:
+    """A medium whose equal indices are one number, so that equal stacks pickle alike."""
+    medium = alone(medium)
+    if isinstance(medium, (tuple, list)):
+        return tuple(map(_plain, medium))  # type: ignore[return-value]
+    if isinstance(medium, bool) or not isinstance(medium, (int, float, complex, np.number)):
+        return medium
+    try:
+        index = complex(medium)
+    except OverflowError:
+        return medium
+    return index if index.imag else index.real
+
+
 def _protein(protein_nm: ArrayLike) -> float | NDArray[np.float64]:
     """One thickness, or one for each layer."""
     if np.ndim(protein_nm) == 0:
-        return number_of("protein_nm", protein_nm)
-    row = row_of("protein_nm", protein_nm)
+        return number_of("protein_nm", protein_nm) + 0.0  # -0.0 is 0.0
+    row = row_of("protein_nm", protein_nm) + 0.0
     for layer, nm in enumerate(row):
         within(f"protein_nm[{layer}]", float(nm), 0, 1e6)
     return float(row[0]) if row.size == 1 else row
@@ -187,7 +206,7 @@ def _cover(cover: Sequence[tuple[Medium, float]]) -> tuple[tuple[Medium, float],
             raise InputError(f"cover[{place}] is {said(layer)}; allowed: (medium, thickness in nm)")
         medium, nm = layer
         medium_of(f"cover[{place}]", medium)
-        kept.append((medium, within(f"cover[{place}] thickness", nm, 0, 1e6)))
+        kept.append((_plain(medium), 0.0 + within(f"cover[{place}] thickness", nm, 0, 1e6)))
     known = [
         (f"cover[{place}]", medium_of("cover", medium)) for place, (medium, _) in enumerate(kept)
     ]

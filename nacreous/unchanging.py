@@ -13,7 +13,16 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeGuard, TypeVar
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["ReadOnlyMapping", "Unchanging", "keep", "key_of", "ordered", "released", "settled"]
+__all__ = [
+    "ReadOnlyMapping",
+    "Unchanging",
+    "keep",
+    "key_of",
+    "ordered",
+    "released",
+    "seen",
+    "settled",
+]
 
 K = TypeVar("K")
 V = TypeVar("V", covariant=True)
@@ -34,7 +43,8 @@ class ReadOnlyMapping(Mapping[K, V]):
 
     def __getitem__(self, key: K) -> V:
         """The item of a key."""
-        return self._items[key]
+        item: V = seen(self._items[key])
+        return item
 
     def __iter__(self) -> Iterator[K]:
         """The keys in their order."""
@@ -92,6 +102,20 @@ def settled(item: Any) -> Any:
     return item
 
 
+def seen(item: Any) -> Any:
+    """What is handed out: of an array a view, for NumPy lets anybody set shape and dtype of one.
+
+    >>> import numpy as np
+    >>> kept = released(np.arange(6))
+    >>> seen(kept).shape = (2, 3)
+    >>> kept.shape
+    (6,)
+    """
+    if type(item) is tuple:
+        return tuple(map(seen, item)) if any(map(is_array, item)) else item
+    return item.view() if is_array(item) else item
+
+
 def released(array: NDArray[Any]) -> NDArray[Any]:
     """An array that nobody else holds, read-only where it lies, so that it need not be copied.
 
@@ -117,16 +141,24 @@ def key_of(item: Any) -> Any:
         return frozenset((key, key_of(part)) for key, part in item.items())
     if isinstance(item, (tuple, list)):
         return tuple(map(key_of, item))
+    if type(item).__module__ == "numpy" and hasattr(item, "item"):  # float32(1.1) equals 1.1 there
+        item = item.item()
     if isinstance(item, (float, complex)) and item != item:
         return "nan"
     return item
 
 
 def ordered(key: Any) -> Any:
-    """A key of `key_of` with the items of mappings in a fixed order, the same in every process."""
+    """A key of `key_of` in one form: mappings in a fixed order, equal numbers of one type."""
     if isinstance(key, frozenset):
         return "mapping", *sorted(map(ordered, key), key=repr)
-    return tuple(map(ordered, key)) if isinstance(key, tuple) else key
+    if isinstance(key, tuple):
+        return tuple(map(ordered, key))
+    if isinstance(key, complex) and key.imag == 0:
+        key = key.real
+    if (isinstance(key, float) and key.is_integer()) or isinstance(key, bool):
+        return int(key)
+    return key + 0.0 if isinstance(key, complex) else key
 
 
 def is_array(item: object) -> TypeGuard[NDArray[Any]]:

@@ -7,13 +7,39 @@ without fear that somebody writes into it.
 from __future__ import annotations
 
 import dataclasses
+import re
 from typing import Any, TypeVar, dataclass_transform
 
-from nacreous.unchanging import key_of, ordered, settled
+from nacreous.unchanging import key_of, ordered, seen, settled
 
 __all__ = ["value_class"]
 
 T = TypeVar("T")
+
+#: Types of fields that may hold arrays.
+_ARRAYS = re.compile(r"[Aa]rray|\bAny\b")
+
+
+class _Shown:
+    """A field whose arrays are handed out as views, so that their shape and dtype stay too."""
+
+    def __init__(self, field: dataclasses.Field[Any]) -> None:
+        self.name, self.default = field.name, field.default
+
+    def __get__(self, owner: object, kind: type[Any]) -> Any:
+        """A view, or of the class the default."""
+        if owner is None:
+            if self.default is dataclasses.MISSING:
+                raise AttributeError(f"{kind.__name__} has no default of {self.name!r}")
+            return self.default
+        try:
+            return seen(owner.__dict__[self.name])
+        except KeyError:
+            raise AttributeError(f"{kind.__name__} has no {self.name!r} yet") from None
+
+    def __set__(self, owner: object, item: object) -> None:
+        """While the value is made."""
+        owner.__dict__[self.name] = item
 
 
 @dataclass_transform(
@@ -58,6 +84,9 @@ def value_class(cls: type[T]) -> type[T]:
     def set_state(self: Any, state: dict[str, Any]) -> None:
         _set_state(made, self, state)
 
+    for field in dataclasses.fields(made):  # type: ignore[arg-type]
+        if _ARRAYS.search(str(field.type)):
+            setattr(made, field.name, _Shown(field))
     cls.__getstate__ = state  # type: ignore[method-assign]
     cls.__setstate__ = set_state  # type: ignore[attr-defined]
     return made

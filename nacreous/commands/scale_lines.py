@@ -68,7 +68,7 @@ def _fit_verdict(found: Analysis) -> str:
     if found.fit_hidden_by is not None:
         why = {"side": "the side decided most answers", "ties": "ties count half"}
         return "whether one scale describes these data cannot be told: " + why[found.fit_hidden_by]
-    return ("all people together: " if found.people_differ else "") + found.goodness.verdict
+    return ("all answers together: " if found.people_differ else "") + found.goodness.verdict
 
 
 def _fit_told(fit: Scale) -> str:
@@ -157,10 +157,14 @@ def _times_told(found: Analysis) -> list[str]:
 
 def _people_told(found: Analysis) -> list[str]:
     """Before the scale, that it is not that of each of the people; nothing where it may be."""
-    people = found.people
+    people, apart = found.people, []
+    if found.apart_by:
+        by = f"taken apart by {listed(found.apart_by)}, answers differ by more than chance"
+        single = "" if found.single_people_differ else "the answers do not follow one scale: "
+        apart = [single + by]
     if people is None or not people.differ:
-        return []
-    lines = [people.shared.verdict(found.settings.level)]
+        return apart
+    lines = [people.shared.verdict(found.settings.level), *apart]
     described = people.population
     if described is None:
         return lines
@@ -193,5 +197,6 @@ _BY = {
     "people": "resampling people",
     "answers": "resampling answers",
     "clusters": "people as clusters, Student's t",
+    "jackknife": "people left out one by one, Student's t",
     "information": "the model",
 }

@@ -1,7 +1,5 @@
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
-from .check.covariate import Covariate as Covariate
-from .check.covariate import person_covariates as person_covariates
 from .check.kendall import Agreement as Agreement
 from .check.kendall import agreement as agreement
 from .check.misfit import Goodness as Goodness
@@ -52,6 +50,8 @@ from .figure import scale_plot as scale_plot
 from .fit.bootstrap import Bootstrap as Bootstrap
 from .fit.bradley import bradley_terry as bradley_terry
 from .fit.case_v import thurstone as thurstone
+from .fit.covariate import Covariate as Covariate
+from .fit.covariate import person_covariates as person_covariates
 from .fit.scale import Scale as Scale
 from .fit.shared import SharedScale as SharedScale
 from .fit.shared import shared_scale as shared_scale

@@ -34,7 +34,7 @@ def light_of(stack: nc.LayerStack) -> nc.optics.Energies:
 
 def all_rooms(seed: int) -> tuple[object, ...]:
     """A result of each room that works on several threads."""
-    answers = nc.scaling.simulate([0.5, 0.0, -0.5], people=4, seed=seed)
+    answers = nc.scaling.simulate([0.5, 0.0, -0.5], people=8, seed=seed)
     fit = nc.scaling.thurstone(answers)
     picture = nc.render("akoya-rg", size=8, samples=1)
     codes, _ = picture.develop()

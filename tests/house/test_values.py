@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import functools
 import pickle
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from dask.base import tokenize
+from joblib import hash as hash_of
 
 import nacreous as nc
 from nacreous.value import value_class
@@ -70,6 +72,18 @@ def test_no_array_of_a_result_can_be_written_to_however_it_was_made(result: Any)
             if array.size:
                 with pytest.raises(ValueError, match="WRITEABLE"):
                     array.flags.writeable = True
+
+
+@each_result
+def test_no_array_of_a_result_takes_another_shape_or_type(result: Any) -> None:
+    item = copy.deepcopy(result)
+    for array in arrays(item):
+        if array.size:
+            np.ndarray.shape.__set__(array, (1, *array.shape))
+            np.ndarray.dtype.__set__(array, f"u{array.itemsize}" if array.itemsize < 16 else "2u8")
+    assert item == result
+    assert hash(item) == hash(result)
+    assert [array.shape for array in arrays(item)] == [array.shape for array in arrays(result)]
 
 
 @each_result
@@ -147,6 +161,42 @@ def test_a_medium_of_a_module_pickles_and_a_lambda_says_so() -> None:
         pickle.dumps(nc.LayerStack([400.0], protein=unpickled))
 
 
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ({"aragonite": 1.5}, {"aragonite": 1.5 + 0j}),
+        ({"aragonite": 1.5}, {"aragonite": np.float32(1.5)}),
+        ({"aragonite": 1.5}, {"aragonite": np.array(1.5)}),
+        ({"substrate": 2}, {"substrate": 2.0}),
+        ({"substrate": (2, 1.5 + 0j)}, {"substrate": [2.0, np.float64(1.5)]}),
+        ({"protein_nm": 0.0}, {"protein_nm": -0.0}),
+        ({"protein_nm": [0.0, 1.0]}, {"protein_nm": [-0.0, 1.0]}),
+        ({"cover": [(1, 0.0)]}, {"cover": [(1.0 + 0j, -0.0)]}),
+    ],
+)
+def test_equal_stacks_are_one_to_hash_dask_and_joblib(one: Any, other: Any) -> None:
+    first, second = (nc.LayerStack([380.0, 390.0], **given) for given in (one, other))
+    assert first == second
+    for known in (hash, tokenize, hash_of):
+        assert known(first) == known(second)
+
+
+@pytest.mark.parametrize("other", [2.0, 2 + 0j, np.float32(2.0), np.int8(2)])
+def test_equal_numbers_have_one_token_in_any_value(other: Any) -> None:
+    assert Kept(2) == Kept(other)
+    assert tokenize(Kept(2)) == tokenize(Kept(other)) != tokenize(Kept(2.5))
+
+
+def test_a_number_that_single_precision_rounds_is_another_number() -> None:
+    """NumPy calls them equal, though they have other hashes."""
+    assert Kept(1.1) != Kept(np.float32(1.1))
+
+
+def test_joblib_knows_a_picture_and_its_copy_as_one() -> None:
+    picture = nc.render("paper", size=8, samples=1)
+    assert hash_of(pickle.loads(pickle.dumps(picture))) == hash_of(picture)
+
+
 @each_result
 def test_dask_knows_equal_results_by_one_token(result: Any) -> None:
     token = tokenize(result)
@@ -157,6 +207,12 @@ def test_an_array_of_a_stack_cannot_be_unlocked() -> None:
     stack = nc.LayerStack(np.array([400.0, 500.0]))
     with pytest.raises(ValueError, match="cannot set WRITEABLE"):
         stack.thickness_nm.flags.writeable = True
+
+
+def test_a_deep_copy_of_a_stack_has_the_same_media() -> None:
+    stack = nc.LayerStack([400.0], protein=functools.partial(np.full_like, fill_value=1.5))
+    assert copy.deepcopy(stack) == stack
+    assert hash(copy.deepcopy([stack])[0]) == hash(stack)
 
 
 class Uniform(nc.LayerStack):

@@ -278,6 +278,18 @@ def test_single_precision_of_a_free_flake_errs_as_stated_by_angle() -> None:
         assert np.abs(single - double).max() < allowed, degrees
 
 
+@pytest.mark.parametrize(("ratio", "allowed"), [(1.1, 1e-3), (1.2, 4e-3)])
+def test_single_precision_errs_by_contrast_as_stated(ratio: float, allowed: float) -> None:
+    """Twice the largest error of the stacks that docs/optics.md tells of, for others are drawn."""
+    random = np.random.default_rng(8)
+    for _ in range(4):
+        layers = random.normal(random.uniform(120, 480), 10, 400)
+        stack = nc.LayerStack(layers, 60.0, 1.4, 1.4 * ratio, 1.0, 1.4 * ratio)
+        angles = np.radians([0.0, 60.0, 80.0, 85.0])
+        both = [reflectance(stack, angles, NM, "p", precision=p) for p in ("single", "double")]
+        assert np.abs(both[0] - both[1]).max() < allowed
+
+
 @pytest.mark.parametrize("wavelengths", [1, 2, 3, 5, 7, 16])
 @pytest.mark.parametrize("precision", ["double", "single"])
 def test_few_wavelengths_beside_many_angles_give_what_each_angle_gives_alone(

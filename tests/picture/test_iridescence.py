@@ -96,6 +96,39 @@ def test_a_free_flake_keeps_its_colours_up_to_grazing(layers, aragonite, protein
             assert difference(table.at([angle]), share @ weights) < 0.2
 
 
+def film_transmittance(
+    n: float, thickness_nm: float, angle: float, nm: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Airy's sum for natural light through a film in air."""
+    outside, inside = math.cos(angle), math.sqrt(n**2 - math.sin(angle) ** 2)
+    turned = np.sin(2 * np.pi * thickness_nm * inside / nm) ** 2
+    mirrors = [(u - v) / (u + v) for u, v in ((outside, inside), (n**2 * outside, inside))]
+    return sum(0.5 / (1 + 4 * r**2 / (1 - r**2) ** 2 * turned) for r in mirrors)
+
+
+@pytest.mark.parametrize(
+    ("n", "thickness_nm"),
+    [
+        *((1.33, 260.0), (1.68, 300.0), (1.68, 55.0), (2.0, 250.0), (2.1, 135.0), (2.6, 90.0)),
+        *((2.6, 170.0), (3.0, 80.0), (3.0, 150.0), (3.4, 250.0), (4.0, 205.0), (5.0, 150.0)),
+        *((5.0, 45.0), (5.0, 640.0)),
+    ],
+)
+def test_films_thinner_than_their_light_keep_their_colours_up_to_grazing(n, thickness_nm):
+    """One line or two in all that the eye sees; and films so dense that fringes come close."""
+    stack = nc.LayerStack([thickness_nm], 0.0, n, 1.4, 1.0, 1.0)
+    tables = iridescence.exact(stack)
+    nm = 380 + np.arange(400 * 200 + 1) / 200
+    each_nm = nc.colour.xyz_from_spectrum(np.eye(401), "D65")
+    weights = np.stack([np.interp(nm, nc.colour.WAVELENGTH_NM, c) for c in each_nm.T], axis=1)
+    weights *= WHITE / weights.sum(axis=0)
+    for degrees in (70.0, 88.0, 89.2, 89.6, 89.8, 89.88, 89.93, 89.96, 89.986):
+        angle = math.radians(degrees)
+        through = film_transmittance(n, thickness_nm, angle, nm) @ weights
+        for table, xyz in zip(tables, (WHITE - through, through), strict=True):
+            assert difference(table.at([angle]), xyz) < 0.2, degrees
+
+
 DENSE = nc.LayerStack([150.0, 150.0], 700.0, 1.0, 1.8, 1.5, 1.5)
 
 

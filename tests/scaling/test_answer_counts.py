@@ -70,3 +70,38 @@ def test_counts_for_either_side_are_refused_by_form(names):
     table = {"left": ["A", "B"], "right": ["B", "C"]} | {name: [5, 3] for name in names}
     with pytest.raises(nc.InputError, match=f"columns {names[0]} and {names[1]} may count"):
         Answers.of_table(table)
+
+
+WIDE = {"A vs B": ["A", "A", "B"], "B vs C": ["B", "C", "C"], "A vs C": ["A", "", "C"]}
+
+
+@pytest.mark.parametrize("name", ["count", "freq", "n"])
+def test_a_row_of_a_wide_table_is_as_many_people_as_it_counts(name):
+    counts = [14, 1, 25]
+    given = {"count": "n"} if name == "n" else {}
+    counted = Answers.of_table(WIDE | {"sex": ["f", "m", "f"], name: counts}, **given)
+    each = {key: np.repeat(cells, counts).tolist() for key, cells in WIDE.items()}
+    people = Answers.of_table(each)
+    assert len(counted.people) == len(people.people) == 40
+    assert counted.person.tolist() == people.person.tolist()
+    assert np.array_equal(counted.comparisons().matrix, people.comparisons().matrix)
+    assert {sex: found for sex, (found, _) in counted.sizes("sex").items()} == {"f": 39, "m": 1}
+    assert [*counted.groups] == ["sex"]
+
+
+def test_nobody_gave_answers_that_count_0():
+    counted = Answers.of_table(WIDE | {"count": [3, 0, 1]})
+    assert len(counted.people) == 4
+    with pytest.raises(nc.InputError, match=r"column n may say how many .* count='n' .* count=''"):
+        Answers.of_table(WIDE | {"n": [3, 0, 1]})
+    assert len(Answers.of_table(WIDE | {"n": [3, 0, 1]}, count="").people) == 3
+
+
+def test_a_person_with_a_name_is_no_crowd():
+    table = WIDE | {"person": ["p", "q", "r"]}
+    said = r"row 2: count is 2, and person names one person; allowed: .* count='' to leave the col"
+    with pytest.raises(nc.InputError, match=said):
+        Answers.of_table(table | {"count": [1, 0, 2]})
+    assert Answers.of_table(table | {"count": [1, 0, 1]}).people == ("p", "r")
+    with pytest.raises(nc.InputError, match="counts 2000001 people; allowed: 1 to 1000000"):
+        Answers.of_table(WIDE | {"count": [1, 2_000_000, 0]})

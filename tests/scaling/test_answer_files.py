@@ -132,12 +132,21 @@ def test_japanese_is_read_in_the_encodings_of_japan(tmp_path):
 
 
 @pytest.mark.parametrize("python", ["utf-32-le", "utf-32-be", "utf-16-le", "utf-16-be", "utf-32"])
-@pytest.mark.parametrize("text", [JAPANESE, PLAIN])
+@pytest.mark.parametrize("text", [JAPANESE, PLAIN, JAPANESE.replace("person", "評価者")])
 def test_wide_text_is_read_with_a_mark_or_without(tmp_path, python, text):
     content = text.encode(python)
     found = [read(tmp_path, content), read(tmp_path, content, encoding=python[:6])]
     assert [said(one) for one in found] == [said(read(tmp_path, text))] * 2
     assert [one.encoding_guessed for one in found] == [None, None]
+
+
+@pytest.mark.parametrize("python", ["utf-16-le", "utf-16-be"])
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_names_in_japanese_need_no_mark(tmp_path, python, separator):
+    """All that is ASCII in the first line is what separates its names."""
+    text = "左,右,選択\n巻き,光沢,巻き\n一番,光沢,光沢\n".replace(",", separator)
+    named = {"left": "左", "right": "右", "chosen": "選択"}
+    assert said(read(tmp_path, text.encode(python), **named)) == ["巻き>光沢", "光沢>一番"]
 
 
 def test_a_guessed_encoding_is_told(tmp_path):
@@ -150,7 +159,10 @@ def test_a_guessed_encoding_is_told(tmp_path):
     assert counts.encoding_guessed == "Shift-JIS"
 
 
-@pytest.mark.parametrize("labels", ["Hélène,Éclat,Terné", "A,Éclat,B", "Ångström,Ørsted,a"])
+@pytest.mark.parametrize(
+    "labels",
+    ["Hélène,Éclat,Terné", "A,Éclat,B", "Ångström,Ørsted,a", "São,maçã,brûlée", "às,maçã,brûlée"],
+)
 @pytest.mark.parametrize("python", ["mac_roman", "cp850", "cp437"])
 def test_accents_that_make_kanji_within_latin_words_are_no_japanese(tmp_path, labels, python):
     one, two, three = labels.encode(python, "replace").decode(python).split(",")

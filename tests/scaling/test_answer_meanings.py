@@ -251,7 +251,7 @@ def test_jspsych_6_has_buttons_and_keys_in_columns_of_their_own():
         Answers.of_table(table)
 
 
-# --- columns and marks that may mean two things
+# --- columns that may mean two things
 
 
 @pytest.mark.parametrize("role", ["left", "chosen", "person", "time"])
@@ -261,24 +261,3 @@ def test_two_columns_for_one_role_are_asked_about(role):
     with pytest.raises(nc.InputError, match=f"has the columns {role} and {role.title()}; allowed"):
         Answers.of_table(twin)
     assert len(Answers.of_table(twin, **{role: role})) == 3
-
-
-@pytest.mark.parametrize(
-    ("cells", "ms"),
-    [
-        (["1.250", "2.100"], None),
-        (["1.250", "812"], None),
-        (["1.250", "812,5"], None),
-        (["1.250", "812.5"], [1.25, 812.5]),
-        (["1,250", "812"], [1.25, 812]),
-    ],
-)
-def test_a_point_between_semicolons_may_part_thousands(tmp_path, cells, ms):
-    path = tmp_path / "a.csv"
-    head = "left;right;chosen;response_ms\n"
-    path.write_text(head + "".join(f"a;b;{'ab'[at]};{cell}\n" for at, cell in enumerate(cells)))
-    if ms is None:
-        with pytest.raises(nc.InputError, match=r'"1\.250"; .* such as 1250 or 1,25, or response_'):
-            Answers.read(path)
-    else:
-        assert Answers.read(path).response_s == pytest.approx(np.array(ms) / 1000)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import nacreous as nc
@@ -61,15 +63,70 @@ def test_gorilla_sosci_and_limesurvey_are_known_by_their_columns(tmp_path):
     assert read(tmp_path, "id,submitdate,lastpage", "1,,3", "2,,3", "1,,3").people == ("1", "2")
 
 
-@pytest.mark.parametrize("cell", ["NA", "n/a", "null", "NaN", "None", "undefined"])
+NOTHING = [
+    *("NA", "n/a", "null", "NaN", "None", "undefined", "#NV", "\\N", ".", ".a", ".z", "._", "#N/D"),
+    *("#Н/Д", "#SAKNAS!", "(null)", "[NULL]", "-nan"),
+]
+ERRORS = [
+    *("#REF!", "#VALUE!", "#DIV/0!", "#NAME?", "#NUM!", "#SPILL!", "#GETTING_DATA", "#########"),
+    *("#BEZUG!", "#WERT!", "#ZAHL!", "#ÜBERLAUF!", "#VALEUR!", "#NOM?", "#¡REF!", "#¿NOMBRE?"),
+    *("#NOMBRE?", "#RIF!", "#WAARDE!", "#DEEL/0!", "#NAAM?", "#ADR!", "#ССЫЛКА!", "#ИМЯ?", "#AD?"),
+    *("#VÄRDEFEL!", "#JAKO/0!", "#DĚLENÍ_NULOU!", "Err:502"),
+]
+
+
+@pytest.mark.parametrize("cell", NOTHING)
 def test_a_word_for_an_empty_cell_is_nobody_and_no_stimulus(tmp_path, cell):
-    with pytest.raises(nc.InputError, match=f'row 3: person is "{cell}", as programs write an emp'):
-        read(tmp_path, "person", "x1", cell, "x2")
+    said = f'row 3: person is "{cell}", as programs write an empty cell; allowed: a label'
+    with pytest.raises(nc.InputError, match=re.escape(said) + r" \(2 such rows\)$"):
+        read(tmp_path, "person", "x1", cell, cell)
     table = {"left": ["A", cell], "right": ["B", "B"], "chosen": ["A", "B"]}
-    with pytest.raises(nc.InputError, match=f'row 1: left is "{cell}", as programs write'):
+    with pytest.raises(nc.InputError, match=re.escape(f'row 1: left is "{cell}", as programs wr')):
         Answers.of_table(table)
     assert Answers.of_table(table, stimuli=["A", "B", cell]).stimuli == ("A", "B", cell)
     assert Answers.of_table(table | {"left": ["A", "none"]}).stimuli == ("A", "B", "none")
+
+
+@pytest.mark.parametrize("cell", NOTHING)
+def test_a_word_for_an_empty_cell_is_no_answer_and_no_value(cell):
+    table = {"left": ["A", "A"], "right": ["B", "B"], "chosen": ["A", cell]}
+    with pytest.raises(nc.InputError, match="row 1: chosen is empty; allowed: a label, or skip_un"):
+        Answers.of_table(table)
+    assert Answers.of_table(table, skip_unanswered=True).unanswered == 1
+    told = {"chosen": ["A", "B"], "age": ["31", cell], "time": [1, cell], "response_s": ["1", cell]}
+    answers = Answers.of_table(table | told)
+    assert answers.groups["age"].levels == ("31",)
+    assert answers.groups["age"].nothing == (cell,)
+    assert (np.isnan(answers.time[1]), np.isnan(answers.response_s[1])) == (True, True)
+    wide = Answers.of_table({"A vs B": ["A", cell], "B vs C": ["C", "C"]})
+    assert len(wide) == 3
+
+
+@pytest.mark.parametrize("cell", ERRORS)
+@pytest.mark.parametrize("column", ["person", "left", "right", "chosen", "age", "winner"])
+def test_an_error_of_a_spreadsheet_is_refused_in_one_line_by_its_name(cell, column):
+    table = {"person": [*"pqr"], "left": [*"ABC"], "right": [*"BCA"], "chosen": [*"ACA"]}
+    if column == "winner":
+        table = {"winner": [*"ABC"], "loser": [*"BCA"]}
+    table = table | {"age": ["31", "32", "33"]}
+    table[column][1:] = [cell, cell]
+    with pytest.raises(nc.InputError) as told:
+        Answers.of_table(table)
+    (line,) = str(told.value).splitlines()
+    said = f'table: row 1: {column} is "{cell}", an error of a spreadsheet; allowed: '
+    assert line.startswith(said)
+    assert line.endswith(" (2 such rows)")
+
+
+@pytest.mark.parametrize("label", ["#1", "#A", "##", "#wow!", "A?", "Err: 5"])
+def test_labels_that_are_no_errors_of_spreadsheets_stay_labels(label):
+    answers = Answers.of_table({"left": [label], "right": ["B"], "chosen": [label]})
+    assert set(answers.stimuli) == {label, "B"}
+
+
+def test_a_label_that_is_given_may_look_like_an_error():
+    table = {"left": ["#REF!"], "right": ["B"], "chosen": ["#REF!"]}
+    assert Answers.of_table(table, stimuli=["#REF!", "B"]).stimuli == ("#REF!", "B")
 
 
 @pytest.mark.parametrize(

@@ -87,10 +87,47 @@ def test_what_is_no_table_is_called_by_its_name(tmp_path, content, options, mess
         ("who,A or B,B or C\np,A,B\n", 'has columns such as "A or B"; allowed with a column a p'),
         ("subject,A/B,B/C\np,A,B\n", 'has columns such as "A/B"; allowed with a column a pair'),
         ("'left','right','chosen'\n'A','B','A'\n", "row 1 has its names in single quotation mark"),
+        (
+            HEAD + '1,"A \\"big\\"",B,B\n',
+            "line 2: a quotation mark stands behind a backslash; allow",
+        ),
+        (
+            HEAD + '1,A,"say \\"a, b\\"",A\n',
+            "line 2: a quotation mark stands behind a backslash; al",
+        ),
+        (
+            HEAD + "(text),(text),(text),(s)\np,A,B,A\n",
+            'row 2: "(text)" is paired with itself; allo',
+        ),
+        (
+            HEAD + "p,string,string,string\np,A,B,A\n",
+            'row 2: "string" is paired with itself; allowe',
+        ),
+        ("person,Which? [A vs B][1]\np,A\n", 'column "Which? [A vs B][1]" has brackets beside tho'),
+        ("person,Q1 [A vs B] [Scale 1]\np,A\n", 'column "Q1 [A vs B] [Scale 1]" has brackets bes'),
+        (HEAD + "p,A,B,-3\np,B,C,2\np,A,C,0\n", "chosen holds -3, 0 and 2, as grades do; allowed"),
+        (
+            HEAD + "p,A,B,0\np,B,C,2\n",
+            "chosen holds 0 and 2, and either side may be meant; allowed",
+        ),
     ],
 )
 def test_what_is_no_line_of_names_or_no_answer_is_said(tmp_path, content, message):
     assert refused(tmp_path, content).startswith(message)
+
+
+def test_advice_names_what_is_in_the_file(tmp_path):
+    line = refused(tmp_path, HEAD + "p,A,B,0\np,B,C,2\n")
+    assert line.endswith("left_word='0', right_word='2'")
+    line = refused(tmp_path, "person,Which? [A vs B][1]\np,A\n")
+    assert line.endswith('such as "Which? [A vs B]" (rename)')
+    line = refused(tmp_path, HEAD + "p,string,string,string\np,A,B,A\n")
+    assert line.endswith("(remove the row, if it says the units or kinds of the columns)")
+    assert refused(tmp_path, HEAD + "p,A,A,A\np,A,B,A\n").endswith("allowed: two stimuli")
+
+
+def test_a_folder_at_the_end_of_a_cell_is_no_escape(tmp_path):
+    assert outcomes(tmp_path, HEAD + '"C:\\a\\",A,B,A\n"C:\\b\\",B,"C",C\n') == ["A>B", "B<C"]
 
 
 def test_a_line_of_a_wide_table_given_twice_is_one_fault(tmp_path):

@@ -58,6 +58,7 @@ def refused(folder: Path, columns: list[str], *rows: str) -> str:
         "Q{n} {pair}",
         "Q{n}. Which is better? {pair}",
         "<p>Which is better</p> {pair}",
+        "Which is <b>better</b>? <i>{pair}</i>",
     ],
 )
 @pytest.mark.parametrize("row", ["left,Right,RIGHT", "1,2,2", "A,C,A"])
@@ -66,6 +67,11 @@ def test_what_stands_beside_a_pair_is_no_part_of_a_label(tmp_path, form, row):
     assert outcomes(tmp_path, columns, row) == ["A>B", "B<C", "C<A"]
     joined = [f"Q{at}_{pair.replace(' ', '_')}" for at, pair in enumerate(PAIRS, 1)]
     assert outcomes(tmp_path, joined, row) == ["A>B", "B<C", "C<A"]
+
+
+def test_letters_set_by_tags_are_the_same_letters(tmp_path):
+    columns = [f"<b>{a}</b> vs <span style='x'>{b}</span>" for a, b in ("AB", "BC", "CA")]
+    assert outcomes(tmp_path, columns, "A,C,A") == ["A>B", "B<C", "C<A"]
 
 
 @pytest.mark.parametrize(
@@ -154,6 +160,10 @@ def test_qualtrics_may_say_sides_whichever_answers_come_first(tmp_path, texts, r
         ("Status", ("IP Address", "Survey Preview")),
         ("Status", ("0", "1")),
         ("Status", ("IP Address", "Survey Test")),
+        *(("Status", ("IP Address", word)) for word in ("Survey Preview Spam", "Imported Spam")),
+        *(("Status", ("Offline", word)) for word in ("Offline Survey Preview", "Spam", "EX Spam")),
+        *(("Status", (person, "8")) for person in ("4", "16", "32", "48", "132")),
+        *(("Status", ("0", number)) for number in ("2", "9", "12", "17", "40", "256")),
         ("DistributionChannel", ("anonymous", "preview")),
     ],
 )
@@ -161,8 +171,16 @@ def test_a_preview_is_nobodys_answer(tmp_path, column, words):
     path = tmp_path / "a.csv"
     rows = [f"R_1,{words[0]},A,B", f"R_2,{words[1]},B,C"]
     path.write_text(qualtrics(["Which? A vs B", "Which? B vs C"], *rows, more=column))
-    with pytest.raises(nc.InputError, match=f'row 5: {column} is "{words[1]}", and nobody answ'):
+    with pytest.raises(nc.InputError, match=f'row 5: {column} is "{words[1]}", which is no per'):
         Answers.read(path)
     answers = Answers.read(path, skip_unanswered=True)
     assert (said(answers), answers.people) == (["A>B", "B>C"], ("R_1",))
     assert (answers.left_out, answers.unanswered) == (1, 1)
+
+
+def test_what_either_column_says_of_previews_counts(tmp_path):
+    path = tmp_path / "a.csv"
+    rows = ["person,Status,DistributionChannel,left,right,chosen", "p,Spam,anonymous,A,B,A"]
+    rows += ["q,IP Address,preview,A,B,A", "r,IP Address,anonymous,A,B,B", ""]
+    path.write_text("\n".join(rows))
+    assert Answers.read(path, skip_unanswered=True).people == ("r",)

@@ -289,3 +289,10 @@ def test_only_smaller_models_of_the_same_answers_are_compared(answers):
     other = fit_attributes(answers.take(np.arange(900)), TABLE)
     with pytest.raises(InputError, match="not of the same answers"):
         other.against(lustre)
+
+
+@pytest.mark.parametrize(("stimuli", "said"), [(6, True), (8, False)])
+def test_where_hardly_a_stimulus_is_left_beside_the_terms_caution_is_said(stimuli, said):
+    values = {str(k): {"lustre": k / 3, "grain": k % 3 - 1.0} for k in range(stimuli)}
+    answers = simulate({label: row["lustre"] for label, row in values.items()}, 20)
+    assert (fit_attributes(answers, values).caution is not None) == said

@@ -130,6 +130,19 @@ def test_too_few_people_agree_by_chance_or_not_nobody_can_tell():
     assert "too few people to tell" in page
 
 
+def test_many_people_who_hardly_chose_are_not_called_too_few():
+    """Of 20 people all but two answered with ties alone."""
+    chosen = {(0, 0): 1, (0, 1): 1, (0, 5): -1, (1, 0): 1, (1, 1): -1, (1, 5): 1, (1, 6): -1}
+    answers = rows(
+        [(p, i, j, chosen.get((p, at), 0)) for p in range(20) for at, (i, j) in enumerate(PAIRS)]
+    )
+    analysis = analyse(answers, bootstrap=0, prior=1.0, ties=False)
+    page = analysis.text("report.html")
+    assert "too few people to tell" not in page
+    assert "Their choices without ties, 6 in all, are too few to tell" in page
+    assert "「同じ」以外の回答が6件しかないため" in analysis.text("report.html", "ja")
+
+
 def test_people_of_one_scale_agree_and_are_found():
     assert agreement(simulate([1.0, 0.0, -1.0], 20, seed=1)).p_value < 0.01
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from nacreous.scaling import Answers, person_covariates, simulate
-from nacreous.scaling.check.covariate import untested_columns
 from nacreous.scaling.data.column import Grouping
+from nacreous.scaling.fit.covariate import untested_columns
 from tests.scaling.test_shared import together
 
 TRUTH = np.linspace(0.8, -0.8, 6)

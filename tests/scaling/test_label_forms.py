@@ -1,12 +1,16 @@
 """Labels are compared in one Unicode form wherever a caller names them."""
 
+from dataclasses import replace
+
 import pytest
 
 from nacreous.problem import InputError
 from nacreous.scaling import (
     Answers,
     Plan,
+    analyse,
     cluster_ratio,
+    compare_groups,
     compare_ratios,
     fit_attributes,
     simulate,
@@ -60,3 +64,71 @@ def test_columns_and_words_take_either_form(tmp_path):
     answers = Answers.read(path, left=COMPOSED, tie=COMPOSED)
     assert answers.outcome.tolist() == [0, -1]
     assert set(answers.split("eye")) == {"l", COMPOSED}
+
+
+# --- characters that a terminal obeys
+
+RED = "A\x1b[31m"
+REFUSED = r"allowed: no \\u001b in it"
+
+
+def test_control_characters_never_become_labels_however_they_enter():
+    plain = simulate({"A": 0.5, "B": -0.5, "C": 0.0}, 20, seed=1)
+    counts = plain.comparisons()
+    people = tuple(f"\x1b[2J{one}" for one in plain.people)
+    for enter in (
+        lambda: simulate({RED: 0.5, "B": -0.5}, 3),
+        lambda: Plan({RED: 1.0, "B": 0.0}).power(RED, "B", studies=20),
+        lambda: replace(plain, stimuli=(RED, "B", "C")),
+        lambda: replace(counts, stimuli=(RED, "B", "C")),
+        lambda: replace(plain, people=people),
+        lambda: compare_groups({RED: plain, "x": plain}, same_people=False),
+        lambda: compare_ratios({RED: plain, "x": plain}, ["A"], ["B", "C"], same_people=False),
+        lambda: fit_attributes(plain, {label: {RED: k} for k, label in enumerate("ABC")}),
+        lambda: fit_attributes(plain, {"stimulus": list("ABC"), RED: [1.0, 2.0, 4.0]}),
+    ):
+        with pytest.raises(InputError, match=REFUSED) as problem:
+            enter()
+        assert "\x1b" not in str(problem.value)
+
+
+def test_marks_that_would_turn_a_line_are_refused_too():
+    with pytest.raises(InputError, match=r"allowed: no \\u202e in it"):
+        simulate({"A\u202e": 0.5, "B": -0.5}, 3)
+
+
+def test_emoji_and_joined_letters_stay_labels():
+    labels = ("👩\u200d🔬", "می\u200cخواهم", "真珠")
+    answers = simulate(dict(zip(labels, (0.5, 0.0, -0.5), strict=True)), 5)
+    assert set(replace(answers, left_out=1).stimuli) == set(labels)
+
+
+def test_two_forms_of_one_name_are_no_two_groups():
+    answers = simulate({"a": 0.5, "b": 0.0, "c": -0.5}, people=10)
+    groups = {COMPOSED: answers, APART: answers}
+    with pytest.raises(InputError, match=r"groups has .* again; allowed: each name once"):
+        compare_groups(groups, same_people=False)
+    with pytest.raises(InputError, match=r"groups has .* again; allowed: each name once"):
+        compare_ratios(groups, ["a"], ["b", "c"], same_people=False)
+
+
+# --- glyphs
+
+
+@pytest.mark.parametrize(
+    ("question", "labels", "guessed", "japanese"),
+    [
+        ("どちらが真珠らしいですか", ["真珠", "直光", "骨核"], None, True),
+        (None, ["真珠", "直光", "骨核"], "Shift-JIS", True),
+        (None, ["真珠", "直光", "あこや"], None, True),
+        (None, ["真珠", "直光", "骨核"], None, False),
+        ("どちらが真珠らしいですか", ["真珠", "直光", "骨头"], None, False),
+    ],
+)
+def test_kanji_beside_japanese_have_japanese_glyphs_on_an_english_page(
+    question, labels, guessed, japanese
+):
+    answers = simulate(dict(zip(labels, (0.5, 0.0, -0.5), strict=True)), 20)
+    answers = replace(answers, encoding_guessed=guessed)
+    page = analyse(answers, bootstrap=0, question=question).text("report.html")
+    assert ('<b class="name" lang="ja">真珠</b>' in page) == japanese

@@ -81,7 +81,7 @@ def test_the_other_way_round_is_said_apart_from_other_orders():
 def test_a_column_of_people_that_goes_with_their_scales_is_named():
     found = nc.scaling.analyse(two_ages(1), bootstrap=0)
     said = people.chapter(found, Words("en"))
-    row = said[said.index('<b class="name">age</b>') :]
+    row = said[said.index('<th scope="row"><b class="name">age</b>') :]
     assert "yes" in row[: row.index("</tr>")]
 
 

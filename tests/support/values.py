@@ -113,7 +113,7 @@ TRUTH = {"a": 0.6, "b": 0.2, "c": -0.2, "d": -0.6}
 
 @cache
 def _answers() -> scaling.Answers:
-    simulated = scaling.simulate(TRUTH, people=6, repeats=2)
+    simulated = scaling.simulate(TRUTH, people=8, repeats=2)
     label = np.array(simulated.stimuli)
     left, right = label[simulated.left], label[simulated.right]
     seconds = np.random.default_rng(2).uniform(0.5, 3, len(simulated))

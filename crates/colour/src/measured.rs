@@ -46,11 +46,27 @@ fn check_order(
     Err(ColourError::Line { place: place.to_owned(), line: pair[1].line, problem })
 }
 
+/// The unit in which a range that is none in nm would hold most of what the eye sees.
+fn other_unit(from: f64, to: f64) -> Option<&'static str> {
+    let seen = |ends: [f64; 2]| ends[0].min(ends[1]) <= 450.0 && ends[0].max(ends[1]) >= 650.0;
+    let units: [(&str, fn(f64) -> f64); 4] = [
+        ("um", |um| 1e3 * um),
+        ("angstrom", |angstrom| 0.1 * angstrom),
+        ("1/cm, a wavenumber", |per_cm| 1e7 / per_cm),
+        ("eV, an energy", |ev| 1239.84 / ev), // h c / e in nm
+    ];
+    if seen([from, to]) {
+        return None;
+    }
+    let found = units.iter().find(|(_, nm)| seen([nm(from), nm(to)])).map(|(unit, _)| *unit);
+    found.or((to < 20.0).then_some("um"))
+}
+
 fn check_range(samples: &[Sample], place: &str) -> Result<(), ColourError> {
     let [from_nm, to_nm] = [samples[0].nm, samples[samples.len() - 1].nm];
     let range = format!("wavelength_nm is {from_nm:?} to {to_nm:?}");
-    let problem = if to_nm < 20.0 {
-        format!("{range}; allowed: nm, not um")
+    let problem = if let Some(unit) = other_unit(from_nm, to_nm) {
+        format!("{range}; allowed: nm, not {unit}")
     } else {
         let mut missing = Vec::new();
         if from_nm > NEEDED_NM[0] {
@@ -216,6 +232,22 @@ mod tests {
             problem("0.38,1\n0.78,1"),
             "lamp.csv: wavelength_nm is 0.38 to 0.78; allowed: nm, not um"
         );
+    }
+
+    #[test]
+    fn a_range_that_would_be_visible_in_another_unit_is_told_by_that_unit() {
+        for (text, unit) in [
+            ("3800,1\n7800,1", "angstrom"),
+            ("7800,1\n3800,1", "angstrom"),
+            ("12820.5,1\n26315.8,1", "1/cm, a wavenumber"),
+            ("1.59,1\n3.26,1", "eV, an energy"),
+            ("0.3,1\n2.5,1", "um"),
+            ("2.5,1\n16,1", "um"),
+        ] {
+            let message = problem(text);
+            assert!(message.ends_with(&format!("allowed: nm, not {unit}")), "{message}");
+        }
+        assert!(problem("900,1\n2500,1").contains("missing: 400.0 to 900.0 nm"));
     }
 
     #[test]

@@ -3,9 +3,12 @@
 //! Ward, "Real Pixels" (Graphics Gems II, 1991) and the format's own description, "The RADIANCE Picture File
 //! Format" (Larson and Shakespeare 1998): any program's name behind `#?`, lines that end LF or CR LF, all
 //! eight orders of pixels, flat or run-length coded of either kind. `EXPOSURE` and `COLORCORR` are factors on the
-//! pixels, each counting once more wherever it stands, and are divided out; `PRIMARIES` are converted.
+//! pixels, each counting once more wherever it stands, and are divided out; `PRIMARIES` are converted. A mantissa m
+//! is m/256, as nearly every program writes and reads it: Radiance itself adds half a step, by which black would
+//! not be black.
 //!
-//! Out of scope: XYZE pixels, whose white no line states, and `PIXASPECT`, `VIEW` and whatever else says nothing
+//! Out of scope: XYZE pixels, whose white no line states; pixels that are not in linear light (`GAMMA` other than
+//! 1, as old programs may write; no description says whether before or after the exposure); `PIXASPECT`, `VIEW` and whatever else says nothing
 //! about light.
 
 use crate::picture::{LinearPicture, PictureFileError, check_size};
@@ -55,7 +58,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<LinearPicture, PictureFileError> {
         for (place, pixel) in line.iter().enumerate() {
             let first = header.order.index(number, place) * 3;
             for (i, value) in light(*pixel).into_iter().enumerate() {
-                rgb[first + i] = (value / header.applied[i]) as f32;
+                rgb[first + i] = unexposed(value, header.applied[i])?;
             }
         }
     }
@@ -85,6 +88,7 @@ fn header(rest: &mut &[u8]) -> Result<Header, PictureFileError> {
                 let each: [f64; 3] = factors("COLORCORR", value)?;
                 applied = std::array::from_fn(|i| applied[i] * each[i]);
             }
+            "GAMMA" => check_gamma(value)?,
             "PRIMARIES" => conversion = Some(primaries(value)?),
             _ => {}
         }
@@ -114,6 +118,28 @@ fn check_format(value: &str) -> Result<(), PictureFileError> {
         }
         other => format!("has the FORMAT {:?}; allowed: 32-bit_rle_rgbe", shortened(other)),
     };
+    Err(PictureFileError::Unsupported(problem))
+}
+
+fn check_gamma(value: &str) -> Result<(), PictureFileError> {
+    if numbers(value) == Some([1.0]) {
+        return Ok(());
+    }
+    let given = shortened(value.trim());
+    let problem = format!("has the GAMMA {given:?}; allowed: 1, which is linear light");
+    Err(PictureFileError::Unsupported(problem))
+}
+
+/// What a pixel was before a factor was applied; none is beyond what a float32 holds but by that factor.
+fn unexposed(value: f64, applied: f64) -> Result<f32, PictureFileError> {
+    let own = (value / applied) as f32;
+    if own.is_finite() {
+        return Ok(own);
+    }
+    let problem = format!(
+        "has EXPOSURE or COLORCORR lines whose product is {applied:.1e}, by which its light is beyond {:e}",
+        f32::MAX
+    );
     Err(PictureFileError::Unsupported(problem))
 }
 

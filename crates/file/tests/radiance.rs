@@ -51,6 +51,28 @@ fn exposures_and_colour_corrections_are_divided_out_wherever_they_stand() {
 }
 
 #[test]
+fn light_that_an_exposure_makes_infinite_is_told_by_that_exposure() {
+    for lines in ["EXPOSURE=1e-45\n", "EXPOSURE=1e-30\nEXPOSURE=1e-30\n", "COLORCORR=1e-45 1 1\n"] {
+        let message = message(lines);
+        assert!(
+            message.contains("EXPOSURE or COLORCORR lines whose product is 1.0e-"),
+            "{message}"
+        );
+    }
+    assert!(reds(&file("EXPOSURE=1e-30\n", "-Y 3 +X 2", &numbered()))[0] > 1e29);
+}
+
+#[test]
+fn pixels_that_are_not_linear_light_are_refused_by_their_gamma() {
+    for lines in ["GAMMA=2.2\n", "GAMMA=\n", "GAMMA=1\nGAMMA=1.8\n"] {
+        assert!(message(lines).contains("has the GAMMA"), "{lines}");
+    }
+    for lines in ["GAMMA=1\n", "GAMMA= 1.0\n", "\tGAMMA=2.2\n"] {
+        assert_eq!(reds(&file(lines, "-Y 3 +X 2", &numbered()))[5], 6.0, "{lines}");
+    }
+}
+
+#[test]
 fn stated_primaries_are_converted_and_keep_white() {
     // The values of Rec. 2020 with D65: ITU-R BT.2087 gives the red of Rec. 709.
     let lines = "PRIMARIES=.708 .292 .170 .797 .131 .046 .3127 .3290\n";

@@ -14,7 +14,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
-from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.label import check_visible, label_of
 from nacreous.scaling.data.number_column import number_column
 from nacreous.scaling.data.table import read_table, table_of
 from nacreous.value import value_class
@@ -63,6 +63,7 @@ class AttributeTable:
         names = tuple(label_of(str(name)) for name in first) if isinstance(first, Mapping) else ()
         if not names:
             raise InputError("attributes has none; allowed: 1 attribute or more a stimulus")
+        check_visible(names, "attributes")
         values = np.empty((len(rows), len(names)))
         for index, (label, row) in enumerate(rows.items()):
             place = f"attributes[{quoted(label)}]"
@@ -87,6 +88,7 @@ class AttributeTable:
             raise InputError(f"{table.place}: has no column {stimulus}; {hint}")
         labels = tuple(text_column(table, stimulus).to_pylist())
         names = tuple(name for name in table.columns if name != stimulus)
+        check_visible(names, "attributes")
         faults = table.faults()
         if not names:
             faults.say(f"has no column but {stimulus}; allowed: 1 attribute or more")

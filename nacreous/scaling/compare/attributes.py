@@ -37,6 +37,10 @@ Array = NDArray[np.float64]
 #: Spread of a prior, in the model's own unit, that places what the answers alone do not.
 _WEAK = 2.0
 
+#: Stimuli less terms less 1 up to which null weights are called significant too often: 0.076 of
+#: 2200 with 8 or 9 stimuli and 4 or 6 terms (docs/scaling.md).
+_FEW_LEFT = 3
+
 
 @value_class
 class AttributeWeight:
@@ -103,6 +107,21 @@ class AttributeFit:
         stimuli.
         """
         return self.line.unexplained
+
+    @property
+    def caution(self) -> str | None:
+        """What to keep in mind of the weights' p values, where stimuli are few; else None.
+
+        >>> from nacreous.scaling import simulate
+        >>> values = {str(k): {"lustre": k / 3, "grain": k % 3 - 1.0} for k in range(6)}
+        >>> answers = simulate({label: row["lustre"] for label, row in values.items()})
+        >>> fit_attributes(answers, values).caution
+        '6 stimuli and 2 terms: up to 8 of 100 null weights have p < .05'
+        """
+        stimuli, terms = len(self.fit.stimuli), len(self.terms)
+        if not self.clustered or not 0 < stimuli - terms - 1 <= _FEW_LEFT:
+            return None
+        return f"{stimuli} stimuli and {terms} terms: up to 8 of 100 null weights have p < .05"
 
     def against(self, smaller: AttributeFit) -> AttributeTest:
         """Whether this model says more than one with some of its terms, for the same answers.

@@ -40,6 +40,7 @@ from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.label import group_names
 from nacreous.scaling.distribution import chi2, t
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
@@ -200,8 +201,8 @@ def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
     if len(groups) < 2:
         raise InputError(f"groups holds {listed(groups) or 'nothing'}; allowed: 2 groups or more")
     return {
-        str(name): data if isinstance(data, Answers) else comparisons_of(data)
-        for name, data in groups.items()
+        name: data if isinstance(data, Answers) else comparisons_of(data)
+        for name, data in zip(group_names(groups), groups.values(), strict=True)
     }
 
 

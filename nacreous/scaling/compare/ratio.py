@@ -25,7 +25,7 @@ from nacreous.scaling.compare.estimate import (
     spread_over,
 )
 from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.label import group_names, label_of
 from nacreous.scaling.distribution import norm, t
 from nacreous.value import value_class
 
@@ -141,9 +141,8 @@ def compare_ratios(
     within("level", level, 0.5, 0.9999)
     if not isinstance(groups, Mapping) or len(groups) != 2:
         raise InputError(f"groups is {said(groups)}; allowed: a dict of two names -> data")
-    found = estimates(
-        {str(name): data for name, data in groups.items()}, model, ties=ties, order=order
-    )
+    named = dict(zip(group_names(groups), groups.values(), strict=True))
+    found = estimates(named, model, ties=ties, order=order)
     same = shared_people(found, same_people)
     ratios = [_ratio_of(one, first, second, level) for one in found.values()]
     parts = [_squares(one, *_clusters(one, first, second)) for one in found.values()]

@@ -16,6 +16,7 @@ from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.entrance import fields_of
 from nacreous.scaling.data.fault import listed, nearest
 from nacreous.scaling.data.header import name_of
+from nacreous.scaling.data.label import check_visible
 from nacreous.scaling.data.pairs import codes_of_pairs
 from nacreous.scaling.data.roles import Names, check_names, wanted_of
 from nacreous.scaling.data.table import read_table, table_of
@@ -58,6 +59,11 @@ class Answers:
     left_out: int = 0
     unanswered: int = 0
     encoding_guessed: str | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse labels of stimuli and people with characters that a terminal would obey."""
+        check_visible(self.stimuli, "stimuli")
+        check_visible(self.people, "people")
 
     @classmethod
     def read(

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.data.buttons import are_buttons, refuse_buttons_as_labels
-from nacreous.scaling.data.column import NOTHING, check_labels, codes_of, text_column
+from nacreous.scaling.data.column import check_labels, codes_of, text_column
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.likeness import number_of
+from nacreous.scaling.data.nothing import NOTHING, refuse_errors
 from nacreous.scaling.data.roles import WORDS, Names
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.truth import TIED
@@ -82,6 +83,9 @@ def outcomes_of(
     check_labels(table, name, text, faults)
     faults.stop()
     found, code = codes_of(text)
+    said: Any = names
+    refuse_errors(name, found, code, faults, {*labels, *(said.get(role) for role in WORDS)})
+    faults.stop()
     _check_given(name, names, found, labels, faults)
     meanings = _meanings(table, name, names, found, labels, (code, left, right), faults)
     faults.stop()
@@ -174,6 +178,17 @@ def _meanings(
     }
     if not codes or "left_word" in names or "right_word" in names:
         return meanings
+    grades = {
+        unlisted(cell)
+        for cell, meaning in zip(found, meanings, strict=True)
+        if meaning == _UNKNOWN and number_of(unlisted(cell))
+    }
+    if len(grades) > len(codes):
+        faults.say(
+            f"{name} holds {_both(sorted(grades, key=float))}, as grades do; allowed: the "
+            "label of the chosen one, or left, right or tie, in place of each grade"
+        )
+        return meanings
     buttons = are_buttons(table, np.isin(shown[0], [found.index(cell) for cell in codes]))
     sides = _sides_of(set(codes.values()), buttons)
     if sides is None:
@@ -249,7 +264,15 @@ def _number_in(
 def _asked(codes: set[str], buttons: bool) -> str:
     """That numbers may mean either side, and the words that would say which."""
     held = sorted(codes, key=int)
-    low, high = ("1", "2") if "2" in codes else ("-1", "1") if "-1" in codes else ("1", "0")
+    low, high = (
+        ("0", "2")
+        if codes == {"0", "2"}
+        else ("1", "2")
+        if "2" in codes
+        else ("-1", "1")
+        if "-1" in codes
+        else ("1", "0")
+    )
     tie = ", tie='0'" if "0" in codes and "0" not in (low, high) else ""
     if "2" in codes and "-1" in codes:
         low, high, tie = "WORD", "WORD", ", tie=WORD"

@@ -11,23 +11,15 @@ from numpy.typing import NDArray
 from nacreous.deprecation import keep_former_names
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.decimal_mark import decimal_mark_of
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.hidden import MAYBE_HIDDEN, hidden_in
 from nacreous.scaling.data.kind import kind_said
 from nacreous.scaling.data.label import LONGEST_LABEL, natural
-from nacreous.scaling.data.number_text import numbers_of
+from nacreous.scaling.data.nothing import is_nothing
+from nacreous.scaling.data.number_text import DecimalMark, numbers_of
 from nacreous.scaling.data.table import Table
 from nacreous.value import value_class
-
-#: What programs and people write into a cell that holds nothing, in small letters.
-NOTHING = frozenset(
-    {
-        *("null", "none", "nan", "na", "n/a", "n.a.", "undefined", "nat", "<na>", "#n/a", "#null!"),
-        *(".", "-", "--", "–", "—", "−"),
-    }
-)
-#: What is a label beside a plus, as of two poles.
-_MINUS = frozenset("-–—−")
 
 
 @value_class
@@ -36,13 +28,14 @@ class Grouping:
 
     `levels` are its values in natural order; `code` is int64 [answer], an index into them, or -1
     where the cell is empty. `nothing`: words that were read as an empty cell, such as NA.
-    `decimal_comma`: a number such as 1,250 is no thousand here.
+    `decimal_mark`: of the table, "," or "."; None where either may be it, as where 1.250 stands
+    between tabs.
     """
 
     levels: tuple[str, ...]
     code: NDArray[np.int64]
     nothing: tuple[str, ...] = ()
-    decimal_comma: bool = False
+    decimal_mark: DecimalMark = "."
 
     def numbers(self, levels: Iterable[int]) -> NDArray[np.float64] | None:
         """float64, these levels as numbers; None where any of them is none.
@@ -50,7 +43,7 @@ class Grouping:
         >>> Grouping(("20,5", "31"), np.array([0, 1])).numbers([0, 1])
         array([20.5, 31. ])
         """
-        return numbers_of([self.levels[level] for level in levels], self.decimal_comma)
+        return numbers_of([self.levels[level] for level in levels], self.decimal_mark)
 
 
 def text_column(table: Table, name: str) -> Any:
@@ -102,36 +95,6 @@ def check_labels(table: Table, name: str, text: Any, faults: Faults) -> None:
     )
 
 
-def is_nothing(text: Any) -> NDArray[np.bool_]:
-    """Bool [row], where a text column is empty or has a word for nothing (`NOTHING`).
-
-    A dash is a label where a plus is one.
-    """
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    plus = bool(pc.any(pc.is_in(text, pa.array(["+", "＋"], text.type))).as_py())
-    words = NOTHING - _MINUS if plus else NOTHING
-    word = pc.is_in(pc.utf8_lower(text), pa.array(sorted(words), text.type))
-    return np.asarray(pc.or_(text.is_null(), pc.fill_null(word, True)))
-
-
-def refuse_nothing(
-    name: str, text: Any, faults: Faults, labels: Iterable[str] = frozenset()
-) -> None:
-    """Note the words that programs write into an empty cell, unless they are among the labels."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    label = np.asarray(pc.is_in(text, pa.array(sorted(labels), text.type)))
-    faults.say_of_rows(
-        np.flatnonzero(is_nothing(text) & ~label & np.asarray(text.is_valid())),
-        lambda row: (
-            f"{name} is {quoted(text[row])}, as programs write an empty cell; allowed: a label"
-        ),
-    )
-
-
 def _maybe_hidden(text: Any) -> list[int]:
     """Rows with a character that cannot be seen."""
     import pyarrow.compute as pc
@@ -166,17 +129,29 @@ def group_column(table: Table, name: str, *, declared: bool = False) -> Grouping
     import pyarrow as pa
 
     text = text_column(table, name)
-    text, words = (text, ()) if declared else _without_nothing(text, table.decimal_comma)
+    mark = _mark(table, name, text)
+    text, words = (text, ()) if declared else _without_nothing(text, mark)
     rows = _maybe_hidden(text)
     if rows:
         cells = text.to_pylist()
         for row in rows:
             cells[row] = printable(" ".join(cells[row].split()))
         text = pa.array(cells, pa.large_string())
-    return Grouping(*codes_of(text), nothing=words, decimal_comma=table.decimal_comma)
+    return Grouping(*codes_of(text), nothing=words, decimal_mark=mark)
 
 
-def _without_nothing(text: Any, decimal_comma: bool) -> tuple[Any, tuple[str, ...]]:
+def _mark(table: Table, name: str, text: Any) -> DecimalMark:
+    """The table's decimal mark, which is looked for where a cell may be a thousand."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    doubtful = pc.match_substring_regex(text.unique(), r"^[+-]?[1-9][0-9]{0,2}[.,][0-9]{3}$")
+    if pa.types.is_floating(table.columns[name].type) or not pc.any(doubtful).as_py():
+        return "."
+    return decimal_mark_of(table)
+
+
+def _without_nothing(text: Any, mark: DecimalMark) -> tuple[Any, tuple[str, ...]]:
     """The cells without words for nothing, and those words."""
     import pyarrow as pa
     import pyarrow.compute as pc
@@ -184,7 +159,7 @@ def _without_nothing(text: Any, decimal_comma: bool) -> tuple[Any, tuple[str, ..
     nothing = is_nothing(text)
     words = [word for word in text.filter(pa.array(nothing)).unique().to_pylist() if word]
     others = text.filter(pa.array(~nothing)).unique().to_pylist()
-    if "none" in words and others and numbers_of(others, decimal_comma) is None:
+    if "none" in words and others and numbers_of(others, mark) is None:
         words.remove("none")
     if not words:
         return text, ()

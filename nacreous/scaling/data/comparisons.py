@@ -15,7 +15,7 @@ from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.encoding import guessed_encoding
-from nacreous.scaling.data.label import labels_of, numbered
+from nacreous.scaling.data.label import check_visible, labels_of, numbered
 from nacreous.scaling.data.matrix import (
     check_counts,
     check_proportions,
@@ -51,6 +51,10 @@ class Comparisons:
     ties: NDArray[np.float64]
     sided: bool
     encoding_guessed: str | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse labels with characters that a terminal would obey."""
+        check_visible(self.stimuli, "stimuli")
 
     @classmethod
     def of_counts(

@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.number_column import number_column
+from nacreous.scaling.data.number_text import has_decimal_points
 from nacreous.scaling.data.table import MOST_ROWS, Table
 
 _COUNTS = frozenset({"count", "counts", "freq", "frequency"})
@@ -21,6 +22,8 @@ _PERHAPS = frozenset({"n", "weight", "weights", "times", "votes", "nanswers"})
 #: A name of one side's answers, such as `n_left`, `win1` and `votes for B`.
 _OF_A_SIDE = re.compile(r"(.*[\W_\d])?(n|wins?|won|counts?|votes?|freq|frequency)([\W_\d].*)?")
 _WHOLE = r"^[0-9]+(\.0*)?$"
+#: A whole number with marks between its thousands, or with three decimals.
+_GROUPED = r"^[1-9][0-9]{0,2}([.,' \x{2019}\x{a0}\x{202f}][0-9]{3})+$"
 
 
 def count_column(table: Table, taken: Collection[str]) -> str | None:
@@ -46,9 +49,17 @@ def count_column(table: Table, taken: Collection[str]) -> str | None:
 
 def counts_of(table: Table, name: str, faults: Faults) -> NDArray[np.int64]:
     """int64 [row], how many answers each row stands for; anything but whole numbers is a fault."""
+    text = text_column(table, name)
+    faults.say_of_column(
+        np.flatnonzero(are_grouped(text)),
+        lambda row: (
+            f"{name} is {quoted(text[row])}; allowed: a whole number without a mark in it, such as "
+            f"{re.sub('[^0-9]', '', str(text[row]))}"
+        ),
+    )
+    faults.stop()
     values = number_column(table, name, None, faults, -np.inf)
     faults.stop()
-    text = text_column(table, name)
     bad = ~((values >= 0) & (values <= MOST_ROWS) & (values == np.rint(values)))
     faults.say_of_column(
         np.flatnonzero(bad),
@@ -63,6 +74,18 @@ def counts_of(table: Table, name: str, faults: Faults) -> NDArray[np.int64]:
         faults.say(f"column {name} counts {total:.0f} answers; allowed: 1 to {MOST_ROWS}")
     faults.stop()
     return values.astype(np.int64)
+
+
+def are_grouped(text: Any) -> NDArray[np.bool_]:
+    """Bool [row], cells such as 1,250 and 1.250, where no cell of the column has a decimal point.
+
+    Of answers there are only whole numbers, so 1.250 is a thousand, or 12.000 may be.
+    """
+    import pyarrow.compute as pc
+
+    if has_decimal_points(text):
+        return np.zeros(len(text), bool)
+    return np.asarray(pc.fill_null(pc.match_substring_regex(text, _GROUPED), False))
 
 
 def counts_of_sides(table: Table, taken: Collection[str]) -> list[str]:
@@ -84,6 +107,9 @@ def _whole_numbers(table: Table, name: str) -> NDArray[np.float64] | None:
     import pyarrow.compute as pc
 
     text = text_column(table, name)
+    text = pc.if_else(
+        pa.array(are_grouped(text)), pc.replace_substring_regex(text, "[^0-9]", ""), text
+    )
     if text.null_count or not pc.all(pc.match_substring_regex(text, _WHOLE)).as_py():
         return None
     return np.asarray(pc.cast(text, pa.float64()))

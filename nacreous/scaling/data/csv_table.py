@@ -15,7 +15,8 @@ from nacreous.number import whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.encoding import utf8_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
-from nacreous.scaling.data.header import Header, find_header
+from nacreous.scaling.data.header import Header, find_header, titles_above
+from nacreous.scaling.data.quotation import check_escapes, check_quotes, has_corner_left_out
 from nacreous.scaling.data.spreadsheet import as_given, columns_as_given
 
 #: A row longer than this is read as one whose quotation mark is not closed.
@@ -29,14 +30,13 @@ class CsvTable:
     """Columns of a CSV file by name, Arrow large_string with null for an empty cell.
 
     numbers: int64 [row], the number of each row as spreadsheets count. texts: by column, what
-    Qualtrics says of it below its name. semicolons: they separate the cells, as where the decimal
-    mark is a comma.
+    Qualtrics says of it below its name. separator: of cells.
     """
 
     columns: list[tuple[str, Any]]
     numbers: NDArray[np.int64]
     texts: Mapping[str, str]
-    semicolons: bool
+    separator: str
 
 
 class _Misfit(NamedTuple):
@@ -61,6 +61,7 @@ def parse_csv(
     left out where it is empty or counts the rows, and is refused otherwise.
     """
     content = utf8_of(place, content, encoding).rstrip(_ENDS)
+    check_escapes(place, content)
     header = find_header(place, content, wanted, whole_of("skip_rows", skip_rows, 0, 10_000))
     columns, numbers = _body(place, content[header.begin :], header)
     kept = [at for at, name in enumerate(header.names) if name]
@@ -77,7 +78,7 @@ def parse_csv(
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
     texts = dict(zip(map(as_given, header.names), header.texts, strict=False))
     found = [columns[at] for at in kept]
-    return CsvTable(list(zip(names, found, strict=True)), numbers, texts, header.separator == ";")
+    return CsvTable(list(zip(names, found, strict=True)), numbers, texts, header.separator)
 
 
 def parse_csv_cells(place: str, content: bytes) -> list[list[str]]:
@@ -85,14 +86,20 @@ def parse_csv_cells(place: str, content: bytes) -> list[list[str]]:
 
     Rows that are empty in every cell, and columns at the end that are, are left out.
     """
-    content = utf8_of(place, content)
+    titles, content = titles_above(utf8_of(place, content))
     header = find_header(place, content)
-    above = replace(header, rows=header.rows - 1)  # the first line is a row here
-    columns, _ = _body(place, content[header.top :], above)
+    below = content[header.top :]
+    names = header.names[1:] if header.row_names else header.names
+    if has_corner_left_out(below, header.separator, names):
+        below = header.separator.encode() + below
+        names = ["", *names]
+    above = replace(header, rows=header.rows - 1, names=names)  # the first line is a row here
+    columns, _ = _body(place, below, above)
     cells = [[(cell or "").strip() for cell in column.to_pylist()] for column in columns]
     while len(cells) > 1 and not any(cells[-1]):
         cells.pop()
-    return [list(row) for row in zip(*cells, strict=True)]
+    above_all = [[title] + [""] * (len(cells) - 1) for title in titles]
+    return above_all + [list(row) for row in zip(*cells, strict=True)]
 
 
 def _body(place: str, content: bytes, header: Header) -> tuple[list[Any], NDArray[np.int64]]:
@@ -130,12 +137,12 @@ def _body(place: str, content: bytes, header: Header) -> tuple[list[Any], NDArra
             ),
         )
     except pa.ArrowException as problem:
-        _check_quotes(place, content, header)
+        check_quotes(place, content, header)
         longest = f"a row is longer than {_LONGEST_ROW >> 20} MiB"
         raise InputError(f"{place}: {longest}; allowed: shorter ones") from problem
     columns = [column.combine_chunks() for column in table.columns]
     if _runs_over_lines(columns) or any("\n" in misfit.text for misfit in misfits):
-        _check_quotes(place, content, header)
+        check_quotes(place, content, header)
     return _with_misfits(place, columns, misfits, header)
 
 
@@ -217,21 +224,6 @@ def _runs_over_lines(columns: list[Any]) -> bool:
     return any(
         pc.any(pc.match_substring(column, mark)).as_py() for column in columns for mark in "\n\r"
     )
-
-
-def _check_quotes(place: str, content: bytes, header: Header) -> None:
-    """Refuse a quotation mark that is not closed, which would swallow rows."""
-    text = io.StringIO(content.decode("utf-8"), newline="")
-    reader = csv.reader(text, delimiter=header.separator, strict=True)
-    row = header.rows
-    try:
-        for _ in reader:
-            row += 1
-    except csv.Error as problem:
-        raise InputError(
-            f"{place}: row {row + 1}: a quotation mark is not closed, or text follows it; "
-            "allowed: quotation marks in pairs around a cell"
-        ) from problem
 
 
 def _check_nameless(

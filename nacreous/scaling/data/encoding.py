@@ -167,11 +167,27 @@ def _of_zeros(place: str, content: bytes) -> tuple[str, str]:
         return "utf-16-le", "UTF-16"
     if begin[0::2].count(0) > len(begin) // 4 and 0 not in begin[1::2]:
         return "utf-16-be", "UTF-16"
+    wide = [name for name in ("utf-16-le", "utf-16-be") if _is_table_in(name, content)]
+    if len(wide) == 1:
+        return wide[0], "UTF-16"
     try:
         content.decode("utf-8")
     except UnicodeDecodeError:
         raise InputError(f"{place}: is no text; allowed: a table as CSV") from None
     return "utf-8", "UTF-8"
+
+
+def _is_table_in(name: str, content: bytes) -> bool:
+    """Whether these bytes are lines with separators in them, as names in Japanese are too.
+
+    In the other order of bytes there are neither.
+    """
+    try:
+        text = content.decode(name)
+    except UnicodeDecodeError:
+        return False
+    line = re.split("[\r\n]", text.lstrip("\r\n"), maxsplit=1)
+    return len(line) > 1 and "\0" not in text and any(mark in line[0] for mark in ",;\t|")
 
 
 def _is_shift_jis(content: bytes) -> bool:
@@ -187,12 +203,17 @@ def _is_shift_jis(content: bytes) -> bool:
     if any("\uff61" <= letter <= "\uff9f" or "\ue000" <= letter <= "\uf8ff" for letter in japanese):
         return False
     runs = list(_IN_A_WORD.finditer(japanese))
-    if any(run[1] and run[3] for run in runs) or all(
-        len(run[2]) == 1 and f"{run[1] or ''}{run[3]}".islower() for run in runs
-    ):
+    beside = any(run[1] or run[3] for run in runs)
+    if any(run[1] and run[3] for run in runs) or (beside and not any(map(_is_sure, runs))):
         return False
     western = content.decode("cp1252", errors="replace")
     return not {letter for letter in western if not letter.isascii()} <= _WESTERN
+
+
+def _is_sure(run: re.Match[str]) -> bool:
+    """Whether accents hardly make this: hiragana, three letters, or two away from Latin ones."""
+    hiragana = any("\u3041" <= letter <= "\u3096" for letter in run[2])
+    return hiragana or len(run[2]) > (2 if run[1] or run[3] else 1)
 
 
 def _undecoded(place: str, content: bytes, problem: UnicodeError, shown: str) -> str:

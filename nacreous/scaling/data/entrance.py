@@ -16,16 +16,17 @@ from nacreous.scaling.data.column import (
     check_labels,
     codes_of,
     group_column,
-    refuse_nothing,
     text_column,
 )
 from nacreous.scaling.data.count import counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
+from nacreous.scaling.data.nothing import refuse_errors, refuse_nothing
 from nacreous.scaling.data.number_column import seconds_column
 from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.preview import without_previews
+from nacreous.scaling.data.repeat import refuse_repeats
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.tie_column import (
@@ -97,12 +98,18 @@ def fields_of(
     tied = tie_column(table, column.values())
     outcome = _outcomes(table, column, names, labels, (left, right), tied, faults)
     if not repeats:
-        _refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
+        refuse_repeats(table, _telling(table, person, left, right, time, trial), person, faults)
     faults.stop()
     others = [name for name in table.columns if name not in {*column.values(), tied}]
     if won and tied is None:
         refuse_tie_words(table, others)
     counts = counts_of(table, column["count"], faults) if "count" in column else None
+    groups = {name: group_column(table, name) for name in others}
+    for name, group in groups.items():
+        refuse_errors(
+            name, group.levels, group.code, faults, allowed="what was meant, or an empty cell"
+        )
+    faults.stop()
     fields = Fields(
         stimuli=labels,
         left=left,
@@ -110,7 +117,7 @@ def fields_of(
         outcome=outcome,
         people=people,
         person=person,
-        groups={name: group_column(table, name) for name in others},
+        groups=groups,
         response_s=response_s,
         time=trial if time is None else time,
         sided=sided and not won,
@@ -169,6 +176,8 @@ def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
         table = long_of(table, names, faults)
         faults.stop()
         names.pop("person", None)  # which is called person now
+        if names.get("count"):
+            names.pop("count")  # which is done with
     column = columns_of(table, names, faults)
     faults.stop()
     paired = with_pairs(table, column)
@@ -205,10 +214,12 @@ def _stimuli(
         refuse_nothing(name, text, faults, {"none", *(labels or ())})  # a dish without a sauce
     found, both = codes_of(pa.concat_arrays(texts))
     left, right = both[: table.rows], both[table.rows :]
+    for name, code in zip(shown, (left, right), strict=True):
+        refuse_errors(name, found, code, faults, labels or ())
     itself = np.flatnonzero((left == right) & (left >= 0))
     faults.say_of_rows(
         itself,
-        lambda row: f"{quoted(found[left[row]])} is paired with itself; allowed: two stimuli",
+        lambda row: f"{quoted(found[left[row]])} is paired with itself; allowed: {_two(both, row)}",
     )
     faults.stop()
     check_alike(found, table.place)
@@ -228,6 +239,13 @@ def _stimuli(
     return labels, order[left], order[right]
 
 
+def _two(both: NDArray[np.int64], row: int) -> str:
+    """What is allowed for a pair of one; a first row with a label of its own tells of columns."""
+    if row or (both == both[0]).sum() > 2:
+        return "two stimuli"
+    return "two stimuli (remove the row, if it says the units or kinds of the columns)"
+
+
 def _people(
     table: Table, column: dict[str, str], faults: Faults
 ) -> tuple[tuple[str, ...], NDArray[np.int64] | None]:
@@ -237,6 +255,7 @@ def _people(
     check_labels(table, column["person"], text, faults)
     refuse_nothing(column["person"], text, faults)
     people, person = codes_of(text)
+    refuse_errors(column["person"], people, person, faults)
     faults.stop()
     check_alike(people, table.place)
     return people, person
@@ -247,40 +266,3 @@ def _response(table: Table, column: dict[str, str], faults: Faults) -> NDArray[n
         if role in column:
             return seconds_column(table, column[role], role, faults, per_s)
     return None
-
-
-def _refuse_repeats(
-    table: Table, columns: list[NDArray[Any]], person: NDArray[np.int64] | None, faults: Faults
-) -> None:
-    """Note rows that say again what an earlier row said, with nothing to tell them apart.
-
-    With people known: the same person, left, right, and time and trial where there are such
-    columns. Without people two such rows may well be two people; only rows that are the same in
-    every column are refused, and only where a time is among them.
-    """
-    if not columns:
-        return
-    first = _earlier_twin([np.nan_to_num(column, nan=np.inf) for column in columns])
-    who = "the same person on the same pair" if person is not None else "the same in every column"
-    again = np.flatnonzero(first >= 0)
-    _, at = np.unique(table.numbers[again], return_index=True)  # a row of a wide table is several
-    faults.say_of_rows(
-        again[at],
-        lambda row: (
-            f"repeats row {table.numbers[first[row]]}: {who}, and no time or trial tells "
-            "them apart; remove one, or pass repeats=True"
-        ),
-    )
-
-
-def _earlier_twin(columns: list[Any]) -> NDArray[np.int64]:
-    """For each row the first row equal to it in all columns, or -1 for the first itself."""
-    key = np.zeros(len(columns[0]), np.int64)
-    for column in columns:  # joined two at a time, so that the key never grows beyond rows²
-        _, code = np.unique(column, return_inverse=True)
-        _, key = np.unique(key * (code.max() + 1) + code, return_inverse=True)
-    order = np.argsort(key, kind="stable")
-    starts = np.flatnonzero(np.diff(key[order], prepend=-1))
-    first = np.empty(len(key), np.int64)
-    first[order] = np.repeat(order[starts], np.diff(np.append(starts, len(key))))
-    return np.where(first == np.arange(len(key)), -1, first)

@@ -49,7 +49,9 @@ class Faults:
             self._lines.append(f"{self._place}: row {number}: {verdict(row)}")
         self._count += len(rows)
 
-    def say_of_column(self, rows: NDArray[np.int64], verdict: Callable[[int], str]) -> None:
+    def say_of_column(
+        self, rows: NDArray[np.int64], verdict: Callable[[int], str], such: str = "rows"
+    ) -> None:
         """Note a problem of a whole column in one line, with its first row and how many there are.
 
         What is said of a column helps all its rows at once.
@@ -57,7 +59,7 @@ class Faults:
         if len(rows) == 0:
             return
         number = rows[0] if self._numbers is None else self._numbers[rows[0]]
-        more = f" ({len(rows)} such rows)" if len(rows) > 1 else ""
+        more = f" ({len(rows)} such {such})" if len(rows) > 1 else ""
         self._lines.append(f"{self._place}: row {number}: {verdict(int(rows[0]))}{more}")
         self._count += 1
 

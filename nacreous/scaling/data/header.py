@@ -96,6 +96,15 @@ def find_header(
     return header
 
 
+def titles_above(content: bytes) -> tuple[list[str], bytes]:
+    """Lines above the first that has several cells, blank ones left out, and what is below them."""
+    lines = content.splitlines(keepends=True)
+    marks = [*map(str.encode, SEPARATORS), b'" "']
+    begin = next((at for at, line in enumerate(lines) if any(mark in line for mark in marks)), 0)
+    titles = [line.decode().strip() for line in lines[:begin]]
+    return [title for title in titles if title], b"".join(lines[begin:])
+
+
 def _header(rows: list[_Row], mark: str, at: int) -> Header:
     texts: list[str] = []
     last = at

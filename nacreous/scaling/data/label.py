@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 from unicodedata import normalize
 
@@ -71,6 +71,34 @@ def label_of(text: str) -> str:
     True
     """
     return normalize("NFC", text.strip())
+
+
+def check_visible(labels: Iterable[str], place: str) -> None:
+    r"""Refuse labels with characters that nobody can see, and that a terminal would obey.
+
+    >>> check_visible(["A\x1b[31m"], "stimuli")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: stimuli[0] is "A\u001b[31m"; allowed: no \u001b in it
+    """
+    for index, label in enumerate(labels):
+        if not label.isprintable() and (hidden := hidden_in(label)):
+            raise InputError(f"{place}[{index}] is {quoted(label)}; allowed: no {hidden} in it")
+
+
+def group_names(groups: Mapping[Any, Any]) -> tuple[str, ...]:
+    r"""Names of groups as a caller gave them, in Unicode's form NFC, no two the same.
+
+    Raises `InputError` for a name that is there twice, or has characters that nobody can see.
+
+    >>> group_names({"cafe\u0301": 1, 2: 2}) == ("caf\u00e9", "2")
+    True
+    """
+    names = tuple(label_of(str(name)) for name in groups)
+    check_visible(names, "groups")
+    again = next((name for at, name in enumerate(names) if name in names[:at]), None)
+    if again is not None:
+        raise InputError(f"groups has {quoted(again)} again; allowed: each name once")
+    return names
 
 
 def _label(index: int, label: Any) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -12,9 +13,11 @@ from numpy.typing import NDArray
 from nacreous.number import array_of, number_of, said
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.count import are_grouped
 from nacreous.scaling.data.csv_table import parse_csv_cells
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import MOST_STIMULI
+from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.table import read_bytes
 
 #: How far a proportion and its mirror may be from 1 together: two roundings to two decimals.
@@ -86,18 +89,21 @@ def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
     """A matrix of numbers from a CSV file, and its labels where it has them."""
     content = read_bytes(path)
     place = printable(str(path))
-    rows = _without_totals(parse_csv_cells(place, content))
+    rows = parse_csv_cells(place, content)
+    titles = _titles(rows)
+    rows = _without_totals(place, rows[titles:], titles + 1)
     if {"left", "right"} <= {*map(str.lower, rows[0])} or {"winner", "loser"} <= {*rows[0]}:
         raise InputError(
-            f"{place}: row 1 has the names of a table of answers ({listed(rows[0])}); allowed with "
+            f"{place}: row {titles + 1} has the names of a table of answers "
+            f"({listed(rows[0])}); allowed with "
             "Comparisons.read_counts: a square of counts; read this by Answers.read"
         )
     labels: list[str] | None = None
     order: list[int] | None = None
-    first_row = 1
+    first_row = titles + 1
     if len(rows) == len(rows[0]) + 1:
         labels, rows = rows[0], rows[1:]
-        first_row = 2
+        first_row += 1
     elif _has_corner(rows):
         labels = rows[0][1:]
         own = [row[0] for row in rows[1:]]
@@ -106,19 +112,47 @@ def read_matrix(path: Path) -> tuple[NDArray[np.float64], list[str] | None]:
             raise InputError(f"{place}: {differ}; allowed: the same")
         order = [labels.index(label) for label in own]
         rows = [row[1:] for row in rows[1:]]
-        first_row = 2
+        first_row += 1
+    elif len(rows) > 1 and _are_labels(rows[0][1:]) and _are_labels([row[0] for row in rows[1:]]):
+        shape = f"{len(rows) - 1} rows and {len(rows[0]) - 1} columns"
+        raise InputError(f"{place}: has {shape} with labels; allowed: as many, one a stimulus")
     matrix = _matrix_of(place, rows, first_row, order or list(range(len(rows))))
     return _square(place, matrix)[np.argsort(order) if order else slice(None)], labels
 
 
-def _without_totals(rows: list[list[str]]) -> list[list[str]]:
-    """A square with labels without a last row and column of sums."""
-    if len(rows) > 2 and rows[0][-1].casefold() in _TOTALS and all(map(_is_sum, rows[1:])):
+def _titles(rows: list[list[str]]) -> int:
+    """How many rows above the labels fill their first cell alone, and not with a count."""
+    for at, row in enumerate(rows):
+        if len(row) < 2 or any(row[1:]) or _number(row[0]) is not None:
+            return at
+    return 0
+
+
+def _are_labels(cells: list[str]) -> bool:
+    return bool(cells) and all(_number(cell) is None for cell in cells)
+
+
+def _without_totals(place: str, rows: list[list[str]], first_row: int) -> list[list[str]]:
+    """A square with labels without a last row and column of sums, which have to be the sums."""
+    if len(rows) < 3 or (rows[0][0] and not _are_labels([row[0] for row in rows[1:]])):
+        return rows
+    if rows[0][-1].casefold() in _TOTALS:
+        for at, row in enumerate(rows[1:], first_row + 1):
+            _check_sum(f"{place}: row {at}: {rows[0][-1]}", row, "column")
         rows = [row[:-1] for row in rows]
-    across = [list(column) for column in zip(*rows, strict=True)]
-    if len(rows) > 2 and rows[-1][0].casefold() in _TOTALS and all(map(_is_sum, across[1:])):
+    if rows[-1][0].casefold() in _TOTALS:
+        for column in zip(*(row[1:] for row in rows), strict=True):
+            _check_sum(f"{place}: {rows[-1][0]} below {quoted(column[0])}", list(column), "row")
         rows = rows[:-1]
     return rows
+
+
+def _check_sum(what: str, cells: list[str], line: str) -> None:
+    if not _is_sum(cells):
+        total = sum(_number(cell) or 0.0 for cell in cells[1:-1])
+        raise InputError(
+            f"{what} is {quoted(cells[-1])}; allowed: {total:.15g}, the sum, or no such {line}"
+        )
 
 
 def _is_sum(cells: list[str]) -> bool:
@@ -145,18 +179,46 @@ def _matrix_of(
     place: str, rows: list[list[str]], first_row: int, own: list[int]
 ) -> NDArray[np.float64]:
     """The numbers in cells of text; an empty diagonal is NaN. own: for each row its own column."""
-    matrix = np.full((len(rows), max((len(row) for row in rows), default=0)), np.nan)
-    faults = Faults(place, np.arange(len(rows)) + first_row)
-    for i, row in enumerate(rows):
-        for j, cell in enumerate(row):
-            number = np.nan if j == own[i] and cell in _DIAGONAL else _number(cell)
-            if number is None:
-                verdict = f"column {j + 1} is {quoted(cell)}; allowed: a whole number, 0 or more"
-                faults.say_of_rows(np.array([i]), lambda _, verdict=verdict: verdict)  # type: ignore[misc]
-            else:
-                matrix[i, j] = number
+    width = max((len(row) for row in rows), default=0)
+    matrix = np.full((len(rows), width), np.nan)
+    cells = [(at, j, cell) for at, row in enumerate(rows) for j, cell in enumerate(row)]
+    _refuse_grouped(place, cells, first_row)
+    bad: list[int] = []
+    for index, (i, j, cell) in enumerate(cells):
+        itself = j == own[i] and (cell in _DIAGONAL or cell.lower() in NOTHING)
+        number = np.nan if itself else _number(cell)
+        if number is None:
+            bad.append(index)
+        else:
+            matrix[i, j] = number
+    faults = Faults(place, np.array([at for at, *_ in cells], np.int64) + first_row)
+    faults.say_of_column(
+        np.array(bad, np.int64),
+        lambda index: (
+            f"column {cells[index][1] + 1} is {quoted(cells[index][2])}; allowed: a whole number, "
+            "0 or more"
+        ),
+        such="cells",
+    )
     faults.stop()
     return matrix
+
+
+def _refuse_grouped(place: str, cells: list[tuple[int, int, str]], first_row: int) -> None:
+    """Refuse counts with marks between their thousands, all in one line."""
+    import pyarrow as pa
+
+    grouped = np.flatnonzero(are_grouped(pa.array([cell for *_, cell in cells], pa.large_string())))
+    faults = Faults(place, np.array([at for at, *_ in cells], np.int64) + first_row)
+    faults.say_of_column(
+        grouped,
+        lambda index: (
+            f"column {cells[index][1] + 1} is {quoted(cells[index][2])}; allowed: a whole number "
+            f"without a mark in it, such as {re.sub('[^0-9]', '', cells[index][2])}"
+        ),
+        such="cells",
+    )
+    faults.stop()
 
 
 def _number(cell: str) -> float | None:

@@ -8,15 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.data.column import is_nothing, text_column
+from nacreous.scaling.data.column import text_column
+from nacreous.scaling.data.decimal_mark import decimal_mark_of
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
-from nacreous.scaling.data.number_text import (
-    has_decimal_points,
-    may_be_thousands,
-    parsed,
-    pointed,
-)
+from nacreous.scaling.data.nothing import is_nothing
+from nacreous.scaling.data.number_text import DecimalMark, may_be_thousands, parsed, pointed
 from nacreous.scaling.data.table import Table
 
 
@@ -28,14 +25,18 @@ def number_column(
     Empty cells are NaN: that the time of one answer is unknown spoils no other. So are the words
     for nothing (`NOTHING`), and -1 where numbers are at least 0, which says that nobody answered.
     A list of one number, as PsychoPy writes it, is that number. A decimal comma is read where it
-    cannot be one between thousands; where the decimal mark is a comma, a point that may part
-    thousands is refused likewise. role: of a column that may be left unused, or None.
+    cannot be one between thousands; unless points are decimal in this table (`decimal_mark_of`), a
+    point that may part thousands is refused likewise. role: of a column that may be left unused, or
+    None.
     """
     text = _filled(text_column(table, name), least)
-    good, values = parsed(pointed(text, table.decimal_comma))
-    if table.decimal_comma and may_be_thousands(text).any() and not _has_points(table):
-        good &= ~may_be_thousands(text)
-    _say_bad(name, role, text, ~good | np.isinf(values) | (values < least), least, faults)
+    doubtful = may_be_thousands(text) & (not _is_float(table.columns[name]))
+    mark = decimal_mark_of(table) if doubtful.any() or _has_commas(text) else "."
+    good, values = parsed(pointed(text, mark))
+    if mark != ".":
+        good &= ~doubtful
+    bad = ~good | np.isinf(values) | (values < least)
+    _say_bad(name, role, text, bad, least, faults, mark)
     return values
 
 
@@ -77,7 +78,13 @@ def _filled(text: Any, least: float) -> Any:
 
 
 def _say_bad(
-    name: str, role: str | None, text: Any, bad: NDArray[np.bool_], least: float, faults: Faults
+    name: str,
+    role: str | None,
+    text: Any,
+    bad: NDArray[np.bool_],
+    least: float,
+    faults: Faults,
+    mark: DecimalMark = ".",
 ) -> None:
     allowed = "a number" if least == -np.inf else f"a number of at least {least:g}"
     if role in ("time", "trial"):
@@ -87,14 +94,21 @@ def _say_bad(
     say(
         np.flatnonzero(bad),
         lambda row: (
-            f"{name} is {quoted(text[row])}; allowed: {allowed}{_comma_hint(text[row])}{unused}"
+            f"{name} is {quoted(text[row])}; allowed: {allowed}{_hint(text[row], mark)}{unused}"
         ),
     )
 
 
-def _has_points(table: Table) -> bool:
-    """Whether numbers anywhere in the table have a decimal point."""
-    return any(has_decimal_points(text_column(table, name)) for name in table.columns)
+def _is_float(column: Any) -> bool:
+    import pyarrow as pa
+
+    return bool(pa.types.is_floating(column.type))
+
+
+def _has_commas(text: Any) -> bool:
+    import pyarrow.compute as pc
+
+    return bool(pc.any(pc.match_substring(text, ",")).as_py())
 
 
 def unused_by(role: str) -> str:
@@ -102,7 +116,8 @@ def unused_by(role: str) -> str:
     return f"{role}='' to leave the column unused"
 
 
-def _comma_hint(cell: object) -> str:
-    if re.fullmatch(r"[1-9][0-9]{0,2}\.[0-9]{3}", str(cell)):
-        return " without a point that may part thousands, such as 1250 or 1,25"
+def _hint(cell: object, mark: DecimalMark) -> str:
+    if mark != "." and re.fullmatch(r"[+-]?[1-9][0-9]{0,2}\.[0-9]{3}", str(cell)):
+        decimal = "1,25" if mark else "1.25"
+        return f" without a point that may part thousands, such as 1250 or {decimal}"
     return " with a decimal point" if re.fullmatch(r"[^\[]*,.*", str(cell)) else ""

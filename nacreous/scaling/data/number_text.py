@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+#: The decimal mark of a table; None where either may be.
+DecimalMark = Literal[",", "."] | None
+
 _WIDE = str.maketrans("０１２３４５６７８９．，＋－−", "0123456789.,+--")
 
 
-def numbers_of(cells: Sequence[str], decimal_comma: bool) -> NDArray[np.float64] | None:
-    """float64 [cell], or None where any of them is no finite number.
+def numbers_of(cells: Sequence[str], mark: DecimalMark) -> NDArray[np.float64] | None:
+    """float64 [cell], or None where any of them is no finite number, or may be one of two.
 
-    decimal_comma: 1,250 is no thousand here.
-
-    >>> numbers_of(["20,5", "31"], False), numbers_of(["20", "inf"], False)
+    >>> numbers_of(["20,5", "31"], "."), numbers_of(["20", "inf"], ".")
     (array([20.5, 31. ]), None)
+    >>> numbers_of(["1.250", "900"], "."), numbers_of(["1.250", "900"], ",")
+    (array([  1.25, 900.  ]), None)
     """
     import pyarrow as pa
 
     text = pa.array([cell.translate(_WIDE) for cell in cells], pa.large_string())
-    good, values = parsed(pointed(text, decimal_comma))
-    if decimal_comma and may_be_thousands(text).any():
+    good, values = parsed(pointed(text, mark))
+    if mark != "." and may_be_thousands(text).any():
         return None
     return values if good.all() and np.isfinite(values).all() else None
 
@@ -42,7 +45,15 @@ def has_decimal_points(text: Any) -> bool:
     """Whether any cell is a number whose point can be nothing but decimal: 0.834, 1.25, 1250.5."""
     import pyarrow.compute as pc
 
-    sure = r"^[+-]?((0[0-9]*|[0-9]{4,})?\.[0-9]+|[0-9]+\.([0-9]{1,2}|[0-9]{4,}))$"
+    sure = r"^\s*[+-]?((0[0-9]*|[0-9]{4,})?\.[0-9]+|[0-9]+\.([0-9]{1,2}|[0-9]{4,}))\s*$"
+    return bool(pc.any(pc.match_substring_regex(text, sure)).as_py())
+
+
+def has_decimal_commas(text: Any) -> bool:
+    """Whether any cell is a number whose comma can be nothing but decimal: 0,834, 1,25, 1250,5."""
+    import pyarrow.compute as pc
+
+    sure = r"^\s*[+-]?((0[0-9]*|[0-9]{4,}),[0-9]+|[0-9]+,([0-9]{1,2}|[0-9]{4,}))\s*$"
     return bool(pc.any(pc.match_substring_regex(text, sure)).as_py())
 
 
@@ -57,7 +68,7 @@ def parsed(text: Any) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
     return np.asarray(good), np.asarray(pc.fill_null(value, np.nan)).copy()
 
 
-def pointed(text: Any, decimal_comma: bool) -> Any:
+def pointed(text: Any, mark: DecimalMark) -> Any:
     """Decimal commas as points, where the column's commas can be nothing else.
 
     1,250 may be a thousand and a quarter of one; 0,834 and 1,25 may not. Beside a decimal point a
@@ -69,8 +80,7 @@ def pointed(text: Any, decimal_comma: bool) -> Any:
         return bool(pc.any(pc.match_substring_regex(text, pattern)).as_py())
 
     comma = r"^[+-]?[0-9]+,[0-9]+$"
-    sure = decimal_comma or some(r"^[+-]?(0[0-9]*|[0-9]{4,}),[0-9]+$")
-    sure = sure or some(r"^[+-]?[0-9]+,([0-9]{1,2}|[0-9]{4,})$")
+    sure = mark == "," or has_decimal_commas(text)
     if not some(comma) or not sure or some(r"\."):
         return text
     return pc.replace_substring_regex(text, r"^([+-]?[0-9]+),([0-9]+)$", r"\1.\2")

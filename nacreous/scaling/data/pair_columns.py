@@ -43,6 +43,7 @@ def pairs_of(table: Table, faults: Faults) -> dict[str, PairName]:
     found = {name: pairs[0] for name, pairs in named.items() if len(pairs) == 1}
     found = _without_numbers(found)
     _refuse_two_ends(table, found, faults)
+    _refuse_brackets(table, found, faults)
     faults.stop()
     _refuse_two_questions(table, found, faults)
     faults.stop()
@@ -79,6 +80,18 @@ def _refuse_two_ends(table: Table, found: Mapping[str, PairName], faults: Faults
                 f"{_column(table, name)} has text before and behind "
                 f"{quoted(f'{pair.left} vs {pair.right}')}; allowed: a question before it or "
                 'behind it, such as "Which? A vs B"'
+            )
+            return
+
+
+def _refuse_brackets(table: Table, found: Mapping[str, PairName], faults: Faults) -> None:
+    """Note a pair in brackets with more of them behind it, as LimeSurvey's arrays of two scales."""
+    for name, pair in found.items():
+        if any(label.count("[") != label.count("]") for label in (pair.left, pair.right)):
+            short = re.sub(r"(\])[^\]]*\]?[^\]]*$", r"\1", _text(table, name))
+            faults.say(
+                f"{_column(table, name)} has brackets beside those of its pair; allowed: one pair "
+                f"of them, such as {quoted(short)} (rename)"
             )
             return
 

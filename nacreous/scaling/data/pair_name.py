@@ -11,6 +11,10 @@ from nacreous.scaling.data.label import label_of
 _MARK = r"[\s_.\-]+(?:vs|versus)\.?[\s_.\-]+"
 _VERSUS = re.compile(rf"(.*?\S){_MARK}(\S.*)", re.IGNORECASE)
 _AGAIN = re.compile(rf"\S{_MARK}\S", re.IGNORECASE)
+#: Tags that set letters and part nothing.
+_LETTERING = re.compile(
+    r"</?(?:a|b|i|u|em|strong|span|font|small|big|mark|sub|sup)(?:\s[^<>]*)?>", re.IGNORECASE
+)
 #: What parts lines, each of which stands alone.
 _LINES = re.compile(r"[\n\r]|<[^>]*>")
 #: What parts a question from the pair behind or before it. A colon within 10:30 does not.
@@ -67,7 +71,7 @@ def pairs_in(text: str) -> list[PairName]:
     >>> [(pair.left, pair.right) for pair in pairs_in("Which? [A_vs_B]")]
     [('A', 'B')]
     """
-    plain = unescape(text)
+    plain = _LETTERING.sub("", unescape(text))
     inside = _BRACKETS.fullmatch(plain)
     if inside:
         found = _pairs(inside[2] or inside[3], inside[1])

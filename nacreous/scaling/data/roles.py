@@ -209,7 +209,9 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
 
 
 #: A pair in other words than `vs`, which a label may hold.
-_OR = re.compile(r"(\S.*?)(?:[ _]+(?:or|and|oder|ou)[ _]+|\s*[/|–—:]\s*|\s+-\s+|\s*か\s*)(\S.*)")
+_OR = re.compile(
+    r"(\S.*?)(?:[ _]+(?:or|and|oder|ou)[ _]+|\s*(?:(?<!<)/|[|–—:])\s*|\s+-\s+|\s*か\s*)(\S.*)"
+)
 
 #: Parts of names that columns of a role have in other programs and languages.
 _PARTS = {

@@ -41,15 +41,15 @@ class Table:
 
     `place` is the file's name, or "table"; `numbers`, int64 [row], are those by which messages call
     the rows: of a CSV file as spreadsheets count, its header being row 1, otherwise from 0. `texts`
-    says of a column what Qualtrics writes below its name. `decimal_comma`: numbers with a comma
-    cannot be whole thousands here. `encoding_guessed`: of a file that does not say it.
+    says of a column what Qualtrics writes below its name. `separator`: of the cells of a text file.
+    `encoding_guessed`: of a file that does not say it.
     """
 
     place: str
     columns: Mapping[str, Any]
     numbers: NDArray[np.int64]
     texts: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
-    decimal_comma: bool = False
+    separator: str | None = None
     encoding_guessed: str | None = None
 
     @property
@@ -98,7 +98,7 @@ def read_table(
         table,
         numbers=found.numbers,
         texts=found.texts,
-        decimal_comma=found.semicolons,
+        separator=found.separator,
         encoding_guessed=guessed_encoding(content) if encoding is None else None,
     )
 

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import is_nothing, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.truth import names_tie, says_tie
 

@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.duration import is_duration, seconds_in, seconds_of
 from nacreous.scaling.data.fault import Faults, quoted
 from nacreous.scaling.data.kind import kind_said
+from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.number_column import number_column, unused_by
 from nacreous.scaling.data.table import Table
 

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.data.choice import is_unanswered
-from nacreous.scaling.data.column import is_nothing, text_column
+from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import Faults
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.roles import Names
 from nacreous.scaling.data.table import Table
 

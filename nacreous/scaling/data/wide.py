@@ -8,20 +8,26 @@ from typing import Any
 import numpy as np
 
 from nacreous.scaling.data.choice import SIDES
-from nacreous.scaling.data.column import NOTHING, text_column
+from nacreous.scaling.data.column import text_column
+from nacreous.scaling.data.count import count_column, counts_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.likeness import number_of
+from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.pair_columns import pairs_of
 from nacreous.scaling.data.pair_name import PairName
 from nacreous.scaling.data.program import is_response_id, names_people
 from nacreous.scaling.data.roles import Names, column_of
 from nacreous.scaling.data.table import Table
 
+#: The most people that a table with a column a pair may have by its counts.
+_MOST_PEOPLE = 1_000_000
+
 
 def long_of(table: Table, names: Names, faults: Faults) -> Table:
     """The same answers, one a row, in the columns left, right and chosen.
 
-    Who answered is in the column of people, Qualtrics's ResponseId, or else the row. Empty cells
+    Who answered is in the column of people, Qualtrics's ResponseId, or else the row, which a column
+    `count` may say to be so many people. Empty cells
     are questions that were not put. A cell that names neither of its pair is noted as a fault,
     except codes and words for sides where the column's own name gives the pair.
     """
@@ -29,6 +35,7 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
 
     pairs = pairs_of(table, faults)
     faults.stop()
+    table, people = _people_counted(table, pairs, names)
     _refuse_questions(table, pairs, names, faults)
     rows, lefts, rights, chosen = _answered(table, pairs, names, faults)
     order = np.argsort(np.array(rows, np.int64), kind="stable")
@@ -42,9 +49,42 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
         columns[name] = pa.array([cells[at] for at in order], pa.large_string())
     person = _person(table, names)
     if person != "person":
-        own = [f"row {number}" for number in table.numbers[source]]
-        columns["person"] = columns.pop(person) if person else pa.array(own, pa.large_string())
+        own = pa.array(people, pa.large_string()).take(pa.array(source))
+        columns["person"] = columns.pop(person) if person else own
     return replace(table, columns=columns, numbers=table.numbers[source])
+
+
+def _people_counted(
+    table: Table, pairs: dict[str, PairName], names: Names
+) -> tuple[Table, list[str]]:
+    """A row for each person where a column counts them, and what each is called by its row."""
+    known = _person(table, names)
+    column = column_of(table, "count", names)
+    if column is None and "count" not in names:
+        column = count_column(table, {*pairs, known or ""})
+    if column is None:
+        return table, [f"row {number}" for number in table.numbers]
+    faults = table.faults()
+    counts = counts_of(table, column, faults)
+    if counts.sum() > _MOST_PEOPLE:
+        faults.say(f"column {column} counts {counts.sum()} people; allowed: 1 to {_MOST_PEOPLE}")
+    if known is not None:
+        faults.say_of_column(
+            np.flatnonzero(counts > 1),
+            lambda row: (
+                f"{column} is {counts[row]}, and {known} names one person; allowed: rows without "
+                f"{known} that stand for so many people, or count='' to leave the column unused"
+            ),
+        )
+    faults.stop()
+    row = np.repeat(np.arange(table.rows), counts)
+    columns = {name: cells.take(row) for name, cells in table.columns.items() if name != column}
+    each = np.concatenate([np.arange(count) for count in counts]) + 1
+    people = [
+        f"row {number}" if count == 1 else f"row {number} ({at} of {count})"
+        for number, count, at in zip(table.numbers[row], counts[row], each, strict=True)
+    ]
+    return replace(table, columns=columns, numbers=table.numbers[row]), people
 
 
 def _answered(

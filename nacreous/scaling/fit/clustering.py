@@ -122,12 +122,7 @@ def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
             f"the answers are those of {whose}, who cannot tell how people differ; allowed: "
             f"{least} or more people, or {instead}"
         )
-    count = len(answers.stimuli)
-    size = (int(answers.person.max()) + 1) * count
-    sides = (answers.person * count + side for side in (answers.left, answers.right))
-    met = np.concatenate([numbered(side, size)[0] for side in sides])
-    met = np.unique(met) % count
-    judges = np.bincount(met, minlength=count)
+    judges = judges_of(answers)
     if judges.min() < least:
         at = int(np.argmin(judges))
         raise InputError(
@@ -135,6 +130,17 @@ def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
             f"to tell how people differ; allowed: {least} or more a stimulus, or {instead}"
         )
     return answers
+
+
+def judges_of(answers: Answers) -> NDArray[np.int64]:
+    """How many people judged each stimulus, int64 [stimulus]; all 0 where they are unknown."""
+    count = len(answers.stimuli)
+    if answers.person is None:
+        return np.zeros(count, np.int64)
+    size = (int(answers.person.max()) + 1) * count
+    sides = (answers.person * count + side for side in (answers.left, answers.right))
+    met = np.concatenate([numbered(side, size)[0] for side in sides])
+    return np.bincount(np.unique(met) % count, minlength=count)
 
 
 def personal(answers: Answers) -> PersonalAnswers:

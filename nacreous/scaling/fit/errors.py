@@ -13,6 +13,7 @@ from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.fit import clustering, row_means, uncertainty
 from nacreous.scaling.fit.clustering import Clusters
 from nacreous.scaling.fit.existence import parts, require_joined
+from nacreous.scaling.fit.jackknife import LeftOut, left_out
 from nacreous.scaling.fit.unit import factor
 from nacreous.value import value_class
 
@@ -47,7 +48,7 @@ class Errors:
     """
 
     covariance: Array
-    clusters: Clusters | None
+    clusters: Clusters | LeftOut | None
     values: Array
 
     def freedom(self, contrasts: Array) -> Array:
@@ -58,10 +59,10 @@ class Errors:
 
 
 def kind_of(fit: Scale, kind: str | None) -> str:
-    """What errors are asked for: by default over people where a fit by likelihood knows them."""
+    """What errors are asked for: by default over people where a fit knows them."""
     if kind is None:
         known = fit.answers is not None and fit.answers.person is not None
-        return "people" if known and fit.method != "least-squares" else "expected"
+        return "people" if known else "expected"
     if kind not in KINDS:
         raise InputError(f"kind is {said(kind)}; allowed: {', '.join(KINDS)}")
     return kind
@@ -71,9 +72,7 @@ def errors_of(fit: Scale, kind: str | None) -> Errors:
     """Errors of a kind, None being the default."""
     chosen = kind_of(fit, kind)
     if fit.method == "least-squares":
-        own = fit.scale * factor(fit.unit, "z")
-        table = row_means.covariance(fit.comparisons, own, chosen)
-        return Errors(table * factor("z", fit.unit) ** 2, None, np.eye(len(own)))
+        return _of_least_squares(fit, chosen)
     values = _values(fit)
     if chosen != "people":
         return Errors(_brought(fit, parameter_covariance(fit, chosen), values), None, values)
@@ -92,8 +91,7 @@ def parameter_covariance(fit: Scale, kind: str | None) -> Array:
     """Covariance of the parameters in the model's own unit: coefficients, side, ties."""
     chosen = kind_of(fit, kind)
     if fit.method == "least-squares":
-        own = fit.scale * factor(fit.unit, "z")
-        return row_means.covariance(fit.comparisons, own, chosen)
+        return _of_least_squares(fit, chosen).covariance * factor(fit.unit, "z") ** 2
     if chosen == "people":
         require_ends(fit)
         return np.asarray(clusters_of(fit).covariance + _beside_people(fit))
@@ -101,12 +99,27 @@ def parameter_covariance(fit: Scale, kind: str | None) -> Array:
     return within if fit.posterior is None else within + fit.posterior.between
 
 
+def _of_least_squares(fit: Scale, kind: str) -> Errors:
+    """To first order, or over people by leaving each of them out."""
+    own, values = fit.scale * factor(fit.unit, "z"), np.eye(len(fit.scale))
+    times = factor("z", fit.unit) ** 2
+    if kind != "people":
+        return Errors(row_means.covariance(fit.comparisons, own, kind) * times, None, values)
+    found = left_out(fit.answers)
+    _require_difference(
+        fit, found.covariance, row_means.covariance(fit.comparisons, own, "expected")
+    )
+    require_ends(fit)
+    return Errors(found.covariance * times, found, values)
+
+
 def endless(fit: Scale) -> tuple[tuple[str, ...], ...]:
     """Sets of stimuli between which the answers put no end to the distance, the highest first.
 
     () where they put one to all, and for fits that nothing draws together, which then do not exist.
+    Least squares does so by taking shares of 0 and 1 for others.
     """
-    drawn_together = fit.prior is not None or fit.method == "bias-reduced"
+    drawn_together = fit.prior is not None or fit.method != "maximum-likelihood"
     if fit.design is not None or not drawn_together:
         return ()
     sets = parts(fit.comparisons)

@@ -42,16 +42,21 @@ def covariance(comparisons: Comparisons, values: Array, kind: str) -> Array:
     them).
     """
     pairs = comparisons.unsided()
-    total = pairs.left_wins + pairs.right_wins + pairs.ties
     if kind == "expected":
         z = values[pairs.left] - values[pairs.right]
     elif kind == "observed":
         z = z_of_pairs(pairs)
     else:
-        raise InputError(f"kind is {said(kind)}; allowed for least squares: expected, observed")
-    from scipy.special import log_ndtr
-
-    log_density = -0.5 * z**2 - 0.5 * np.log(2 * np.pi)
-    variance = np.exp(log_ndtr(z) + log_ndtr(-z) - 2 * log_density) / total
+        raise InputError(f"kind is {said(kind)}; allowed here: expected, observed")
+    variance = z_variance(pairs, z)
     operator = projection(pairs)
     return np.asarray((operator * variance) @ operator.T)
+
+
+def z_variance(pairs: Comparisons, z: Array) -> Array:
+    """float64 [row]: of z of pairs whose answers are independent, to first order."""
+    from scipy.special import log_ndtr
+
+    total = pairs.left_wins + pairs.right_wins + pairs.ties
+    log_density = -0.5 * z**2 - 0.5 * np.log(2 * np.pi)
+    return np.asarray(np.exp(log_ndtr(z) + log_ndtr(-z) - 2 * log_density) / total)

@@ -174,8 +174,8 @@ class Scale:
 
         kind: "people", the default where people are known: the answers of one person may hang
         together and the model be wrong (a sandwich with people as clusters, CR2 by Bell and
-        McCaffrey 2002); "expected", the default elsewhere, or "observed" information, which trust
-        the model and every answer to stand alone. Least squares has no "people".
+        McCaffrey 2002; of least squares by leaving each person out); "expected", the default
+        elsewhere, or "observed" information, which trust the model and every answer to stand alone.
         Raises `InputError` where fewer than three people judged a stimulus, and where all answered
         alike: that tells nothing of how people differ.
 
@@ -272,8 +272,8 @@ class Scale:
         samples: 2 to 1 000 000. seed: 0 to 2^63 - 1; same seed, same bytes. progress: called
         with the finished share, 0 to 1, now and then. Ctrl-C interrupts.
         Raises `InputError` for what is out of range, for fits that are not of maximum likelihood or
-        have a prior over the spread, for people that are not known and for answers of counts that
-        are not whole numbers.
+        have a prior over the spread, for people that are not known or fewer than 8 of whom judged a
+        stimulus, and for answers of counts that are not whole numbers.
 
         >>> from nacreous.scaling import paper, thurstone
         >>> fit = thurstone(paper())

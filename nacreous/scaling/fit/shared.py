@@ -102,8 +102,9 @@ def shared_scale(
     Products of a person's answers to the same pair are left out, and such answers are dealt
     together: that people remember what they said is no scale of their own. The test is exact for
     any number of people, with ties, repeats, missing pairs and pairs of one's own, under no model
-    of choice; only where it is split does a scale of all people tell along from across. An
-    effect of the side that differs between people is found too.
+    of choice; only where it is split does a scale of all people tell along from across. A
+    side that pulls some people more than others is not what it looks for: where sides were tossed
+    it hides, where pairs always stood one way round it looks like another order.
 
     permutations: 99 to 1 000 000; seed: 0 to 2^63 - 1, the same seed deals alike. progress: called
     with the finished share, 0 to 1, now and then. Raises `InputError` where people are unknown,

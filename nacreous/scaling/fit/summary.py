@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
+from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.errors import kind_of
 from nacreous.scaling.fit.existence import require_joined
 from nacreous.scaling.fit.tie import FEW
@@ -56,12 +57,13 @@ def _ties(fit: Scale) -> list[str]:
 
 
 def _people(fit: Scale) -> list[str]:
-    """That people do not share one scale, where they are known and do not.
+    """That people do not share one scale, or judge differently by a column of theirs, if so.
 
     Seed and number of permutations are fixed, so that a scale is printed alike each time. Of more
     answers than can be dealt at once it says which call tests them.
     """
     # Whoever fits a scale but prints none need not load it; and the test itself fits scales.
+    from nacreous.scaling.fit.covariate import person_covariates
     from nacreous.scaling.fit.shared import MOST_STIMULI, shared_scale
 
     answers = fit.answers
@@ -70,8 +72,13 @@ def _people(fit: Scale) -> list[str]:
     permutations = min(999, _MOST_DEALT // len(answers))
     if permutations < 99:
         return ["whether people share one scale was not tested here; shared_scale(answers) does"]
+    columns = [
+        f"people who differ in {quoted(one.column)} judge differently, p {one.p_adjusted:.3g}"
+        for one in person_covariates(answers, permutations)
+        if one.differs()
+    ]
     try:
         found = shared_scale(answers, permutations)
     except InputError:  # no pair was answered by two, or all agree
-        return []
-    return [found.verdict()] if found.differ() else []
+        return columns
+    return [found.verdict(), *columns] if found.differ() else columns

@@ -16,7 +16,7 @@ from nacreous.number import number_of, row_of, said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.data.label import check_number, label_of, natural, numbered
+from nacreous.scaling.data.label import check_number, check_visible, label_of, natural, numbered
 from nacreous.scaling.data.likeness import check_alike
 from nacreous.scaling.fit.unit import check_model
 from nacreous.scaling.planning.design import PairDesign
@@ -103,6 +103,7 @@ def truth_of(scale: Mapping[str, float] | ArrayLike) -> tuple[tuple[str, ...], N
         again = next((label for k, label in enumerate(names) if label in names[:k]), None)
         if again is not None:
             raise InputError(f"scale has {quoted(again)} again; allowed: each label once")
+        check_visible(names, "scale")
         check_alike(names, "scale")
         stimuli = tuple(natural(names))
         values = [number_of(f'scale["{label}"]', value) for label, value in scale.items()]

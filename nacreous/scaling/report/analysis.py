@@ -65,8 +65,34 @@ class Analysis:
 
     @property
     def people_differ(self) -> bool:
-        """Whether people were found not to share one scale."""
+        """Whether people, or groups of answers, were found not to share one scale, by any test."""
+        return self.single_people_differ or bool(self.apart_by)
+
+    @property
+    def single_people_differ(self) -> bool:
+        """Whether the test of single people found that they do not share one scale."""
         return self.people is not None and self.people.differ
+
+    @property
+    def apart_by(self) -> tuple[str, ...]:
+        """The columns by which people, or groups of answers, were found to judge differently."""
+        own = () if self.people is None else self.people.apart_by
+        column = self.settings.group
+        if column is None or column in own or not self.groups_differ:
+            return own
+        return (*own, column)
+
+    @property
+    def groups_differ(self) -> bool:
+        """Whether the groups that were asked for do not share one scale."""
+        return self.groups is not None and bool(self.groups.differ(self.settings.level))
+
+    @property
+    def people_apart_by(self) -> tuple[str, ...]:
+        """Those of `apart_by` that say one thing about each person."""
+        of_people = self.groups is not None and self.groups.of_people
+        own = () if self.people is None else self.people.apart_by
+        return self.apart_by if of_people else own
 
     @property
     def people_told(self) -> bool:

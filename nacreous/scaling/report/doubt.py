@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.fit.bootstrap import resampled
+from nacreous.scaling.fit.bootstrap import LEAST_DRAWN, resampled
+from nacreous.scaling.fit.clustering import judges_of
 from nacreous.scaling.fit.errors import Errors, endless, errors_of, kind_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_of_diagonal
@@ -29,8 +30,6 @@ __all__ = [
 
 #: From fewer people a bootstrap is too narrow (B. Efron and R. Tibshirani, 1993, chapter 19).
 FEW_PEOPLE = 20
-#: A larger share of samples without a scale of their own reaches into the ends of 95 % intervals.
-MOST_UNPLACED = 0.02
 #: A spread below this share of the expected one is none at all.
 _NOTHING = 1e-6
 
@@ -42,8 +41,9 @@ class Doubt:
     """Margins of a scale, in its unit.
 
     `by`: what was resampled, "people" or "answers"; where nothing was, "clusters" (people by their
-    scores) or "information". `samples`: how often something was drawn; `without_maximum`: how many
-    samples had no scale of their own, with more than 2 of 100 the reason why none is used.
+    scores), "jackknife" (people left out one by one) or "information". `samples`: how often
+    something was drawn; `without_maximum`: how many samples had no scale of their own, with more
+    than 2 of 100 the reason why none is used.
     `intervals` [n, 2] of the places. `errors`: what differences are tested by.
     `too_few`: people are known, but they tell nothing of how people differ. `endless`: sets, the
     highest first, between which the answers put no end to the distance: there the intervals are
@@ -121,18 +121,29 @@ def doubt_of(fit: Scale, settings: Settings, progress: Progress | None = None) -
     fixed = settings.bootstrap == 0 or not drawable or bool(np.any(counts % 1))
     if over_people is None:
         return _over_answers(fit, settings, fixed, known, progress)
-    people = 0 if over_people.clusters is None else len(over_people.clusters.influence)
     samples = missing = 0
-    if not fixed and people >= FEW_PEOPLE:
+    if not fixed and _many(fit):
         drawn = resampled(
             fit, settings.bootstrap, "people", settings.seed, progress, errors=over_people
         )
         samples, missing = settings.bootstrap, drawn.without_maximum
-        if missing <= MOST_UNPLACED * samples:
+        if drawn.tells:
             bounds = drawn.intervals(settings.level)
             return Doubt("people", samples, missing, bounds, over_people, too_few=False)
+        # Samples that do not differ tell nothing either, and need no word.
+        samples, missing = (0, 0) if drawn.placed else (samples, missing)
     bounds = intervals(fit.scale, over_people, settings.level)
-    return Doubt("clusters", samples, missing, bounds, over_people, too_few=False)
+    by = "jackknife" if fit.method == "least-squares" else "clusters"
+    return Doubt(by, samples, missing, bounds, over_people, too_few=False)
+
+
+def _many(fit: Scale) -> bool:
+    """Whether enough people answered, and judged each stimulus, to be drawn."""
+    answers = fit.answers
+    if answers is None or answers.person is None:
+        return False
+    people = len(np.unique(answers.person))
+    return people >= FEW_PEOPLE and int(judges_of(answers).min()) >= LEAST_DRAWN
 
 
 def _over_answers(
@@ -144,11 +155,10 @@ def _over_answers(
     if not fixed:
         drawn = fit.bootstrap(settings.bootstrap, "answers", settings.seed, progress)
         samples, missing = settings.bootstrap, drawn.without_maximum
-        found = Errors(drawn.covariance, None, alone.values)
-        if missing <= MOST_UNPLACED * samples and _spreads(found.covariance, alone.covariance):
+        if drawn.tells and _spreads(drawn.covariance, alone.covariance):
+            found = Errors(drawn.covariance, None, alone.values)
             return Doubt("answers", samples, missing, drawn.intervals(settings.level), found, known)
-        # Samples that do not differ tell nothing either, and need no word.
-        samples = samples if missing > MOST_UNPLACED * samples else 0
+        samples = 0 if drawn.placed else samples  # as over people
     bounds = intervals(fit.scale, alone, settings.level)
     return Doubt("information", samples, missing if samples else 0, bounds, alone, known)
 

@@ -33,10 +33,12 @@ class Groups:
 
     `found` is None where fewer than two groups can be compared. A group that cannot be is in
     `left_out`, and stops neither the comparison of the others nor the rest of the report.
+    `of_people`: people are known, and nobody is in two of the groups that were compared.
     """
 
     found: GroupComparison | None
     left_out: tuple[LeftOut, ...]
+    of_people: bool
 
     def differ(self, level: float) -> bool | None:
         """Whether groups were found not to share one scale; None where none were compared."""
@@ -54,13 +56,15 @@ def groups_of(answers: Answers, settings: Settings, with_ties: bool) -> Groups:
     left_out = _left_out(placed)
     found = {name: one for name, one in placed.items() if isinstance(one, Estimate)}
     if len(found) < 2:
-        return Groups(None, left_out)
+        return Groups(None, left_out, of_people=False)
     held = {name: parts[name] for name in found}
-    same = None if _apart(held) else True
+    apart = _apart(held)
+    same = None if apart else True
     comparison = compared(held, found, same, PERMUTATIONS, settings.level, settings.seed)
     # The report shows nothing of the answers of all once more.
     shared = replace(comparison.shared, answers=None)
-    return Groups(replace(comparison, shared=shared), left_out)
+    of_people = apart and answers.person is not None
+    return Groups(replace(comparison, shared=shared), left_out, of_people)
 
 
 def left_out_of(

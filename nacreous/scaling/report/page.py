@@ -18,7 +18,7 @@ from nacreous.scaling.report.chapters import (
     scale,
     short,
 )
-from nacreous.scaling.report.translation import Html, Words, apart, thousands
+from nacreous.scaling.report.translation import Html, Words, apart, is_japanese, thousands
 
 __all__ = ["html"]
 
@@ -40,7 +40,7 @@ def html(analysis: Analysis, language: str = "en", screens: Mapping[str, int] | 
 
     screens: how many of the people have each mark of a screen check, where there were any.
     """
-    words = Words(language)
+    words = Words(language, _is_japanese(analysis))
     column = words.name(analysis.settings.group) if analysis.settings.group else ""
     title = {key: words(f"{key}.title", column=column) for key in _CHAPTERS}
     used = {key: _CHAPTERS[key] for key in _order(analysis)}
@@ -75,11 +75,21 @@ def html(analysis: Analysis, language: str = "en", screens: Mapping[str, int] | 
 """
 
 
+def _is_japanese(analysis: Analysis) -> bool:
+    """Whether labels of kanji alone are Japanese: by question, other labels or encoding."""
+    around = [analysis.settings.question or "", *analysis.fit.stimuli]
+    if analysis.encoding_guessed == "Shift-JIS":
+        around.append("かな")
+    return is_japanese(around)
+
+
 def _order(analysis: Analysis) -> list[str]:
-    """The chapters; people come before the scale where it is not that of each of them."""
+    """The chapters; before the scale come people and groups that do not share it."""
     said = {"groups": analysis.groups is not None, "people": analysis.answers is not None}
     keys = [key for key in _CHAPTERS if said.get(key, True)]
-    return sorted(keys, key=lambda key: key != "people") if analysis.people_differ else keys
+    first = ["people"] if analysis.single_people_differ or analysis.people_apart_by else []
+    first += ["groups"] if analysis.groups_differ else []
+    return sorted(keys, key=lambda key: key not in first)
 
 
 def _title(analysis: Analysis, words: Words, quoted: Callable[[str], Html]) -> Html:

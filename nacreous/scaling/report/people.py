@@ -5,14 +5,14 @@ from __future__ import annotations
 from math import ceil
 
 from nacreous.problem import InputError
-from nacreous.scaling.check.covariate import (
+from nacreous.scaling.check.population import Population, population
+from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.fit.covariate import (
     Covariate,
     Untested,
     person_covariates,
     untested_columns,
 )
-from nacreous.scaling.check.population import Population, population
-from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.shared import Progress, SharedScale, shared_scale
 from nacreous.scaling.report.settings import Settings
 from nacreous.value import value_class
@@ -27,15 +27,17 @@ _MOST_DEALT = 200_000_000
 class People:
     """The test whether people share one scale, and what follows where they do not.
 
-    `differ`: they do not, at the level asked for. `population`: what describes them; None where
-    they do not differ, and where they are too few or too many for that. `covariates`: columns of
-    people, tested in any case; `untested`: those that cannot be, and why.
+    `differ`: the test of single people finds that they do not, at the level asked for.
+    `population`: what describes them; None where they do not differ, and where they are too few or
+    too many for that. `covariates`: columns of people, tested in any case; `apart_by`: those by
+    which they judge differently; `untested`: those that cannot be tested, and why.
     """
 
     shared: SharedScale
     differ: bool
     population: Population | None
     covariates: tuple[Covariate, ...]
+    apart_by: tuple[str, ...]
     untested: tuple[Untested, ...]
 
     @property
@@ -58,7 +60,8 @@ def people_of(
     differ = shared.differ(settings.level)
     described = _population(answers, settings) if differ else None
     covariates = person_covariates(answers, permutations, settings.seed)
-    return People(shared, differ, described, covariates, untested_columns(answers))
+    apart_by = tuple(one.column for one in covariates if one.differs(settings.level))
+    return People(shared, differ, described, covariates, apart_by, untested_columns(answers))
 
 
 def _permutations(answers: int, level: float) -> int:

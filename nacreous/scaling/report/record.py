@@ -88,6 +88,7 @@ def json_text(analysis: Analysis) -> str:
         "consistency": analysis.consistency,
         "one_scale_for_all_people": _people(analysis),
         "groups": _groups(analysis),
+        "judged_differently_by": analysis.apart_by,
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
 

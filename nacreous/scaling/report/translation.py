@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from html import escape
 from pathlib import Path
@@ -34,7 +34,7 @@ def markup(value: object) -> Html:
     return value if isinstance(value, Html) else Html(escape(printable_lines(str(value))))
 
 
-def language_of(label: object) -> str:
+def language_of(label: object, japanese: bool = False) -> str:
     """The attribute that gives a label the glyphs of its language, "" for other scripts.
 
     A browser picks glyphs by language where languages share characters: without one, Japanese
@@ -42,9 +42,12 @@ def language_of(label: object) -> str:
     Japanese, those that only China or Taiwan writes Chinese, Hangul Korean. Labels of characters
     that both write, such as 真珠, have none: a wrong one would force the other's glyphs on them,
     and without one they have those of the page's language, or on an English page the reader's own.
+    japanese: what stands around the label is Japanese, and so are such labels.
 
     >>> language_of("光沢 1"), language_of("骨头"), language_of("진주"), language_of("真珠")
     (' lang="ja"', ' lang="zh-Hans"', ' lang="ko"', '')
+    >>> language_of("真珠", japanese=True)
+    ' lang="ja"'
     """
     text = str(label)
     if re.search("[\uac00-\ud7af\u1100-\u11ff]", text):
@@ -57,7 +60,21 @@ def language_of(label: object) -> str:
         return ' lang="ja"'
     if any(china and not japan for japan, china, _ in where):
         return ' lang="zh-Hans"'
-    return ' lang="zh-Hant"' if (False, False, True) in where else ""
+    if (False, False, True) in where:
+        return ' lang="zh-Hant"'
+    return ' lang="ja"' if han and japanese else ""
+
+
+def is_japanese(texts: Iterable[str]) -> bool:
+    """Whether some of the texts are Japanese for sure, and none is Chinese.
+
+    >>> is_japanese(["どちらが？", "真珠"]), is_japanese(["真珠"])
+    (True, False)
+    >>> is_japanese(["どちらが？", "骨头"])
+    False
+    """
+    found = {language_of(text) for text in texts}
+    return ' lang="ja"' in found and not any("zh" in each for each in found)
 
 
 #: What Japan, China and Taiwan write day by day: JIS X 0208, GB 2312, Big5.
@@ -104,10 +121,11 @@ class Words:
     '尺度'
     """
 
-    def __init__(self, language: str) -> None:
+    def __init__(self, language: str, japanese: bool = False) -> None:
+        """japanese: the labels come with Japanese, so that those of kanji alone are Japanese."""
         if language not in LANGUAGES:
             raise InputError(f"language is {language!r}; allowed: {', '.join(LANGUAGES)}")
-        self.language = language
+        self.language, self.japanese = language, japanese
         self._texts = texts(language)
 
     def __call__(self, key: str, **values: object) -> Html:
@@ -125,7 +143,7 @@ class Words:
 
     def quoted(self, text: str) -> Html:
         """A question as it was put, in the glyphs and the direction of its language."""
-        look = language_of(text) + direction_of(text)
+        look = language_of(text, self.japanese) + direction_of(text)
         return Html(f"<span{look}>{markup(text)}</span>") if look else markup(text)
 
     def count(self, noun: str, number: float) -> Html:
@@ -139,7 +157,7 @@ class Words:
 
     def name(self, label: object) -> Html:
         """A stimulus, a person or a group, set so that it stands out of the sentence."""
-        look = language_of(label) + direction_of(label)
+        look = language_of(label, self.japanese) + direction_of(label)
         return Html(f'<b class="name"{look}>{markup(str(label))}</b>')
 
     def listed(self, items: Sequence[object], most: int = 30) -> Html:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
@@ -100,10 +101,10 @@ def _rows(table: Table, where: str) -> list[Row]:
     """Rows as the store gives them, as far as the file says."""
     texts = {name: _texts(table, name) for name in _NAMES}
     rows = []
+    comma = table.separator == ";"
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
         cell = f"{where}: row {place + 1}"
-        comma = table.decimal_comma
         row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
         trial = _number(row["trial"], f"{cell}: trial", comma)
         row["trial"] = row["seq"] if trial is None else trial  # of an erased person
@@ -128,6 +129,8 @@ def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | Non
         number = float(text.replace(",", ".", 1) if decimal_comma else text)
     except ValueError:
         number = math.nan
+    if decimal_comma and re.fullmatch(r"[1-9][0-9]{0,2}\.[0-9]{3}", text):
+        number = math.nan  # the point may part thousands
     if not math.isfinite(number):
         raise InputError(f"{quantity} is {text[:40]!a}; allowed: a number")
     return number

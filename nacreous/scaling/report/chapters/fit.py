@@ -22,13 +22,14 @@ _MAP_PT = 256.0
 def chapter(analysis: Analysis, words: Words) -> Html:
     """Verdict, largest misfits, the maps, the tests."""
     untold = "few" if analysis.goodness.df else "none"
-    good = "good_sums" if analysis.people_differ else "good"
+    good = f"good_{apart}" if (apart := _apart(analysis)) else "good"
     verdict = {None: untold, True: good, False: "bad"}[analysis.goodness.describes]
     hidden = analysis.fit_hidden_by
     key = f"fit.{verdict}" if hidden is None else f"short.fits_{hidden}"
-    parts = [words.paragraph(key, ties=percent(analysis.tied))]
-    if analysis.people_differ and verdict != good:
-        parts.append(words.paragraph("fit.people_differ"))
+    columns = words.names(analysis.apart_by)
+    parts = [words.paragraph(key, ties=percent(analysis.tied), columns=columns)]
+    if apart and verdict != good:
+        parts.append(words.paragraph(f"fit.differ_{apart}", columns=columns))
     if analysis.goodness.describes is False:
         parts.append(_largest(analysis, words))
     if len(analysis.fit.stimuli) <= MOST_SIDES:
@@ -42,6 +43,13 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes is not None:
         parts.append(_tests(analysis, words))
     return Html("".join(parts))
+
+
+def _apart(analysis: Analysis) -> str | None:
+    """What does not share the scale: single people, or the parts that columns make."""
+    if analysis.single_people_differ:
+        return "people"
+    return "parts" if analysis.apart_by else None
 
 
 def shares(analysis: Analysis) -> np.typing.NDArray[np.float64]:

@@ -53,8 +53,9 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.prior", prior=f"{wanted.prior:g}"))
     if wanted.prior is None and wanted.method == "maximum-likelihood":
         found.append(words("method.exists"))
-    over_people = analysis.doubt.errors.clusters is not None
-    found.append(words("method.apart_people" if over_people else "method.apart"))
+    over_people = "method.apart_jackknife" if _left_out(analysis) else "method.apart_people"
+    known = analysis.doubt.errors.clusters is not None
+    found.append(words(over_people if known else "method.apart"))
     found.append(words("method.fit", risk=words.risk(wanted.level)))
     if analysis.people is not None:
         found.append(words("method.people", samples=analysis.people.shared.permutations))
@@ -64,6 +65,11 @@ def _methods(analysis: Analysis, words: Words) -> list[Html]:
         found.append(words("method.mosteller"))
     found.append(words("method.consistency"))
     return found
+
+
+def _left_out(analysis: Analysis) -> bool:
+    """Whether errors come from leaving people out one by one."""
+    return analysis.doubt.by == "jackknife"
 
 
 def again(analysis: Analysis, words: Words) -> Html:
@@ -132,7 +138,8 @@ def _cited(analysis: Analysis) -> list[str]:
         "davidson": with_ties and wanted.model == "logit",
         "beaver": wanted.order and wanted.model == "logit",
         "efron": analysis.doubt.samples > 0,
-        "bell": analysis.doubt.errors.clusters is not None,
+        "bell": analysis.doubt.errors.clusters is not None and not _left_out(analysis),
+        "tukey": _left_out(analysis),
         "firth": wanted.method == "bias-reduced",
         "tierney": wanted.prior == HIERARCHICAL,
         "nagata": analysis.example or wanted.method == "least-squares",

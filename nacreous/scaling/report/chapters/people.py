@@ -41,7 +41,12 @@ def chapter(analysis: Analysis, words: Words) -> Html:
 
 
 def _alike(analysis: Analysis, people: People, p: Html, words: Words) -> Html:
-    """That people may share one scale, and what would have been found if they did not."""
+    """That no single people stand out, whether columns tell them apart, and what may be unseen."""
+    if analysis.people_apart_by:
+        columns = words.names(analysis.people_apart_by)
+        singly = "people.singly" if people.shared.tells else "people.singly_blind"
+        found = words("people.apart_by", columns=columns)
+        return Html(f"<p>{words.sentences(found, words(singly, p=p))}</p>\n")
     if not people.shared.tells:
         return words.paragraph("people.blind", p=p)
     own = people.shared.detectable * factor("z", analysis.fit.unit)
@@ -181,7 +186,7 @@ def _covariates(analysis: Analysis, people: People, words: Words) -> Html:
         return Html("")
     rows = []
     for one in sorted(people.covariates, key=lambda each: each.p_adjusted)[:_MOST_COVARIATES]:
-        found = one.p_adjusted < 1 - analysis.settings.level
+        found = one.differs(analysis.settings.level)
         split = "" if one.split is None else words("people.up_to", value=f"{one.split:g}")
         rows.append(
             (

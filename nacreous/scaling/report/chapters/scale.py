@@ -109,7 +109,7 @@ def doubt(analysis: Analysis, words: Words) -> Html:
         sentences.append(words("scale.doubt.endless", sets=Html(sets)))
     if found.too_few:
         sentences.append(words("scale.doubt.too_few"))
-    if found.by in ("people", "clusters") and len(people) < FEW_PEOPLE:
+    if found.by in ("people", "clusters", "jackknife") and len(people) < FEW_PEOPLE:
         sentences.append(words("scale.doubt.few", people=words.count("person", len(people))))
     if found.by in ("answers", "information") and analysis.goodness.describes is False:
         sentences.append(words("scale.doubt.misfit"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from nacreous.scaling.check.worst import Misfit
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.chapters.people import described
-from nacreous.scaling.report.translation import Html, Words, number, percent
+from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
 __all__ = ["chapter"]
 
@@ -22,9 +22,9 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     found += [_side(analysis, words)] if analysis.side_draws and not analysis.side_decides else []
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
-    if analysis.groups is not None:
+    if analysis.groups is not None and not analysis.groups_differ:
         differ = analysis.groups.differ(analysis.settings.level)
-        key = {True: "groups_differ", False: "groups_alike", None: "groups_untold"}[differ]
+        key = "groups_untold" if differ is None else "groups_alike"
         found.append(words(f"short.{key}", column=words.name(analysis.settings.group)))
     items = "".join(f"<li>{sentence}</li>\n" for sentence in found)
     return Html(f'<ul class="short">\n{items}</ul>\n')
@@ -37,10 +37,14 @@ def _side(analysis: Analysis, words: Words) -> Html:
 
 
 def _people(analysis: Analysis, words: Words) -> Html:
-    people = analysis.people
+    people, columns = analysis.people, words.names(analysis.apart_by)
+    if not analysis.single_people_differ:
+        return words("short.parts_differ", columns=columns)
     said = [words("short.people_differ")]
     if people is not None and people.population is not None:
         said.append(described(analysis, people.population, words))
+    if analysis.apart_by:
+        said.append(words("short.apart_by", columns=columns))
     return words.sentences(*said)
 
 
@@ -97,8 +101,10 @@ def _fit(analysis: Analysis, words: Words) -> Html:
     if analysis.goodness.describes:
         if analysis.fit_hidden_by is not None:
             return words(f"short.fits_{analysis.fit_hidden_by}", ties=percent(analysis.tied))
-        if analysis.people_differ:
+        if analysis.single_people_differ:
             return words("short.fits_sums")
+        if analysis.apart_by:
+            return words("short.fits_parts", columns=words.names(analysis.apart_by))
         return words("short.fits" if analysis.people_told else "short.fits_counts")
     return _misfit(analysis.goodness.largest, words)
 
@@ -134,8 +140,12 @@ def _agreement(analysis: Analysis, words: Words) -> Html | None:
     level = analysis.settings.level
     sure = agreed.p_value < 1 - level and agreed.u > 0
     few = agreed.least_p_value >= 1 - level
-    key = "short.agree" if sure else "short.agree_few" if few else "short.disagree"
-    said = [words(key, same=percent((1 + agreed.u) / 2))]
+    people = 0 if analysis.answers is None else len(analysis.answers.people)
+    # Of many people of whom few chose anything, it is the choices that are too few.
+    scarce = "agree_few" if agreed.people == people else "agree_few_choices"
+    key = "agree" if sure else scarce if few else "disagree"
+    same = percent((1 + agreed.u) / 2)
+    said = [words(f"short.{key}", same=same, choices=thousands(agreed.answers))]
     if agreed.ties:
         said.append(words("consistency.agreement_ties", ties=percent(agreed.ties)))
     return words.sentences(*said)

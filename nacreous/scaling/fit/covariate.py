@@ -50,6 +50,10 @@ class Covariate:
     p_value: float
     p_adjusted: float
 
+    def differs(self, level: float = 0.95) -> bool:
+        """Whether people who differ in it judge differently, at a level, among all columns."""
+        return self.p_adjusted < 1 - level
+
 
 @value_class
 class Untested:
