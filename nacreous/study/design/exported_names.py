@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.column import group_column, is_nothing, text_column
+from nacreous.scaling.data.column import group_column, text_column
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import table_of
 from nacreous.spec.complaint import shown
 from nacreous.study.design.design import Design
