@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "atomic",
+    "check_ordinary",
     "check_output",
     "named",
     "read_bytes",
@@ -169,17 +170,38 @@ def read_bytes(path: str | PathLike[str], most_mb: int) -> bytes:
     Traceback (most recent call last):
     nacreous.problem.InputError: no such lamp.csv: does not exist
     """
-    place = named(path)
+    place = check_ordinary(path)
     try:
         with place.open("rb") as file:
             content = file.read(most_mb * 1_000_000 + 1)
-    except FileNotFoundError:
-        raise missing(path) from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     if len(content) > most_mb * 1_000_000:
         raise InputError(f"{path}: more than {most_mb} MB; allowed: up to {most_mb} MB")
     return content
+
+
+def check_ordinary(path: str | PathLike[str]) -> Path:
+    """A path at which an ordinary file lies, not a folder, and no pipe, for which one would wait.
+
+    Raises `InputError` otherwise.
+
+    >>> check_ordinary(".")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: .: is a folder; wanted: a file
+    """
+    place = named(path)
+    try:
+        mode = place.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        raise missing(path) from None
+    except OSError as problem:
+        raise InputError(f"{path}: cannot be read: {problem.strerror}") from None
+    if stat.S_ISDIR(mode):
+        raise InputError(f"{path}: is a folder; wanted: a file")
+    if not stat.S_ISREG(mode):
+        raise InputError(f"{path}: is no ordinary file; wanted: one")
+    return place
 
 
 def named(path: object) -> Path:

@@ -78,6 +78,8 @@ def _check(
 
 def _made_by(record: Path, maker: str) -> bool:
     try:
+        if not record.is_file():  # nobody waits for a pipe
+            return False
         content = json.loads(record.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return False

@@ -20,7 +20,9 @@ from nacreous.server.refusal import Refusal
 
 #: This machine, as its own browsers call it.
 _THIS_MACHINE = frozenset(("localhost", "127.0.0.1", "::1"))
-_NAME = re.compile(r"(?:[a-z0-9_](?:[a-z0-9_-]{0,61}[a-z0-9_])?)(?:\.[a-z0-9_-]{1,63})*\.?")
+_LABEL = r"[a-z0-9_](?:[a-z0-9_-]{0,61}[a-z0-9_])?"
+#: The last label is no number, or browsers take the name for an address of the fourth version.
+_NAME = re.compile(rf"(?:{_LABEL}\.)*(?![0-9]+\.?$){_LABEL}\.?")
 _HOST = re.compile(r"(?:\[(?P<address>[0-9a-fA-F:.]+)\]|(?P<name>[^\s:/?#@\[\]\\]+))(?::\d{0,5})?")
 
 

@@ -15,6 +15,7 @@ import uvicorn
 from fastapi import FastAPI
 
 from nacreous.problem import InputError
+from nacreous.server.hosts import host_of
 
 _BACKLOG = 2048
 #: Where a proxy may be that is believed: at "localhost", by either protocol.
@@ -34,8 +35,14 @@ def check_url(url: str) -> str:
     try:
         parts = urlsplit(url)
         good = parts.scheme in ("http", "https") and bool(parts.hostname)
-        good = good and parts.port != 0 and "@" not in parts.netloc
-    except ValueError:
+        good = (
+            good
+            and parts.port != 0
+            and "@" not in parts.netloc
+            and parts.geturl() == f"{parts.scheme}{url[len(parts.scheme) :]}"
+        )
+        host_of(parts.netloc)
+    except (InputError, ValueError):
         good = False
     if not good or parts.path not in ("", "/") or parts.query or parts.fragment:
         raise InputError(f"url is {ascii(url)[:80]}; allowed: http://HOST or https://HOST")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -50,7 +51,11 @@ def to_the_card(person: Participant, language: str) -> None:
     person.at("card")
 
 
+#: A study whose screens are not checked.
+NO_CHECK = "card = false, distance = false, levels = false, full_screen = false, vision = []"
 SIZES = [(390, 844), (360, 640), (844, 390), (1280, 800)]
+#: What a browser's bars leave of small telephones.
+SIZES += [(667, 250), (568, 280), (320, 420)]
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])
@@ -71,8 +76,20 @@ def test_the_corner_of_the_card_and_its_controls_are_in_sight_at_every_size(
             for value in (least, (least + most) / 2, most):
                 slide(person, value)
                 assert_in_sight(person, width, height)
+            assert_read(person)
             short_mm = 53.98 if width < 640 or height < 500 else 85.6
-            assert most / short_mm > 5.7  # CSS pixels a millimetre of most telephones
+            # CSS pixels a millimetre of most telephones, and of a small one on its side
+            assert most / short_mm > (6.4 if height < 300 else 5.7) or (width, height) == (320, 420)
+            turn = person.page.locator(".said p >> nth=2")
+            assert turn.is_visible() is (most / short_mm < 6.5 and width < height)
+
+
+def assert_read(person: Participant) -> None:
+    """No line of the words stands over another."""
+    lines = person.page.locator(".said > *:visible").evaluate_all(
+        "found => found.map(one => one.getBoundingClientRect()).map(box => [box.top, box.bottom])"
+    )
+    assert all(one[1] <= other[0] for one, other in pairwise(lines)), lines
 
 
 def slide(person: Participant, value: float) -> None:
@@ -108,6 +125,60 @@ def test_the_card_keeps_its_size_when_the_telephone_is_turned(site: Site) -> Non
         assert before is not None
         assert after is not None
         assert after["width"] == pytest.approx(before["width"], abs=0.5)
+
+
+def test_no_word_of_a_study_runs_out_of_a_narrow_page(
+    browser: Browser, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """Addresses, values and questions without a blank, at the width of a small telephone."""
+    address = "https://ethics.university.example/" + "perceived-depth-of-pearls-v3" * 4
+    study = WHOLE.replace("Taking part is voluntary.", address)
+    study = study.replace("Choose one by touch, click or key.", address)
+    study = study.replace("Which looks more like a pearl?", address)
+    study = study.replace("Do you work with pearls?", address).replace(
+        'en = "Yes"', f'en = "{address}"'
+    )
+    study = study.replace("You are given a real pearl to look at.", address)
+    study = study.replace("You will see pictures alone.", address)
+    study = study.replace('vision = ["contrast", "colour"], least_distance_mm = 100', NO_CHECK)
+    folder = frozen(study, tmp_path_factory.mktemp("words") / "study")
+    seen: list[str] = []
+    with (
+        served(folder) as server,
+        Site(folder, server.url, browser).visited(**phone(320, 568)) as guard,
+    ):
+        person = guard.open()
+
+        def inside(name: str) -> None:
+            seen.append(name)
+            out = person.page.locator("main :visible").evaluate_all(
+                "found => found.filter(one => one.getBoundingClientRect().right > 321"
+                " || one.scrollWidth > one.clientWidth + 1 && one.clientWidth > 0"
+                " && getComputedStyle(one).display !== 'inline'"
+                " && one.textContent.includes('ethics')).map(one => one.outerHTML.slice(0, 99))"
+            )
+            assert out == [], name
+
+        person.page.click("button[lang=en]")
+        person.at("consent")
+        inside("consent")
+        person.page.check("#agreed")
+        person.page.click(".page-consent button.main")
+        person.at("groups")
+        inside("groups")
+        person.page.click("label >> nth=0")
+        person.go("groups")
+        person.at("notes")
+        inside("notes")
+        person.go("notes")
+        person.at("window")
+        person.page.click(".actions button")
+        person.at("instructions")
+        inside("instructions")
+        person.go("instructions")
+        person.until(PAIR)
+        inside("pair")
+    assert len(seen) == 5
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])

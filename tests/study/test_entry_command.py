@@ -108,11 +108,34 @@ def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, c
         assert [row["excluded"] for row in store.answers(study)] == [None, "withdrew"]
 
 
+def test_an_erased_person_is_called_by_number(folder: Path, capsys) -> None:
+    with Store.open(folder) as store:
+        study = store.add_study(open_frozen(folder).manifest())
+        store.set_registration(study, "open", "lab")
+        store.enter(study, "en", {})
+    assert call("erase", folder, "0") == 0
+    for words in (
+        ("revoke", folder, "--person", "0"),
+        ("readmit", folder, "0"),
+        ("exclude", folder, "0", "--reason", "slept"),
+    ):
+        capsys.readouterr()
+        assert call(*words) == 2
+        assert "person 0 was erased; nothing can be" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
         (("invite", "0", "--label", "x"), "count is 0; allowed: 1 to 1000"),
         (("invite", "1", "--label", "x", "--url", "ftp://a"), "url is 'ftp://a'"),
+        *(
+            (("invite", "1", "--label", "x", "--url", f"http://{host}"), "url is 'http://")
+            for host in (
+                *("a b", "exa mple", "pearls.example\\x", "<b>", "a_b..c", "a%20b", "a,b", "-"),
+                *("a.-b", "a-.b", "999.1.1.1", "a\tb", "[::1", "u@a", "a:0"),
+            )
+        ),
         (("close", "--store", "no/such/folder/a.sqlite"), "does not exist"),
         (("open", "--everyone", "--invited"), "not allowed with"),
         (("readmit", "3"), "does not exist; wanted: a store"),

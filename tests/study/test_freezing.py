@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -211,6 +212,28 @@ def test_a_frozen_folder_holds_its_files_and_no_links_or_paths_to_others(
         (folder / "study.json").write_text(json.dumps(manifest), encoding="utf-8")
         with pytest.raises(nc.InputError, match=r'file of "own" is .*; allowed: stimuli/ and its'):
             open_frozen(folder)
+
+
+def test_a_pipe_in_a_frozen_folder_is_refused_and_nobody_waits_for_it(desk: Path) -> None:
+    folder = desk / "out"
+    frozen = freeze(desk / "small.toml", folder)
+    for name in (frozen.stimuli[0].file, "study.json"):
+        (folder / name).unlink()
+        os.mkfifo(folder / name)
+        with pytest.raises(nc.InputError, match=f"{name}: is no ordinary file; wanted: as"):
+            open_frozen(folder)
+    with pytest.raises(nc.InputError, match="holds a study that is frozen already"):
+        freeze(desk / "small.toml", folder)
+
+
+@pytest.mark.parametrize("named", ["photograph.png", "own.toml"])
+def test_a_pipe_that_a_study_names_is_refused_and_nobody_waits_for_it(
+    desk: Path, named: str
+) -> None:
+    (desk / named).unlink()
+    os.mkfifo(desk / named)
+    with pytest.raises(nc.InputError, match=r"ordinary file|regular file"):
+        freeze(desk / "small.toml", "out")
 
 
 def test_files_from_outside_a_studys_folder_are_stated(desk: Path, tmp_path: Path) -> None:

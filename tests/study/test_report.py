@@ -9,8 +9,9 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from nacreous.problem import InputError
 from nacreous.scaling.report.translation import texts
-from nacreous.study.results import report
+from nacreous.study.results import report, scale_so_far
 from nacreous.study.running.screen_check import ScreenCheck
 from nacreous.study.running.screening import ScreenFlag
 from nacreous.study.store import Store
@@ -97,6 +98,19 @@ def test_what_cannot_be_is_said_in_one_line_and_nothing_is_written(
     assert said in done.stderr
     assert done.stderr.count("\n") == 1
     assert not output.exists()
+
+
+def test_a_study_without_a_scale_is_told_nothing_of_a_prior_that_it_cannot_have(
+    tmp_path: Path,
+) -> None:
+    frozen = frozen_study(tmp_path, "abc")
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        take_part(running, lambda trial: "left" if trial.stimuli[0] < trial.stimuli[1] else "right")
+        for told_by in (report, scale_so_far):
+            with pytest.raises(InputError, match="no scale holds") as caught:
+                told_by(running, "deeper")
+            assert str(caught.value).endswith("is preferred")
 
 
 def test_a_folder_without_answers_is_not_given_any(folder: Path, tmp_path: Path) -> None:

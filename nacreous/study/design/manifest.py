@@ -116,8 +116,13 @@ def _as_frozen(design: dict[str, Any]) -> dict[str, Any]:
     return {**design, "sitting": sitting}
 
 
-def _refuse_link(path: Path) -> None:
-    """A frozen folder holds its files: what a link leads to could be anything, and change."""
+def _refuse_other(path: Path) -> None:
+    """A frozen folder holds its files: what a link leads to could be anything, and change.
+
+    Nor is it a pipe or a device, for which a reader would wait.
+    """
+    if path.exists() and not path.is_symlink() and not (path.is_file() or path.is_dir()):
+        raise InputError(f"{path}: is no ordinary file; wanted: as {MAKER} made it")
     if path.is_symlink():
         raise InputError(
             f"{path}: is a link to {os.path.realpath(path)}; wanted: as {MAKER} made it"
@@ -125,7 +130,7 @@ def _refuse_link(path: Path) -> None:
 
 
 def _read(folder: Path) -> dict[str, Any]:
-    _refuse_link(folder / RECORD)
+    _refuse_other(folder / RECORD)
     try:
         manifest = json.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
@@ -155,7 +160,7 @@ def _check(folder: Path, stimulus: FrozenStimulus) -> None:
             f"allowed: {STIMULI}/ and its SHA-256"
         )
     for part in (path.parent, path):
-        _refuse_link(part)
+        _refuse_other(part)
     try:
         found = hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as problem:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, get_args
 
 from nacreous.problem import InputError
-from nacreous.study.results.scale import counted, question_of
+from nacreous.study.results.scale import counted, question_of, without_prior
 from nacreous.study.running.screening import ScreenFlag
 from nacreous.study.store.codebook import group_column
 
@@ -49,7 +49,8 @@ def report(
     factors = known if group is None else [group]
     column = _told_most(answers, [group_column(name).name for name in factors], running.settings)
     wanted = replace(running.settings, question=text, group=column, simulated=simulated)
-    analysis = analyse(answers, wanted, progress=progress)
+    with without_prior():
+        analysis = analyse(answers, wanted, progress=progress)
     return html(analysis, language, screen_marks(running, answers.people))
 
 

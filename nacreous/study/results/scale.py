@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,15 @@ if TYPE_CHECKING:
     from nacreous.study.design.question import Question
     from nacreous.study.running import Running
 
-__all__ = ["Placed", "ScaleSoFar", "called_simulated", "counted", "question_of", "scale_so_far"]
+__all__ = [
+    "Placed",
+    "ScaleSoFar",
+    "called_simulated",
+    "counted",
+    "question_of",
+    "scale_so_far",
+    "without_prior",
+]
 
 
 @dataclass(frozen=True)
@@ -69,7 +78,8 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
 
     asked = question_of(running, question)
     answers = counted(running, question, simulated)
-    found = analyse(answers, running.settings, bootstrap=0)
+    with without_prior():
+        found = analyse(answers, running.settings, bootstrap=0)
     pictures = {stimulus.label: stimulus.sha256 for stimulus in running.frozen.stimuli}
     unset = found.doubt.open_ends(found.fit.stimuli)
     stimuli = tuple(
@@ -101,6 +111,17 @@ def scale_so_far(running: Running, question: str, simulated: bool = False) -> Sc
         people_differ=found.people_differ,
         people_told=found.people_told,
     )
+
+
+@contextmanager
+def without_prior() -> Iterator[None]:
+    """Why there is no scale, without the advice of a prior, which nobody can give to a study."""
+    from nacreous.scaling.fit.existence import REMEDY
+
+    try:
+        yield
+    except InputError as problem:
+        raise InputError(str(problem).replace(f", {REMEDY}", "")) from problem
 
 
 def counted(running: Running, question: str, simulated: bool) -> Answers:

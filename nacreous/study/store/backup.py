@@ -20,8 +20,8 @@ from urllib.parse import quote
 import sqlalchemy as sa
 
 from nacreous import file
-from nacreous.missing import missing
 from nacreous.problem import InputError
+from nacreous.study.store.contents import check_contents
 from nacreous.study.store.engine import BESIDE, engine_of, given_place, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
 from nacreous.study.store.migrate import check_revision, upgrade
@@ -65,9 +65,8 @@ def restore(backup: str | PathLike[str], place: str | PathLike[str] | None) -> C
     name without an ending says none that is there. Raises `InputError` otherwise, `StoreError`
     where the machine refuses.
     """
-    if not Path(backup).is_file():
-        raise missing(backup)
-    counts = _checked(Path(backup))
+    file.check_ordinary(backup)
+    counts = _checked(Path(backup), handed_on=True)
     with _made_folder(place):
         engine = engine_of(place)
         try:
@@ -185,8 +184,8 @@ def _single(path: Path) -> None:
         connection.execute("PRAGMA journal_mode = DELETE")
 
 
-def _checked(path: Path) -> Copied:
-    """Of a known schema, whole, and how much is in it.
+def _checked(path: Path, *, handed_on: bool = False) -> Copied:
+    """Of a known schema, whole, and how much is in it; `handed_on`: and each value is looked at.
 
     The schema first: SQLite runs what a table names, to see whether that is whole.
     """
@@ -198,8 +197,10 @@ def _checked(path: Path) -> Copied:
         with _refused(str(path)), _read_only(path) as connection:
             verdict = connection.execute("PRAGMA integrity_check(1)").fetchone()[0]
             stray = connection.execute("PRAGMA foreign_key_check").fetchone()
-        if verdict != "ok" or stray is not None:
-            raise InputError(f"{path}: is damaged; wanted: a whole backup")
+            if verdict != "ok" or stray is not None:
+                raise InputError(f"{path}: is damaged; wanted: a whole backup")
+            if handed_on:
+                check_contents(connection, str(path))
         with translated(str(path)), engine.connect() as reading:
             _check_manifests(reading, str(path))
             return Copied(*(_count(reading, table) for table in (studies, sessions, answers)))

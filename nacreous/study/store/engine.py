@@ -63,6 +63,8 @@ def _sqlite(path: Path) -> sa.Engine:
             f"{file}: is a link to {os.path.realpath(file)}; wanted: a file in the folder itself, "
             "or the path of the store instead of the folder's"
         )
+    if file.exists() and not file.is_file():  # who opens a pipe waits for another program
+        raise InputError(f"{file}: is no ordinary file; wanted: a store, or a new file")
     if not file.parent.is_dir():
         raise InputError(f"{file}: the folder {file.parent} does not exist")
     engine = sa.create_engine(

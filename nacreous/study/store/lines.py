@@ -43,10 +43,15 @@ def tables(
     part = query.with_only_columns(line.label("line")).order_by(answers.c.seq)
     part_lines = part.where(answers.c.seq >= low, answers.c.seq < high).subquery()
     joined = sa.select(sa.func.aggregate_strings(part_lines.c.line, "\n"))
-    for start in range(first, last + 1, rows):
+    next_first = bounds.where(answers.c.seq >= low)
+    start = first
+    while start is not None and start <= last:
         text = connection.execute(joined, {"low": start, "high": start + rows}).scalar_one()
+        start += rows
         if text is not None:
             yield _table(text, kinds)
+        else:  # numbers may leave out as many as they like
+            start = connection.execute(next_first, {"low": start}).one()[0]
 
 
 #: Each a value, its kind, and whether it may be NULL.

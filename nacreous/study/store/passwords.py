@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import unicodedata
 
-from argon2 import PasswordHasher
-from argon2.exceptions import VerifyMismatchError
+from argon2 import PasswordHasher, extract_parameters
+from argon2.exceptions import Argon2Error, VerifyMismatchError
 
 from nacreous.problem import InputError
 
@@ -44,6 +44,18 @@ def matches(kept: str | None, password: object) -> bool:
     except VerifyMismatchError:
         return False
     return kept is not None
+
+
+def is_hash(kept: str) -> bool:
+    """Whether text is a hash as `hashed` makes it, no dearer to compare with.
+
+    >>> is_hash("nacre"), is_hash(hashed("nacre, layer on layer"))
+    (False, True)
+    """
+    try:
+        return extract_parameters(kept) == extract_parameters(_NOBODY)
+    except (Argon2Error, LookupError, ValueError):
+        return False
 
 
 def _normal(password: object) -> str:

@@ -34,8 +34,8 @@ _SESSIONS = (
 #: may be about to erase the person; SQLite lets one write at a time anyhow.
 LIVING = (
     sa.select(
-        *(sessions.c[name] for name in ("study", "token_hash", "consented_at", "erased_at")),
-        sessions.c.excluded_reason,
+        *(sessions.c[name] for name in ("study", "number", "token_hash", "consented_at")),
+        *(sessions.c[name] for name in ("erased_at", "excluded_reason")),
     )
     .where(sessions.c.id == sa.bindparam("session"))
     .with_for_update(read=True, key_share=True, of=sessions)
@@ -179,7 +179,7 @@ def living(
     if row is None:
         raise _unknown(session)
     if row.erased_at is not None:
-        raise NotAllowed(f"session {session} was erased; nothing can be added to it")
+        raise NotAllowed(f"person {row.number} was erased; nothing can be added or changed")
     return row
 
 

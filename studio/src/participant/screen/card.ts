@@ -2,7 +2,7 @@
 
 import { button, element } from "../../shared/dom";
 import { mayHaveKeys } from "../keyboard";
-import { press, sheet } from "../sheet";
+import { press } from "../sheet";
 import type { Page } from "../stage";
 import type { Words } from "../words/words";
 
@@ -17,6 +17,9 @@ const MOST_PX_PER_MM = 12;
 const NARROW_PX = 640;
 const LOW_PX = 500;
 
+/** Of the telephones with the largest pixels for their size: on these a card may not fit. */
+const LARGE_PX_PER_MM = 6.5;
+
 /** Which side of the card lies across. */
 export function across_mm(width_px: number, height_px: number): number {
   const small = width_px < NARROW_PX || height_px < LOW_PX;
@@ -29,13 +32,24 @@ export function cardPage(words: Words, step: string): Page<number | null> {
     name: "card",
     draw(into, done) {
       const upright = element("p", {}, words.card_upright);
-      const drawing = new Drawing(words, upright);
+      const turn = element("p", {}, words.card_turn);
+      const drawing = new Drawing(words, upright, turn);
       const finish = () => done(drawing.px_per_mm);
       const measured = button(words.card_done, finish, { class: "main" });
       const none = button(words.card_none, () => done(null), { class: "quiet" });
       const text = element("p", {}, mayHaveKeys() ? words.card : words.card_touch);
-      const body = [text, upright, drawing.place, drawing.slider];
-      sheet(into, words.card_title, body, [measured, none], [step]);
+      const above = element("div", { class: "above" }, step);
+      const title = element("h1", {}, words.card_title);
+      const actions = element("div", { class: "actions" }, measured, none);
+      into.append(
+        element(
+          "div",
+          { class: "sheet" },
+          element("div", { class: "said" }, above, title, text, upright, turn),
+          drawing.place,
+          element("div", { class: "controls" }, drawing.slider, actions),
+        ),
+      );
       drawing.slider.focus({ preventScroll: true });
       return drawing.fit();
     },
@@ -54,6 +68,7 @@ class Drawing {
   constructor(
     words: Words,
     private readonly upright: HTMLElement,
+    private readonly turn: HTMLElement,
   ) {
     this.slider = element("input", { type: "range", "aria-label": words.card_slider, step: 0.5 });
     this.slider.addEventListener("input", () => this.measure());
@@ -65,18 +80,20 @@ class Drawing {
 
   /** Follow the room that there is for the drawing; what it returns ends that. */
   fit(): () => void {
-    const turn = () => {
+    const fill = () => {
       this.wide_mm = across_mm(innerWidth, innerHeight);
       this.upright.hidden = this.wide_mm === CARD_MM.width;
       const most_px = Math.min(this.place.clientWidth - 24, this.wide_mm * MOST_PX_PER_MM);
+      const narrow = most_px < this.wide_mm * LARGE_PX_PER_MM;
+      this.turn.hidden = !narrow || innerWidth > innerHeight;
       this.slider.min = String(this.wide_mm * LEAST_PX_PER_MM);
       this.slider.max = String(most_px);
       this.slider.value = String(this.wide_mm * this.px_per_mm);
       this.measure();
     };
-    const room = new ResizeObserver(turn);
+    const room = new ResizeObserver(fill);
     room.observe(this.place);
-    turn();
+    fill();
     return () => room.disconnect();
   }
 

@@ -56,6 +56,7 @@ export const en = {
     "Hold a bank card, or any card of that size, against the screen. Make the drawing exactly as " +
     "large: drag its corner or move the slider.",
   card_upright: "Hold the card upright, its lower corner on that of the drawing.",
+  card_turn: "If the card is wider than the drawing can be, turn the phone on its side.",
   card_slider: "Size of the drawing",
   card_done: "It is as large as the card",
   card_none: "I have no card at hand",
