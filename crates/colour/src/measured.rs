@@ -46,10 +46,13 @@ fn check_order(
     Err(ColourError::Line { place: place.to_owned(), line: pair[1].line, problem })
 }
 
+/// A wavelength of another unit in nm.
+type ToNm = fn(f64) -> f64;
+
 /// The unit in which a range that is none in nm would hold most of what the eye sees.
 fn other_unit(from: f64, to: f64) -> Option<&'static str> {
     let seen = |ends: [f64; 2]| ends[0].min(ends[1]) <= 450.0 && ends[0].max(ends[1]) >= 650.0;
-    let units: [(&str, fn(f64) -> f64); 4] = [
+    let units: [(&str, ToNm); 4] = [
         ("um", |um| 1e3 * um),
         ("angstrom", |angstrom| 0.1 * angstrom),
         ("1/cm, a wavenumber", |per_cm| 1e7 / per_cm),
