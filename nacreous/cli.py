@@ -31,6 +31,8 @@ def run_program() -> int:
     # Python's last search for garbage would take as long as reading the files did; what lies in
     # no circle is cleaned up all the same.
     atexit.register(gc.freeze)
+    # A notebook names a backend of its own to the programs that it starts; ours open no window.
+    os.environ.pop("MPLBACKEND", None)
     without_pandas()
     _speak_utf8()
     return main()

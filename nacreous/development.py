@@ -1,5 +1,8 @@
 """How light becomes the codes of a file, bits, space and gamut: what may be asked, checked once."""
 
+from numbers import Integral
+from typing import Literal
+
 from nacreous.number import said
 from nacreous.problem import InputError
 
@@ -23,7 +26,8 @@ def check_unchanged(bits: int, space: str, gamut: str) -> None:
             raise InputError(f"{name} is {said(given)}; allowed with .exr: as it is by default")
 
 
-def check_bits(bits: int) -> None:
-    """8 or 16 bits a channel."""
-    if type(bits) is not int or bits not in (8, 16):
+def check_bits(bits: int) -> Literal[8, 16]:
+    """8 or 16 bits a channel, of NumPy's numbers too."""
+    if not isinstance(bits, Integral) or isinstance(bits, bool) or bits not in (8, 16):
         raise InputError(f"bits is {said(bits)}; allowed: 8, 16")
+    return 16 if bits == 16 else 8

@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from nacreous.problem import InputError
+
 #: One look for all diagrams: quiet axes, no boxes.
 _STYLE: dict[Any, Any] = {
     "axes.spines.top": False,
@@ -46,7 +48,7 @@ def figure(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    with mpl.rc_context(_STYLE):
+    with _style(mpl, _STYLE):
         drawing = Figure(figsize=(width_in, height_in), layout="constrained")
         FigureCanvasAgg(drawing)
         axes = drawing.subplots(1, panels)
@@ -79,7 +81,7 @@ def sheet(path: Path, width_pt: float, height_pt: float) -> Iterator[Any]:
     # fonts: only a picture that holds the letters' shapes looks for Japanese ones.
     words = {"svg.fonttype": "none", "text.parse_math": False}
     fonts = {} if kind == ".svg" else {"font.family": ["DejaVu Sans", *_japanese_fonts()]}
-    with mpl.rc_context(_STYLE | words | fonts), warnings.catch_warnings():
+    with _style(mpl, _STYLE | words | fonts), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font")
         drawing = Figure(figsize=(width_pt / 72, height_pt / 72))
         FigureCanvasAgg(drawing)
@@ -87,6 +89,15 @@ def sheet(path: Path, width_pt: float, height_pt: float) -> Iterator[Any]:
         axes.set_axis_off()
         yield axes
         drawing.savefig(path, metadata=_UNDATED.get(kind))
+
+
+@contextmanager
+def _style(mpl: Any, style: dict[str, Any]) -> Iterator[None]:
+    """Matplotlib's defaults and a style, whatever a `matplotlibrc` says."""
+    with mpl.rc_context():
+        mpl.rcdefaults()
+        mpl.rcParams.update(style)
+        yield
 
 
 def _matplotlib() -> Any:
@@ -97,6 +108,8 @@ def _matplotlib() -> Any:
     try:
         import matplotlib as mpl
         import matplotlib.font_manager
+    except UnicodeDecodeError:
+        raise InputError("matplotlibrc is not UTF-8; allowed: text in UTF-8, or none") from None
     finally:
         logger.setLevel(level)
     return mpl

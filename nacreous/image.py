@@ -146,7 +146,7 @@ class Image(Unchanging):
         >>> codes.dtype, codes.shape
         (dtype('uint8'), (8, 8, 4))
         """
-        check_bits(bits)
+        bits = check_bits(bits)
         if not truth_of("alpha", alpha):
             return _core.develop(self.linear, str(space), str(gamut), bits)
         from nacreous.alpha import codes_with_alpha, pearls_alone
@@ -178,7 +178,7 @@ class Image(Unchanging):
             return outside
         place = file.check_output(file.named(path), SUFFIXES)
         suffix = place.suffix.lower()
-        check_bits(bits)
+        bits = check_bits(bits)
         check_words(str(space), str(gamut))
         how: dict[str, object] = {"bits": bits, "space": space, "gamut": gamut, "alpha": alpha}
         if suffix == ".exr":

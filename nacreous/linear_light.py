@@ -22,6 +22,12 @@ def linear_of(linear: ArrayLike) -> NDArray[np.float32]:
     dtype('float32')
     """
     array = _single("linear", linear)
+    kind = getattr(linear, "dtype", None)
+    if kind is not None and kind.kind in "iu" and array.max(initial=0) > 1:
+        raise InputError(
+            f"linear holds whole numbers up to {array.max():g}, as codes are; allowed: light, "
+            "white as 1 (of a picture's file: nacreous.file.read_photograph)"
+        )
     if array.ndim != 3 or array.shape[2] != 3 or not array.size:
         raise InputError(f"linear has the shape {array.shape}; allowed: [row, column, 3]")
     return array

@@ -7,6 +7,7 @@ import datetime as dt
 from typing import TYPE_CHECKING
 
 from nacreous.commands.terminal import say
+from nacreous.stream import STREAM
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -79,13 +80,12 @@ def _pearl(name: str, settings: list[str]) -> Pearl:
     """The pearl file, or a pearl of which only the nacre is given, by a preset."""
     from pathlib import Path
 
-    from nacreous.commands import standard
     from nacreous.spec import Pearl, override, preset
 
     parsed = [override.parse(setting) for setting in settings]
     overrides = [(f"nacre.{key.removeprefix('nacre.')}", value) for key, value in parsed]
     path = Path(name)
-    is_name = path.suffix.lower() != ".toml" and len(path.parts) == 1 and name != standard.STREAM
+    is_name = path.suffix.lower() != ".toml" and len(path.parts) == 1 and name != STREAM
     if is_name and not path.is_file():
         if name in preset.names("nacre"):
             return Pearl.check({"nacre": {"preset": name}}, f"preset {name}", Path(), overrides)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
 from nacreous.commands.terminal import say
 from nacreous.problem import InputError
+from nacreous.stream import STREAM
 
 if TYPE_CHECKING:
     from nacreous.embedded import Developed
@@ -99,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
     begin = time.monotonic()
     with bar("rendering") as show:
         picture = image.render_recipe(job.made, show)
-    place = sys.stdout.buffer if output == standard.STREAM else output
+    place = sys.stdout.buffer if output == STREAM else output
     outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
     say(_report(output, job, time.monotonic() - begin, outside), [output])
     return 0

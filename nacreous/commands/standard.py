@@ -13,9 +13,7 @@ from tempfile import TemporaryDirectory
 from nacreous import file
 from nacreous.printable import printable
 from nacreous.problem import InputError
-
-#: The name that stands for both.
-STREAM = "-"
+from nacreous.stream import STREAM, standard_input
 
 
 def check_output(output: str, endings: Collection[str]) -> None:
@@ -66,7 +64,7 @@ def reading(given: str, ending: str) -> Iterator[str]:
     with TemporaryDirectory(prefix="nacreous-") as folder:
         path = Path(folder, f"input{ending}")
         with path.open("wb") as whole:
-            shutil.copyfileobj(sys.stdin.buffer, whole)
+            shutil.copyfileobj(standard_input(), whole)
         try:
             yield str(path)
         except InputError as problem:

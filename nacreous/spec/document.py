@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -12,9 +11,7 @@ from nacreous import toml_text
 from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
-
-#: The path that stands for standard input.
-STREAM = "-"
+from nacreous.stream import STREAM, standard_input
 
 #: Far above any pearl or scene: 5000 listed layers take 40 kB.
 MOST_BYTES = 1_000_000
@@ -38,7 +35,7 @@ def read(path: Path) -> dict[str, Any]:
 
 def _text(path: Path, where: str) -> str:
     if str(path) == STREAM:
-        return _decoded(sys.stdin.buffer.read(MOST_BYTES + 1), where)
+        return _decoded(standard_input().read(MOST_BYTES + 1), where)
     if path.is_dir():
         raise InputError(f"{where}: is a folder; wanted: a TOML file")
     if path.exists() and not path.is_file():

@@ -15,6 +15,7 @@ from nacreous.spec.complaint import complaints, nearest, shown
 from nacreous.spec.key import FilePath, sections_in
 from nacreous.spec.section import Section
 from nacreous.spec.toml import to_toml
+from nacreous.stream import STREAM
 
 Checked = TypeVar("Checked", bound=Section)
 
@@ -96,12 +97,7 @@ def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path,
     of the kinds in order. So a *folder* called paper does not hide the preset paper.
     """
     path, name = Path(path_or_preset), str(path_or_preset)
-    if (
-        name == document.STREAM
-        or path.suffix.lower() == ".toml"
-        or len(path.parts) != 1
-        or path.is_file()
-    ):
+    if name == STREAM or path.suffix.lower() == ".toml" or len(path.parts) != 1 or path.is_file():
         return "", path, document.label(path)
     for kind in kinds:
         if name in preset.names(kind):

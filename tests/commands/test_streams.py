@@ -126,6 +126,26 @@ def test_a_home_that_nobody_can_write_to_is_no_ones_business() -> None:
     assert done.stderr == b""
 
 
+def test_standard_input_that_was_closed_is_told() -> None:
+    for words in (("scale", "-", "-o", "-"), ("render", "-")):
+        closed = ["sh", "-c", 'exec "$@" <&-', "sh", *NACREOUS, *words]
+        done = subprocess.run(closed, capture_output=True, check=False)
+        assert done.returncode == 2
+        assert done.stderr.startswith(b"nacreous: standard input is closed; allowed: < file")
+
+
+def test_diagrams_are_the_same_whatever_matplotlib_is_told_outside() -> None:
+    run("grow", "paper", "-o", "plain.svg")
+    for name in ("nonsense", "module://matplotlib_inline.backend_inline"):
+        assert run("grow", "paper", "-o", "other.svg", MPLBACKEND=name).stderr == b""
+        assert Path("other.svg").read_bytes() == Path("plain.svg").read_bytes()
+    Path("matplotlibrc").write_text("text.usetex: True\nlines.linewidth: 9\n", "utf-8")
+    assert run("grow", "paper", "-o", "other.svg").returncode == 0
+    assert Path("other.svg").read_bytes() == Path("plain.svg").read_bytes()
+    Path("matplotlibrc").write_bytes(b"font.family: \xe9\n")
+    assert b"matplotlibrc is not UTF-8" in run("grow", "paper", "-o", "other.svg").stderr
+
+
 def test_ctrl_c_at_any_moment_of_the_start_is_no_traceback() -> None:
     for delay_ms in range(5, 120, 10):
         process = subprocess.Popen(

@@ -149,9 +149,11 @@ def test_a_picture_made_by_hand_is_converted_or_refused() -> None:
         ((light, {"mask": np.zeros((3, 2, 1))}), "layer 'mask' has the shape (3, 2, 1)"),
         ((light, [light]), "layers are "),
         ((light, {}, {"x": 5}), "recipe has 5 for 'x'; allowed: texts"),
+        ((np.full((2, 2, 3), 20, np.uint8), {}), "linear holds whole numbers up to 20, as codes"),
     ):
         assert refusal(lambda given=given: nc.Image(*given)).startswith(message)
     assert refusal(lambda: made.develop(bits=8.0)) == "bits is 8.0; allowed: 8, 16"
+    assert made.develop(bits=np.int64(16))[0].dtype == np.uint16
 
 
 def test_what_means_nothing_is_refused_and_not_passed_over(

@@ -11,12 +11,14 @@ import numpy as np
 import pytest
 
 from nacreous.problem import InputError
+from nacreous.scaling import Answers
 from nacreous.study.design import Design, Frozen, freezing
 from nacreous.study.design.exported_names import check_exported_names
 from nacreous.study.results import exported_answers, report
 from nacreous.study.results.scale import counted
 from nacreous.study.store import Store, export
 from nacreous.study.store.codebook import group_column
+from nacreous.study.task.counting import DATA
 from tests.support.gathering import by_scale, frozen_study, opened, take_part
 
 ASKED = {"en": "Which?", "ja": "どれ?"}
@@ -140,3 +142,57 @@ def test_a_declared_value_of_a_frozen_study_is_no_empty_cell_in_its_report(
         export(store, running.study, tmp_path / "out.csv")
     # A file may have been saved anew by a program that writes na into an empty cell: that is said.
     assert exported_answers(tmp_path / "out.csv").groups["region"].nothing == ("na",)
+
+
+def test_labels_that_are_words_for_sides_are_labels_in_store_export_and_report(
+    tmp_path: Path,
+) -> None:
+    scale = {"left": 0.8, "right": 0.0, "tie": -0.8}
+    frozen = frozen_study(tmp_path, scale, sitting={"ties": True})
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        for _ in range(6):
+            take_part(running, by_scale(scale, np.random.default_rng(8)))
+        wins = dict.fromkeys(scale, 0)
+        for row in store.answers(running.study):
+            wins[row[row["chosen"]]] += row["kind"] in DATA
+        answers = counted(running, "deeper", simulated=False)
+        export(store, running.study, tmp_path / "out.csv")
+        assert "<html" in report(running, "deeper")
+    for found in (answers, exported_answers(tmp_path / "out.csv")):
+        matrix = found.comparisons().matrix
+        assert dict(zip(found.stimuli, matrix.sum(axis=1), strict=True)) == wins
+
+
+def test_an_export_is_never_read_as_answers_that_all_count(tmp_path: Path) -> None:
+    frozen = frozen_study(tmp_path, "abc")
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        take_part(running, by_scale(SCALE, np.random.default_rng(8)))
+        export(store, running.study, tmp_path / "out.csv")
+    rows = list(csv.DictReader((tmp_path / "out.csv").read_text("utf-8").splitlines()))
+    table = {name: [row[name] for row in rows] for name in rows[0]}
+    tables = [
+        table,
+        *({name: table[name] for name in table if name != one} for one in ("kind", "simulated")),
+        {name.title(): column for name, column in table.items()},
+    ]
+    names = {"left": "Left", "right": "Right", "chosen": "Chosen"}
+    for one, called in zip(tables, ({}, {}, {}, names), strict=True):
+        with pytest.raises(InputError, match=r"of a study's export, which says? that not every"):
+            Answers.of_table(one, **called)
+    counting = {name: table[name] for name in ("left", "right", "chosen", "person")}
+    assert len(Answers.of_table(counting)) == len(rows)
+
+
+def test_an_export_below_itself_is_refused(tmp_path: Path) -> None:
+    frozen = frozen_study(tmp_path, "abc")
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        take_part(running, by_scale(SCALE, np.random.default_rng(8)))
+        export(store, running.study, tmp_path / "out.csv")
+    head, *rows = (tmp_path / "out.csv").read_text("utf-8").splitlines()
+    (tmp_path / "twice.csv").write_text("\n".join([head, *rows, *rows]), "utf-8")
+    said = f"row {len(rows) + 1}: sequence is 1, as in row 1; allowed: each once"
+    with pytest.raises(InputError, match=said):
+        exported_answers(tmp_path / "twice.csv")

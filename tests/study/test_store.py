@@ -5,6 +5,7 @@ import threading
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 
+import numpy as np
 import pytest
 import sqlalchemy as sa
 
@@ -176,6 +177,19 @@ def test_an_excluded_person_stays_with_the_reason(store: Store) -> None:
     assert store.answers(STUDY)[0]["excluded"] is None
     told = [(event.what, event.who) for event in store.events(STUDY)][-2:]
     assert told == [("excluded", "lab"), ("readmitted", "lab")]
+
+
+def test_a_reason_of_blanks_is_none(store: Store) -> None:
+    session = entered(store)
+    with pytest.raises(InputError, match=r"reason is ' '; allowed: text"):
+        store.exclude(session.id, " ", "lab")
+    assert store.sessions(STUDY)[0].excluded_reason is None
+
+
+def test_numpys_whole_numbers_are_numbers_of_answers_and_invitations(store: Store) -> None:
+    session = entered(store)
+    store.answer(session.id, answer(np.int64(0)))
+    assert len(store.invite(STUDY, np.int64(2), "Monday", "lab")) == 2
 
 
 def test_progress_counts_who_and_how_far(place: str) -> None:

@@ -28,6 +28,7 @@ from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.preview import without_previews
 from nacreous.scaling.data.repeat import refuse_repeats
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
+from nacreous.scaling.data.study_export import refuse_study_export
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.tie_column import (
     refuse_other_ties,
@@ -70,6 +71,7 @@ def fields_of(
     """Check a table's rows and return what `Answers` holds."""
     repeats, sided = truth_of("repeats", repeats), truth_of("sided", sided)
     skip_unanswered = truth_of("skip_unanswered", skip_unanswered)
+    refuse_study_export(table)
     rows = table.rows
     table = without_previews(table, skip_unanswered)
     previews = rows - table.rows

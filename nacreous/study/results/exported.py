@@ -101,11 +101,17 @@ def _rows(table: Table, where: str) -> list[Row]:
     """Rows as the store gives them, as far as the file says."""
     texts = {name: _texts(table, name) for name in _NAMES}
     rows = []
+    first: dict[int, int] = {}
     comma = table.separator == ";"
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
         cell = f"{where}: row {place + 1}"
         row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
+        if first.setdefault(row["seq"], place) != place:
+            raise InputError(
+                f"{cell}: sequence is {row['seq']}, as in row {first[row['seq']] + 1}; allowed: "
+                "each once, for a file of one export (not of several, one below the other)"
+            )
         trial = _number(row["trial"], f"{cell}: trial", comma)
         row["trial"] = row["seq"] if trial is None else trial  # of an erased person
         row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms", comma)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
+from numbers import Integral
 from typing import Any
 
 from nacreous.printable import printable
@@ -21,8 +22,8 @@ LARGEST_MANIFEST = 64 * 2**20
 
 
 def text(name: str, value: Any, longest: int = LONGEST_TEXT) -> str:
-    """Text of 1 to `longest` characters that every database can hold."""
-    if not isinstance(value, str):
+    """Text of 1 to `longest` characters, not all blank, that every database can hold."""
+    if not isinstance(value, str) or value.isspace():
         raise InputError(f"{name} is {_shown(value)}; allowed: text")
     if not 1 <= len(value) <= longest:
         raise InputError(f"{name} is {len(value)} characters long; allowed: 1 to {longest}")
@@ -39,10 +40,11 @@ def one_of(name: str, value: Any, allowed: Collection[str]) -> str:
 
 
 def whole(name: str, value: Any, most: int = 2**31 - 1) -> int:
-    """A whole number from 0 to `most`."""
-    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+    """A whole number from 0 to `most`, NumPy's too."""
+    is_whole = isinstance(value, Integral) and not isinstance(value, bool)
+    if not is_whole or not 0 <= value <= most:
         raise InputError(f"{name} is {_shown(value)}; allowed: a whole number, 0 to {most}")
-    return value
+    return int(value)
 
 
 def duration_ms(name: str, value: Any) -> float | None:

@@ -40,7 +40,8 @@ class Lab(Base):
         ...     invitation.label, invitation.number
         ('Monday, seat 3', 0)
         """
-        if not 1 <= check.whole("count", count) <= invitations.MOST:
+        count = check.whole("count", count)
+        if not 1 <= count <= invitations.MOST:
             raise InputError(f"count is {count}; allowed: 1 to {invitations.MOST}")
         drawn = [tokens.draw() for _ in range(count)]
         work = partial(

@@ -90,12 +90,12 @@ def answers(columns: Mapping[str, Any], groups: Mapping[str, Grouping]) -> Answe
     """Columns as `nacreous.scaling` takes them, left, right, chosen, person, trial, response_ms.
 
     People are named by number, erased ones by their random names. Trials give the order. Labels are
-    as they can be shown; one such as NA is a label here. Each text is checked once, however many
-    answers have it.
+    as they can be shown; one such as NA, left or tie is a label here. Each text is checked once,
+    however many answers have it.
     """
     from nacreous.scaling import Answers
 
-    names = ("left", "right", "chosen")
+    names = ("left", "right")
     sides = [_coded(columns[name]) for name in names]
     person = _coded(columns["person"])
     cells, row = _distinct([codes for _, codes in sides])
@@ -105,6 +105,7 @@ def answers(columns: Mapping[str, Any], groups: Mapping[str, Grouping]) -> Answe
         for name, texts, cell in zip(names, shown, cells, strict=True)
     }
     stimuli = natural({*pairs["left"], *pairs["right"]})
+    pairs["chosen"] = pairs["left"]  # by label; what was chosen is known without any word
     pair = Answers.of_table(pairs, stimuli=stimuli, repeats=True)
     first = {name: [column[0]] * len(person[0]) for name, column in pairs.items()}
     people = Answers.of_table({**first, "person": person[0]}, stimuli=stimuli, repeats=True)
@@ -115,13 +116,24 @@ def answers(columns: Mapping[str, Any], groups: Mapping[str, Grouping]) -> Answe
         pair,
         left=released(pair.left[row]),
         right=released(pair.right[row]),
-        outcome=released(pair.outcome[row]),
+        outcome=_outcomes(*_coded(columns["chosen"])),
         people=people.people,
         person=released(people.person[person[1]]),
         groups=groups,
         response_s=released(times_ms / 1000),
         time=_floats(columns["trial"]),
     )
+
+
+def _outcomes(words: list[str], code: NDArray[np.int64]) -> NDArray[np.int8]:
+    """1 where the left one was chosen, -1 the right one, 0 neither."""
+    said_by = dict(zip(CHOICES, (1, -1, 0), strict=True))
+    used = [words[at] for at in np.unique(code[code >= 0])] + [""] * bool(np.any(code < 0))
+    for word in used:
+        if word not in said_by:
+            allowed = ", ".join(CHOICES)
+            raise InputError(f"chosen is {said(printable(word))}; allowed: {allowed}")
+    return np.array([said_by.get(word, 0) for word in words], np.int8)[code]
 
 
 def _floats(column: Any) -> NDArray[np.float64]:
