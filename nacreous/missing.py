@@ -49,5 +49,13 @@ def beside(path: str | PathLike[str]) -> str | None:
 def _nearest(name: str, names: list[str]) -> str | None:
     from difflib import get_close_matches
 
-    with_ending = [other for other in names if Path(other).stem == name]
-    return next(iter(with_ending or get_close_matches(name, names, n=1, cutoff=0.7)), None)
+    word = name.lower()
+    by_stem = {Path(other).stem.lower(): other for other in names}
+    if word in by_stem:
+        return by_stem[word]
+    by_name = {other.lower(): other for other in names}
+    for known in (by_name, {} if Path(name).suffix else by_stem):
+        near = get_close_matches(word, list(known), n=1, cutoff=0.7)
+        if near:
+            return known[near[0]]
+    return None

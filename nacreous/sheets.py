@@ -17,6 +17,7 @@ from nacreous.number import said, whole_of
 from nacreous.problem import InputError
 from nacreous.spec import Pearl, Scene, preset
 from nacreous.spec.body import PIGMENTS
+from nacreous.spec.complaint import nearest
 
 __all__ = ["NAMES", "make"]
 
@@ -108,7 +109,9 @@ def make(
     """
     for name in names:
         if name not in _SHEETS:
-            raise InputError(f"sheet is {said(name)}; allowed: {', '.join(NAMES)}")
+            near = nearest(str(name), list(NAMES))
+            hint = f"did you mean {near}?" if near else f"allowed: {', '.join(NAMES)}"
+            raise InputError(f"sheet is {said(name)}; {hint}")
     size = whole_of("size", size, 32, 1024)
     drawn = {name: _SHEETS[name]() for name in names}
     count = sum(len(row) for rows in drawn.values() for row in rows)

@@ -81,6 +81,7 @@ def _pearl(name: str, settings: list[str]) -> Pearl:
     from pathlib import Path
 
     from nacreous.spec import Pearl, override, preset
+    from nacreous.spec.specfile import find
 
     parsed = [override.parse(setting) for setting in settings]
     overrides = [(f"nacre.{key.removeprefix('nacre.')}", value) for key, value in parsed]
@@ -90,7 +91,7 @@ def _pearl(name: str, settings: list[str]) -> Pearl:
         if name in preset.names("nacre"):
             return Pearl.check({"nacre": {"preset": name}}, f"preset {name}", Path(), overrides)
         if not path.exists() and name not in preset.names("pearl"):
-            preset.path("nacre", name)  # says which one was probably meant
+            find(name, ("nacre", "pearl"))  # says which one was probably meant
     return Pearl.load(name, overrides)
 
 

@@ -50,6 +50,18 @@ class _Parser(argparse.ArgumentParser):
         name = argparse._get_action_name(action) or "argument"
         raise InputError(f"{name} is {ascii(value)[:60]}; {nearest(str(value), choices)}")
 
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """What argparse would leave to the main parser, which knows no command's options."""
+        found, unknown = super().parse_known_args(args, namespace)
+        if unknown:
+            from difflib import get_close_matches
+
+            options = [one for action in self._actions for one in action.option_strings]
+            near = get_close_matches(unknown[0].partition("=")[0], options, n=1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
+        return found, unknown
+
     def error(self, message: str) -> NoReturn:
         raise InputError(f"{message}; try: {self.prog} --help")
 

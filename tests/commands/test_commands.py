@@ -227,8 +227,8 @@ def test_the_output_is_tried_before_the_long_work(
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (["papre"], '"papre" is not a nacre preset; did you mean paper?'),
-        (["akoia"], '"akoia" is not a nacre preset; did you mean akoya'),
+        (["papre"], '"papre" is neither a file nor a nacre or pearl preset; did you mean paper?'),
+        (["akoia"], '"akoia" is neither a file nor a nacre or pearl preset; did you mean akoya'),
         (["paper", "--set", "harvst=08-15"], "--set: nacre.harvst is not a key here; did you mean"),
         (
             ["paper", "--set", "nacre.harvst=1"],

@@ -151,7 +151,7 @@ def test_options_reach_the_fit(desk: Path) -> None:
     ("arguments", "message"),
     [
         (["gone.csv"], "gone.csv: does not exist"),
-        (["papre"], "papre: the ending is missing; allowed: .csv, .tsv, .txt, .parquet"),
+        (["papre"], "papre: does not exist; wanted: .csv, .tsv, .txt, .parquet"),
         (["empty.csv"], "empty.csv: "),
         (["no-chosen.csv"], "no-chosen.csv: has no column chosen; columns here: "),
         (["self.csv"], 'self.csv: row 2: "1" is paired with itself'),

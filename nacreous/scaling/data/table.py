@@ -84,6 +84,8 @@ def read_table(
     file = Path(path)
     place = printable(str(file))
     if file.suffix.lower() not in ENDINGS and not file.is_dir():
+        if not file.suffix and not file.exists():
+            raise missing(file, ", ".join(ENDINGS))
         given = printable(file.suffix) or "missing"
         raise InputError(f"{place}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
     content = read_bytes(file)
