@@ -19,6 +19,7 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from nacreous.commands.parser import COMMANDS, build_parser, nearest
 from nacreous.frames import without_pandas
@@ -65,14 +66,24 @@ def main(argv: Sequence[str] | None = None) -> int:
         _leave_pipe()
         return 141
     except OSError as problem:
-        where = f"{problem.filename}: " if problem.filename else ""
         _leave_pipe()
-        return _complain(f"{where}{problem.strerror or problem}", 1)
+        return _complain(f"{_place(problem)}{problem.strerror or problem}", 1)
     except Exception as problem:
         if not _wraps_interrupt(problem):
             raise
         return _complain("interrupted; nothing was written", 130)
     return code
+
+
+def _place(problem: OSError) -> str:
+    """What could not be had; the folder one stands in, where it was removed meanwhile."""
+    if problem.filename:
+        return f"{problem.filename}: "
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return "the working folder: "
+    return ""
 
 
 def _wraps_interrupt(problem: Exception) -> bool:

@@ -7,14 +7,19 @@ without fear that somebody writes into it.
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
+from collections.abc import Sized
 from typing import Any, TypeVar, dataclass_transform
 
 from nacreous.unchanging import key_of, ordered, seen, settled
 
-__all__ = ["value_class"]
+__all__ = ["in_short", "value_class"]
 
 T = TypeVar("T")
+
+#: The most numbers of an array, and characters of another field, that stand in a repr **(ours)**.
+_MOST_SHOWN, _LONGEST_SHOWN = 12, 300
 
 #: Types of fields that may hold arrays.
 _ARRAYS = re.compile(r"[Aa]rray|\bAny\b")
@@ -76,6 +81,8 @@ def value_class(cls: type[T]) -> type[T]:
     cls.__eq__ = _equal  # type: ignore[method-assign]
     cls.__hash__ = _hash  # type: ignore[method-assign]
     cls.__dask_tokenize__ = _token  # type: ignore[attr-defined]
+    if "__repr__" not in cls.__dict__:
+        cls.__repr__ = in_short  # type: ignore[method-assign]
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
 
     def state(self: Any) -> dict[str, Any]:
@@ -90,6 +97,37 @@ def value_class(cls: type[T]) -> type[T]:
     cls.__getstate__ = state  # type: ignore[method-assign]
     cls.__setstate__ = set_state  # type: ignore[attr-defined]
     return made
+
+
+def in_short(self: Any) -> str:
+    """A dataclass as its fields, of which long ones are told by how long they are.
+
+    >>> import numpy as np
+    >>> @value_class
+    ... class Spectrum:
+    ...     name: str
+    ...     values: np.ndarray
+    >>> Spectrum("E", np.ones((4, 41)))
+    Spectrum(name='E', values=<float64 array, 4 x 41>)
+    """
+    shown = (
+        f"{field.name}={_part(getattr(self, field.name))}"
+        for field in dataclasses.fields(self)
+        if field.repr
+    )
+    return f"{type(self).__qualname__.rpartition('.')[2]}({', '.join(shown)})"
+
+
+def _part(item: Any) -> str:
+    shape = getattr(item, "shape", None)
+    if isinstance(shape, tuple) and math.prod(shape) > _MOST_SHOWN:
+        return f"<{item.dtype} array, {' x '.join(map(str, shape))}>"
+    text = repr(item)
+    if len(text) <= _LONGEST_SHOWN:
+        return text
+    if isinstance(item, Sized) and not isinstance(item, str):
+        return f"<{len(item)} {'items' if len(item) != 1 else 'item'}>"
+    return f"{text[:_LONGEST_SHOWN]}..."
 
 
 def _key(self: Any) -> tuple[Any, ...]:

@@ -100,6 +100,14 @@ class Section(BaseModel):
             raise InputError("model_copy(update=...) checks nothing; allowed: replace(key=value)")
         return super().model_copy(deep=deep)
 
+    def copy(self, **changes: Any) -> Self:  # type: ignore[override]
+        """The same by pydantic's former name."""
+        if changes:
+            raise InputError(
+                f"copy({', '.join(changes)}) checks nothing; allowed: replace(key=value)"
+            )
+        return self.model_copy()
+
     def contradictions(self) -> Iterator[Contradiction]:
         """What is wrong between keys that are each right; sections with such rules override it."""
         yield from ()

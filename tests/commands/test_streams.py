@@ -134,6 +134,20 @@ def test_standard_input_that_was_closed_is_told() -> None:
         assert done.stderr.startswith(b"nacreous: standard input is closed; allowed: < file")
 
 
+def test_help_on_a_full_disk_and_work_in_a_removed_folder_are_told() -> None:
+    full = subprocess.run(
+        ["sh", "-c", 'exec "$@" >/dev/full', "sh", *NACREOUS, "--help"],
+        capture_output=True,
+        check=False,
+    )
+    assert (full.returncode, full.stderr) == (1, b"nacreous: No space left on device\n")
+    gone = ["sh", "-c", 'mkdir gone; cd gone; rmdir ../gone; exec "$@"', "sh", *NACREOUS]
+    done = subprocess.run([*gone, "grow", "paper", "-o", "a.png"], capture_output=True, check=False)
+    assert done.returncode in (1, 2)
+    (line,) = [one for one in done.stderr.splitlines() if one.startswith(b"nacreous:")]
+    assert b"folder" in line or b"a.png" in line
+
+
 def test_diagrams_are_the_same_whatever_matplotlib_is_told_outside() -> None:
     run("grow", "paper", "-o", "plain.svg")
     for name in ("nonsense", "module://matplotlib_inline.backend_inline"):

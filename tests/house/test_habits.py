@@ -40,6 +40,12 @@ def test_parts_of_a_study_are_reached_without_another_import() -> None:
     assert nc.study.design.freezing.__name__ == "nacreous.study.design.freezing"
 
 
+@pytest.mark.parametrize("name", ["design", "plan", "results", "running", "store"])
+def test_a_part_of_a_study_lists_its_public_names_alone(name: str) -> None:
+    part = getattr(nc.study, name)
+    assert dir(part) == sorted(part.__all__)
+
+
 def test_a_section_shows_the_keys_that_differ_from_their_defaults() -> None:
     assert repr(nc.Pearl()) == str(nc.Pearl()) == "Pearl()"
     pearl = nc.Pearl(depth=0.7, texture=Texture(seed=3))
@@ -55,6 +61,8 @@ def test_a_changed_section_is_checked_like_a_new_one() -> None:
             pearl.replace(**wrong)
     with pytest.raises(nc.InputError, match="allowed: replace"):
         pearl.model_copy(update={"depth": 7})
+    with pytest.raises(nc.InputError, match=r"copy\(update\) checks nothing; allowed: replace"):
+        pearl.copy(update={"depth": 7})
     assert pearl.model_copy(deep=True) == pearl
     if sys.version_info >= (3, 13):
         assert copy.replace(pearl, depth=0.7) == pearl.replace(depth=0.7)

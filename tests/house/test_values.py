@@ -24,6 +24,11 @@ NO_RESULTS = {"nacreous.problem.InputError"}
 each_result = pytest.mark.parametrize("result", examples(), ids=lambda item: type(item).__name__)
 
 
+@each_result
+def test_no_result_fills_a_screen_by_its_repr(result: Any) -> None:
+    assert len(repr(result)) < 3000
+
+
 def copies(item: Any) -> Iterator[Any]:
     yield copy.copy(item)
     yield copy.deepcopy(item)

@@ -8,3 +8,8 @@ from nacreous.study.design.freezing import freeze
 from nacreous.study.design.manifest import Frozen, FrozenStimulus, open_frozen
 
 __all__ = ["Design", "Frozen", "FrozenStimulus", "freeze", "open_frozen"]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -15,6 +15,7 @@ from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.scaling.data.label import label_of
 from nacreous.study.design.design import Design
+from nacreous.value import in_short
 
 __all__ = ["MAKER", "RECORD", "STIMULI", "Frozen", "FrozenStimulus", "hash_of", "open_frozen"]
 
@@ -43,12 +44,14 @@ class FrozenStimulus:
     recipe: Mapping[str, Any] | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Frozen:
     """A frozen study, as it was made.
 
     study_hash: of the whole manifest, stimuli included. design_hash: of the study file alone.
     """
+
+    __repr__ = in_short
 
     folder: Path
     design: Design

@@ -15,3 +15,8 @@ from nacreous.study.plan.sequence import trials
 from nacreous.study.plan.trial import Trial, repetitions
 
 __all__ = ["Trial", "drawn_groups", "repetitions", "trials"]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

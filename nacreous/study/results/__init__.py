@@ -16,3 +16,8 @@ __all__ = [
     "report",
     "scale_so_far",
 ]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

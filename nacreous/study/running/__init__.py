@@ -3,3 +3,8 @@
 from nacreous.study.running.running import Running
 
 __all__ = ["Running"]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -33,3 +33,8 @@ __all__ = [
     "export",
     "restore",
 ]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

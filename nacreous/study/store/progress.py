@@ -11,6 +11,7 @@ import sqlalchemy as sa
 from nacreous.study.store import people
 from nacreous.study.store.record import Session
 from nacreous.study.store.schema import answers, sessions
+from nacreous.value import in_short
 
 
 @dataclass(frozen=True)
@@ -26,12 +27,14 @@ class PersonProgress:
     last_at: datetime | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Progress:
     """Counts of a study. Erased people are in `entered`, and their answers in `answers`.
 
     `median_s` is from entering to finishing, of those who have finished; None without any.
     """
+
+    __repr__ = in_short
 
     state: str
     entered: int
