@@ -196,7 +196,9 @@ def _protein(protein_nm: ArrayLike) -> float | NDArray[np.float64]:
 
 
 def _cover(cover: Sequence[tuple[Medium, float]]) -> tuple[tuple[Medium, float], ...]:
-    """Covers as they are kept, each of them checked."""
+    """Covers as they are kept, each of them checked; an array [layer, 2] has them as rows."""
+    if isinstance(cover, np.ndarray):
+        cover = cover.tolist()
     if not isinstance(cover, (list, tuple)) or len(cover) > 100:
         raise InputError(
             f"cover is {said(cover)}; allowed: up to 100 pairs (medium, thickness in nm)"

@@ -100,7 +100,7 @@ class Section(BaseModel):
             raise InputError("model_copy(update=...) checks nothing; allowed: replace(key=value)")
         return super().model_copy(deep=deep)
 
-    def copy(self, **changes: Any) -> Self:  # type: ignore[override]
+    def copy(self, **changes: Any) -> Self:
         """The same by pydantic's former name."""
         if changes:
             raise InputError(

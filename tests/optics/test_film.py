@@ -130,6 +130,7 @@ def test_stacks_layer_by_layer_are_those_of_equal_layers_where_they_are_equal() 
 def test_a_cover_like_the_ambient_changes_nothing_and_a_quarter_wave_mirrors_nothing() -> None:
     bare = nc.LayerStack([400.0] * 6, 20.0, ambient=1.33)
     wet = nc.LayerStack([400.0] * 6, 20.0, ambient=1.33, cover=[(1.33, 777.0)])
+    assert wet == nc.LayerStack([400.0] * 6, 20.0, ambient=1.33, cover=np.array([[1.33, 777.0]]))
     np.testing.assert_allclose(
         energies(wet, ANGLES, NM).R, energies(bare, ANGLES, NM).R, rtol=0, atol=1e-13
     )
