@@ -9,6 +9,7 @@ from nacreous.scaling.data.fault import listed
 
 if TYPE_CHECKING:
     from nacreous.scaling.check.population import Population
+    from nacreous.scaling.compare.style import GroupStyle
     from nacreous.scaling.fit.scale import Scale
     from nacreous.scaling.report.analysis import Analysis
 
@@ -88,12 +89,23 @@ def _groups_told(found: Analysis) -> list[str]:
     if groups.found is None:
         return [f"{by} cannot be compared: fewer than two have a scale of their own"]
     differ = groups.differ(found.settings.level)
-    what = f"{by} differ" if differ else f"{by}: no difference found beyond chance"
-    lines = [f"{what}, p = {groups.found.p_value:.3g}"]
+    styles = groups.styles(found.settings.level)
+    found_none = "no difference of places found" if styles else "no difference found"
+    what = f"{by} differ" if differ else f"{by}: {found_none} beyond chance"
+    lines = [f"{what}, p = {groups.found.p_value:.3g}", *map(_style_told, styles)]
     if groups.left_out:
         names = listed(one.name for one in groups.left_out)
         lines.append(f"not compared, for they have no scale of their own: {names}")
     return lines
+
+
+def _style_told(style: GroupStyle) -> str:
+    """In which way groups answer apart, which is no other scale."""
+    most, least = style.most, style.least
+    more, less = (100 * style.shares[name] for name in (most, least))
+    what = "calls more things equal" if style.name == "ties" else "is drawn more to the left"
+    shares = f"{more:.0f} to {less:.0f} of 100"
+    return f"{most} {what} than {least}, of two alike {shares}, p = {style.p_adjusted:.3g}"
 
 
 def _left_out_told(found: Analysis) -> list[str]:

@@ -28,9 +28,9 @@ from .compare.attributes import AttributeFit as AttributeFit
 from .compare.attributes import AttributeTest as AttributeTest
 from .compare.attributes import AttributeWeight as AttributeWeight
 from .compare.attributes import fit_attributes as fit_attributes
+from .compare.group_test import GroupTest as GroupTest
 from .compare.groups import GroupComparison as GroupComparison
 from .compare.groups import GroupDifference as GroupDifference
-from .compare.groups import GroupTest as GroupTest
 from .compare.groups import compare_groups as compare_groups
 from .compare.ratio import ClusterRatio as ClusterRatio
 from .compare.ratio import RatioChange as RatioChange
@@ -38,6 +38,7 @@ from .compare.ratio import cluster_ratio as cluster_ratio
 from .compare.ratio import compare_ratios as compare_ratios
 from .compare.sets import SetComparison as SetComparison
 from .compare.sets import compare_sets as compare_sets
+from .compare.style import GroupStyle as GroupStyle
 from .data.answers import Answers as Answers
 from .data.column import Grouping as Grouping
 from .data.comparisons import Comparisons as Comparisons

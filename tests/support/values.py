@@ -158,6 +158,7 @@ def _of_answers() -> list[object]:
         groups,
         groups.tests[0],
         groups.differences[0],
+        scaling.GroupStyle("ties", {"a": 0.4, "b": 0.1}, 9.5, 1, 0.01, 0.02),
         people,
         people.candidates[0],
         scaling.PersonClass(0.4, ("mika", "jun"), np.array([0.5, 0.0, -0.5]), -0.9),

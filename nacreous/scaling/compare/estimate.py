@@ -15,7 +15,6 @@ from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.distribution import chi2, f
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
-from nacreous.scaling.fit.clustering import personal
 from nacreous.scaling.fit.errors import errors_of
 from nacreous.scaling.fit.existence import REMEDY, require_choices
 from nacreous.scaling.fit.scale import Scale
@@ -94,14 +93,6 @@ def fit_of(data: Any, model: str, **options: Any) -> Scale:
             raise
         # What asks for this fit knows no prior: tests and intervals would not be theirs with one.
         raise InputError(str(problem).replace(f", {REMEDY}", "")) from problem
-
-
-def slopes_of(fit: Scale, answers: Answers) -> Array:
-    """Slopes of the log-likelihood of each person's answers at a fit, [person, parameter].
-
-    People are those who answered, as `names_of` lists them.
-    """
-    return np.asarray(fit.room.scores(personal(answers), fit.parameters))
 
 
 def names_of(answers: Answers) -> tuple[str, ...]:

@@ -1,13 +1,14 @@
 """Do groups of people share one scale? Tests that hold their size, and what differs.
 
-Three tests of one hypothesis, that the scale (with the order effect and the width of ties, where
-fitted) is the same in every group:
+Three tests of one hypothesis, that the places of the stimuli are the same in every group. Where
+the width of ties or the order effect is fitted, each group has its own, and whether these differ
+is tested apart (`GroupStyle`): who calls more things equal may well have the same scale.
 
-likelihood-ratio  2 (sum of the groups' log-likelihoods - that of the pooled answers), chi-squared.
+likelihood-ratio  2 (sum of the groups' log-likelihoods - that with places shared), chi-squared.
                   Holds its size if answers are independent; all that can be had from counts.
 permutation       Rao's score statistic, with people dealt anew to the groups thousands of times.
-                  Exact however people differ, for groups formed by chance. **The default wherever
-                  every group names its people.**
+                  Exact however people differ, for groups formed by chance, but for what each group
+                  has of its own. **The default wherever every group names its people.**
 robust-wald       differences of the scales against their covariance with people as clusters, as
                   Hotelling's T squared. Needs more people than parameters.
 
@@ -25,7 +26,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said, seed_of, whole_of, within
+from nacreous.number import said, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import (
     Estimate,
@@ -35,13 +36,14 @@ from nacreous.scaling.compare.estimate import (
     shared_people,
     spread_over,
 )
-from nacreous.scaling.compare.permutation import permutation_test
+from nacreous.scaling.compare.group_test import GroupTest, group_tests
 from nacreous.scaling.compare.pool import pooled
+from nacreous.scaling.compare.style import GroupStyle, styles_of
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.label import group_names
-from nacreous.scaling.distribution import chi2, t
+from nacreous.scaling.distribution import t
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model
@@ -53,16 +55,6 @@ Array = NDArray[np.float64]
 
 #: How often people are dealt anew to the groups.
 PERMUTATIONS = 1999
-
-
-@value_class
-class GroupTest:
-    """One test that the groups share one scale: its name, statistic, degrees of freedom, p."""
-
-    name: str
-    statistic: float
-    df: int
-    p_value: float
 
 
 @value_class
@@ -90,8 +82,10 @@ class GroupComparison:
 
     fits         one fitted scale a group
     shared       the scale fitted to all answers together
-    tests        all tests that could be made, the default one first
+    tests        all tests of the places that could be made, the default one first
     differences  stimulus by stimulus, for each pair of groups
+    styles       whether groups differ in how readily they tie, and in how the side draws them,
+                 where that is fitted
     clustered    whether people were known, and errors take them as clusters
     """
 
@@ -101,6 +95,7 @@ class GroupComparison:
     tests: tuple[GroupTest, ...]
     differences: tuple[GroupDifference, ...]
     clustered: bool
+    styles: tuple[GroupStyle, ...] = ()
 
     @property
     def statistic(self) -> float:
@@ -114,7 +109,7 @@ class GroupComparison:
 
     @property
     def p_value(self) -> float:
-        """How often groups that share one scale differ as much, by the default test."""
+        """How often groups that share one scale differ as much in it, by the default test."""
         return self.tests[0].p_value
 
     def test(self, name: str) -> GroupTest:
@@ -142,8 +137,9 @@ def compare_groups(
     groups        name -> Answers, counts, or whatever `thurstone` takes; the same stimuli in each
                   (`answers.split("group")` gives such).
     model         "probit" (Thurstone's case V) or "logit" (Bradley and Terry).
-    ties, order   as for `thurstone`; with them the hypothesis covers the width of ties and the
-                  order effect too.
+    ties, order   as for `thurstone`; with them each group has a width of ties and an order effect
+                  of its own, compared apart from the places (`styles`). A group without a tie has
+                  width 0.
     same_people   whether a person's label in two groups is one person (who then is dealt anew
                   between these groups only) or two. Needed only where labels are in both.
     permutations  how often people are dealt anew; the smallest p is 1 / (permutations + 1).
@@ -181,18 +177,15 @@ def compared(
     clustered = all(one.people for one in found.values())
     fitted_ties = fit.tie_threshold is not None
     shared = fit_of(pooled(named, same), model, ties=fitted_ties, order=order)
-    ratio = _likelihood_ratio(found, shared)
     joint = spread_over(found, same)
     freedom = _freedom(found, same) if clustered else np.inf
-    tests = [ratio]
+    tests = group_tests(named, found, shared, "places", permutations, same, seed)
     if clustered:
-        parts = {name: data for name, data in named.items() if isinstance(data, Answers)}
-        statistic, p_value = permutation_test(parts, shared, permutations, same, seed_of(seed))
-        tests.insert(0, GroupTest("permutation", statistic, ratio.df, p_value))
         tests += _robust_wald(found, joint, freedom)
     differences = _differences(found, joint, freedom, level)
     fits = {name: one.fit for name, one in found.items()}
-    return GroupComparison(model, fits, shared, tuple(tests), differences, clustered)
+    styles = styles_of(named, found, shared, permutations, same, seed)
+    return GroupComparison(model, fits, shared, tuple(tests), differences, clustered, styles)
 
 
 def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
@@ -204,13 +197,6 @@ def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
         name: data if isinstance(data, Answers) else comparisons_of(data)
         for name, data in zip(group_names(groups), groups.values(), strict=True)
     }
-
-
-def _likelihood_ratio(found: dict[str, Estimate], shared: Scale) -> GroupTest:
-    apart = sum(one.fit.log_likelihood for one in found.values())
-    statistic = max(0.0, 2 * (apart - shared.log_likelihood))
-    df = (len(found) - 1) * shared.free_parameters
-    return GroupTest("likelihood-ratio", float(statistic), df, float(chi2.sf(statistic, df)))
 
 
 def _freedom(found: dict[str, Estimate], same: bool) -> float:

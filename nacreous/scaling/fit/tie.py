@@ -23,7 +23,8 @@ FEW = 0.05
 def fits_ties(ties: bool | None, data: Sequence[Comparisons], link: str, order: bool) -> bool:
     """Whether to fit how wide ties are: as asked for, or where ties are more than a few.
 
-    data: all groups that are to be fitted alike. None also asks that each has a finite threshold.
+    data: all groups that are to be fitted alike. None also asks that each has a finite threshold;
+    a group without a tie, which may have been offered none, has the threshold 0.
 
     >>> counts = Comparisons.of_counts([[0, 30], [20, 0]], [[0, 9], [9, 0]])
     >>> fits_ties(None, [counts], "probit", order=False)
@@ -37,6 +38,7 @@ def fits_ties(ties: bool | None, data: Sequence[Comparisons], link: str, order: 
     if tied <= FEW * sum(each.total for each in data):
         return False
     return all(
-        each.ties.any() and pair_model(each, link, True, order).existence() not in ("ties", "order")
+        not each.ties.any()
+        or pair_model(each, link, True, order).existence() not in ("ties", "order")
         for each in data
     )

@@ -19,6 +19,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of
 from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.pool import pooled
+from nacreous.scaling.compare.restricted import restricted
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.label import label_of
@@ -122,7 +123,11 @@ class Plan:
             fitted = self._fitted(lambda **more: fit_of(pooled(groups), self.model, **more))
             if fitted is None:
                 return None
-            return permutation_test(groups, fitted, _DEALS, False, study)[1] <= alpha
+            try:
+                alike = restricted(groups, fitted, "places")
+            except InputError:  # as for one scale that does not exist
+                return None
+            return permutation_test(groups, alike, _DEALS, False, study)[1] <= alpha
 
         return _share(finds, studies, seed, self.people, progress)
 

@@ -252,7 +252,7 @@ def analyse(
     consistent = consistency(comparisons if answers is None else answers, own.scale)
     groups = None
     if wanted.group is not None and answers is not None:
-        groups = groups_of(answers, wanted, fit.tie_threshold is not None)
+        groups = groups_of(answers, wanted)
     show(1.0)
     return Analysis(
         settings=wanted,

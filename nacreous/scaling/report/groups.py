@@ -7,8 +7,10 @@ from dataclasses import replace
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import Estimate, estimate
 from nacreous.scaling.compare.groups import PERMUTATIONS, GroupComparison, compared
+from nacreous.scaling.compare.style import GroupStyle
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.clustering import require_people
+from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.report.settings import Settings
 from nacreous.value import value_class
 
@@ -44,14 +46,21 @@ class Groups:
         """Whether groups were found not to share one scale; None where none were compared."""
         return None if self.found is None else self.found.p_value < 1 - level
 
+    def styles(self, level: float) -> tuple[GroupStyle, ...]:
+        """Ways of answering in which groups were found to differ, whatever places they see."""
+        found = () if self.found is None else self.found.styles
+        return tuple(one for one in found if one.differs(level))
 
-def groups_of(answers: Answers, settings: Settings, with_ties: bool) -> Groups:
-    """Compare the groups of `settings.group`, a column of the answers.
 
-    with_ties: as the scale of all was fitted. Raises `InputError` where there is no such column.
+def groups_of(answers: Answers, settings: Settings) -> Groups:
+    """Compare the groups of `settings.group`, a column of the answers, as `compare_groups` does.
+
+    Raises `InputError` where there is no such column.
     """
     # Neither time nor its length tells groups apart, and of millions of answers both are large.
     parts = replace(answers, response_s=None, time=None).split(settings.group or "")
+    counted = [part.comparisons() for part in parts.values()]
+    with_ties = fits_ties(settings.ties, counted, settings.model, settings.order)
     placed = {name: _placed(part, settings, with_ties) for name, part in parts.items()}
     left_out = _left_out(placed)
     found = {name: one for name, one in placed.items() if isinstance(one, Estimate)}

@@ -176,6 +176,7 @@ def _groups(analysis: Analysis) -> Any:
     return {
         "not_compared": left_out,
         "tests": groups.tests,
+        "ways_of_answering": groups.styles,
         "scales": {name: fit.to(analysis.fit.unit).scale for name, fit in groups.fits.items()},
         "differences_in_own_unit": groups.differences,
     }

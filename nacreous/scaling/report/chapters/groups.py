@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nacreous.scaling.compare.groups import GroupComparison
+from nacreous.scaling.compare.style import GroupStyle
 from nacreous.scaling.figure import interval_plot, scale_plot
 from nacreous.scaling.fit.unit import factor
 from nacreous.scaling.report.analysis import Analysis
@@ -10,14 +11,19 @@ from nacreous.scaling.report.chapters.scale import MOST_ROWS
 from nacreous.scaling.report.groups import Groups
 from nacreous.scaling.report.picture import picture
 from nacreous.scaling.report.table import table
-from nacreous.scaling.report.translation import Html, Words, chance, number
+from nacreous.scaling.report.translation import Html, Words, chance, number, percent
 
-__all__ = ["chapter"]
+__all__ = ["chapter", "style_of"]
 
 #: As many as the drawing has marks for.
 _MOST_COLOURS = 6
 _MOST_DIFFERENCES = 30
 _MOST_SIZES = 30
+#: What is said of a way of answering where groups differ in it, and where not.
+_STYLES = {
+    "ties": ("groups.ties_differ", "groups.ties_alike"),
+    "side": ("groups.side_differ", "groups.side_alike"),
+}
 
 
 def chapter(analysis: Analysis, words: Words) -> Html:
@@ -28,17 +34,44 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     left_out = _left_out(analysis.groups, words)
     if found is None:
         return Html(words.paragraph("groups.untold") + _sizes(analysis, words) + left_out)
-    key = "groups.differ" if analysis.groups.differ(level) else "groups.alike"
+    apart = "groups.alike_places" if analysis.groups.styles(level) else "groups.alike"
+    key = "groups.differ" if analysis.groups.differ(level) else apart
     verdict = words.sentences(
         words(key, p=words.equals(chance(found.p_value))),
         words(f"groups.method.{found.tests[0].name}"),
     )
     return Html(
         f"<p>{verdict}</p>\n"
+        + _styles(found, level, words)
         + _sizes(analysis, words)
         + left_out
         + _plots(analysis, found, words)
         + _differences(analysis, found, words)
+    )
+
+
+def _styles(found: GroupComparison, level: float, words: Words) -> Html:
+    """How readily groups tie and how the side draws them, apart from places."""
+    if not found.styles:
+        return Html("")
+    said = [style_of(one, level, words) for one in found.styles]
+    said += [words("groups.style_method")]
+    said += [words("groups.style_corrected")] if len(found.styles) > 1 else []
+    return Html(f"<p>{words.sentences(*said)}</p>\n")
+
+
+def style_of(style: GroupStyle, level: float, words: Words) -> Html:
+    """Whether groups differ in a way of answering, in a sentence."""
+    p = words.equals(chance(style.p_adjusted))
+    if not style.differs(level):
+        return words(_STYLES[style.name][1], p=p)
+    return words(
+        _STYLES[style.name][0],
+        most=words.name(style.most),
+        least=words.name(style.least),
+        more=percent(style.shares[style.most]),
+        less=percent(style.shares[style.least]),
+        p=p,
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nacreous.scaling.check.worst import Misfit
 from nacreous.scaling.report.analysis import Analysis
+from nacreous.scaling.report.chapters.groups import style_of
 from nacreous.scaling.report.chapters.people import described
 from nacreous.scaling.report.translation import Html, Words, number, percent, thousands
 
@@ -22,12 +23,23 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     found += [_side(analysis, words)] if analysis.side_draws and not analysis.side_decides else []
     agreed = _agreement(analysis, words)
     found += [agreed] if agreed else []
-    if analysis.groups is not None and not analysis.groups_differ:
-        differ = analysis.groups.differ(analysis.settings.level)
-        key = "groups_untold" if differ is None else "groups_alike"
-        found.append(words(f"short.{key}", column=words.name(analysis.settings.group)))
+    found += _groups(analysis, words)
     items = "".join(f"<li>{sentence}</li>\n" for sentence in found)
     return Html(f'<ul class="short">\n{items}</ul>\n')
+
+
+def _groups(analysis: Analysis, words: Words) -> list[Html]:
+    """That groups have the same places as far as is told, and in which ways they answer apart."""
+    groups, level = analysis.groups, analysis.settings.level
+    if groups is None:
+        return []
+    column, styles = words.name(analysis.settings.group), groups.styles(level)
+    said = [style_of(one, level, words) for one in styles]
+    if not analysis.groups_differ:
+        alike = "groups_places" if styles else "groups_alike"
+        key = "groups_untold" if groups.differ(level) is None else alike
+        said = [words(f"short.{key}", column=column), *said]
+    return [words.sentences(*said)] if said else []
 
 
 def _side(analysis: Analysis, words: Words) -> Html:
