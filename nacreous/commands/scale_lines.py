@@ -50,6 +50,10 @@ def told(found: Analysis, seconds: float) -> str:
         lines.append(
             "these answers cannot tell how people differ; the intervals hold for these people alone"
         )
+    lines += [
+        f"person {one.person} always said tie ({one.ties} of the {one.of} ties)"
+        for one in found.consistency.always_tied[:_MOST_UNTESTED]
+    ]
     lines += _groups_told(found) + _left_out_told(found) + _times_told(found)
     lines += _read_told(found) + _untested_told(found)
     return "\n".join([*lines, _fit_verdict(found)])

@@ -1,3 +1,5 @@
+from .check.always_tied import AlwaysTied as AlwaysTied
+from .check.always_tied import always_tied as always_tied
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
 from .check.kendall import Agreement as Agreement

@@ -162,6 +162,7 @@ def _of_answers() -> list[object]:
         people,
         people.candidates[0],
         scaling.PersonClass(0.4, ("mika", "jun"), np.array([0.5, 0.0, -0.5]), -0.9),
+        scaling.AlwaysTied("mika", 3, 3),
         scaling.Covariate("age", 6, "number", 40.0, 2.5, 0.1, 0.2),
         scaling.shared_scale(answers),
         scaling.cluster_ratio(answers, "ab", "cd"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from nacreous.problem import InputError
+from nacreous.scaling.check.always_tied import AlwaysTied, always_tied
 from nacreous.scaling.check.kendall import Agreement, agreement
 from nacreous.scaling.check.person import PersonalTriads, triads_by_person
 from nacreous.scaling.check.repetition import Retest, retest
@@ -25,6 +26,7 @@ class Consistency:
     - `agreement`: Kendall's u, where a pair was answered twice; by two people where they are known
     - `people`: each person's own circular triads
     - `retest`, `side`, `response`: where pairs were repeated, sides known, times taken
+    - `always_tied`: people who never chose
     """
 
     triads: Triads | None
@@ -34,6 +36,7 @@ class Consistency:
     retest: Retest | None
     side: SideBias | None
     response: ResponseTime | None
+    always_tied: tuple[AlwaysTied, ...] = ()
 
 
 def consistency(data: Any, scale: Any = None) -> Consistency:
@@ -58,6 +61,7 @@ def consistency(data: Any, scale: Any = None) -> Consistency:
         retest=retest(answers) if answers and answers.people else None,
         side=_or_none(side_bias, answers) if answers and answers.sided else None,
         response=response_time(answers, scale) if answers else None,
+        always_tied=always_tied(answers) if answers and answers.people else (),
     )
 
 

@@ -22,7 +22,9 @@ class Blocks:
     - `person`, `pair`: int64 [block], indices into people and into pairs
     - `first`, `second`: int64 [pair], indices into stimuli, first < second
     - `answers`: float64 [block], how often the pair was answered; `chosen`: how often the first was
-      chosen, a tie counting half
+      chosen, a tie counting half; `tied`: how often it was a tie
+    - `width`: float64 [person], in z, how near two things are that the person calls equal; None
+      where all are taken to be alike in this
     """
 
     stimuli: tuple[str, ...]
@@ -33,6 +35,8 @@ class Blocks:
     second: Index
     answers: Array
     chosen: Array
+    tied: Array
+    width: Array | None = None
 
     @property
     def share(self) -> Array:
@@ -43,8 +47,14 @@ class Blocks:
 
     @property
     def residual(self) -> Array:
-        """float64 [block], by how much `chosen` exceeds what all people together would give."""
-        return np.asarray(self.chosen - self.answers * self.share[self.pair])
+        """float64 [block], by how much `chosen` exceeds what all people together would give.
+
+        Where people have widths of ties, what all would give at this person's.
+        """
+        from nacreous.scaling.fit.own_ties import own_shares
+
+        share = self.share[self.pair] if self.width is None else own_shares(self, self.width)
+        return np.asarray(self.chosen - self.answers * share)
 
     def leads(self, values: Array) -> Array:
         """float64 [..., pair], the lead of first over second for values [..., stimulus]."""
@@ -91,6 +101,7 @@ def blocks_of(answers: Answers) -> Blocks:
         second=pairs % count,
         answers=np.bincount(row).astype(np.float64),
         chosen=np.asarray(np.bincount(row, (choice + 1) / 2), np.float64),
+        tied=np.asarray(np.bincount(row, choice == 0), np.float64),
     )
 
 

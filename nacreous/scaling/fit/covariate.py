@@ -15,6 +15,7 @@ from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.person import known_people
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
+from nacreous.scaling.fit.own_ties import with_own_ties
 from nacreous.scaling.fit.shared import MOST_STIMULI
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.value import value_class
@@ -85,7 +86,8 @@ def person_covariates(
 ) -> tuple[Covariate, ...]:
     """Test every column that says one thing about each person: () where there is none.
 
-    A person's slopes against the shares of all people are summed over the people of each group;
+    A person's slopes against the shares of all people, at the person's own width of ties, are
+    summed over the people of each group;
     the statistic is the sum over groups of S' M^-1 S (people / people of the group), with M from
     how far the slopes vary between people. A column of three or more different numbers takes the
     largest such statistic of up to 25 splits in two. The column is dealt anew to the people,
@@ -100,7 +102,7 @@ def person_covariates(
     ()
     """
     whole_of("permutations", permutations, 99, 1_000_000)
-    blocks = blocks_of(answers)
+    blocks = with_own_ties(blocks_of(answers))
     columns = dict(_columns(answers)) if len(blocks.stimuli) <= MOST_STIMULI else {}
     found = {name: each for name, each in columns.items() if isinstance(each, _Sorted)}
     if not found:

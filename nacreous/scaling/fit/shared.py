@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.case_v import thurstone
+from nacreous.scaling.fit.own_ties import choosing, with_own_ties
 from nacreous.value import value_class
 
 __all__ = ["MOST_STIMULI", "SharedScale", "shared_scale"]
@@ -42,7 +43,7 @@ Progress = Callable[[float], None]
 class SharedScale:
     """Whether people share one scale, as `shared_scale` tested it.
 
-    - `people`, `permutations`: how many there are, and how often answers were dealt anew
+    - `people`, `permutations`: how many chose something, and how often answers were dealt anew
     - `p_value`: how often people who share one scale differ as much; least 1 / (permutations + 1)
     - `z`: by how many standard deviations of the dealt ones the true people differ more
     - `sharper_p_value`: the same for the part of the differences that lies along the scale of all:
@@ -102,7 +103,9 @@ def shared_scale(
     Products of a person's answers to the same pair are left out, and such answers are dealt
     together: that people remember what they said is no scale of their own. The test is exact for
     any number of people, with ties, repeats, missing pairs and pairs of one's own, under no model
-    of choice; only where it is split does a scale of all people tell along from across. A
+    of choice; only where it is split does a scale of all people tell along from across. Whoever
+    said tie alone is left out. Where people differ in how often they tie by more than chance, each
+    is held against what all give at the person's own width of ties, and the test is nearly exact. A
     side that pulls some people more than others is not what it looks for: where sides were tossed
     it hides, where pairs always stood one way round it looks like another order.
 
@@ -117,10 +120,11 @@ def shared_scale(
     False
     """
     whole_of("permutations", permutations, 99, 1_000_000)
-    blocks = blocks_of(answers)
+    choosers = choosing(answers)
+    blocks = with_own_ties(blocks_of(choosers), drawn_in=True)
     if len(blocks.stimuli) > MOST_STIMULI:
         raise InputError(f"{len(blocks.stimuli)} stimuli; allowed: at most {MOST_STIMULI}")
-    leads = blocks.leads(thurstone(answers, prior=1.0).scale)
+    leads = blocks.leads(thurstone(choosers, prior=1.0).scale)
     metric = _along_first(blocks, leads)
     true, dealt, size = _dealt(blocks, metric, permutations, seed_of(seed), progress)
     spread = float(dealt[:, 0].std())
@@ -204,13 +208,15 @@ def _detectable(blocks: Blocks, metric: Array, leads: Array, critical: float) ->
         person=person,
         pair=np.tile(blocks.pair[rows], times),
         answers=np.tile(blocks.answers[rows], times),
+        width=None if blocks.width is None else np.tile(blocks.width[drawn], times),
     )
+    drawn_of = (people, len(drawn), critical)
     low, high = _OWN_VALUES
-    if _found(each, metric, leads, high, people, critical) < _MOSTLY:
+    if _found(each, metric, leads, high, *drawn_of) < _MOSTLY:
         return np.inf
     for _ in range(_HALVINGS):
         middle = float(np.sqrt(low * high))
-        if _found(each, metric, leads, middle, people, critical) < _MOSTLY:
+        if _found(each, metric, leads, middle, *drawn_of) < _MOSTLY:
             low = middle
         else:
             high = middle
@@ -218,9 +224,18 @@ def _detectable(blocks: Blocks, metric: Array, leads: Array, critical: float) ->
 
 
 def _found(
-    blocks: Blocks, metric: Array, leads: Array, spread: float, people: int, critical: float
+    blocks: Blocks,
+    metric: Array,
+    leads: Array,
+    spread: float,
+    people: int,
+    drawn: int,
+    critical: float,
 ) -> float:
-    """The share of studies of so many people, whose own values spread so, beyond critical."""
+    """The share of studies of so many people, whose own values spread so, beyond critical.
+
+    drawn: how many of the people are in the blocks, once or again and again.
+    """
     from scipy.special import ndtr
 
     random = np.random.default_rng(1)
@@ -229,15 +244,25 @@ def _found(
     own = random.standard_normal((count, stimuli)) * spread
     # Wider by as much as own values blur it, so that people together choose as these do.
     lead = leads[blocks.pair] * np.sqrt(1 + 2 * spread**2)
-    share = ndtr(lead + own[blocks.person, first] - own[blocks.person, second])
-    chosen = random.binomial(blocks.answers.astype(np.int64), share)
-    moved = replace(blocks, chosen=chosen.astype(np.float64)).residual
+    lead = lead + own[blocks.person, first] - own[blocks.person, second]
+    width = 0.0 if blocks.width is None else blocks.width[blocks.person]
+    asked = blocks.answers.astype(np.int64)
+    won = random.binomial(asked, ndtr(lead - width))
+    tied = ndtr(width - lead) - ndtr(-width - lead)
+    # Of what was not won, a tie or lost.
+    tied = random.binomial(
+        asked - won, np.clip(tied / np.maximum(ndtr(width - lead), 1e-300), 0.0, 1.0)
+    )
+    moved = replace(blocks, chosen=won + tied / 2).residual
     slopes = np.bincount(blocks.person * stimuli + first, moved, own.size)
     slopes -= np.bincount(blocks.person * stimuli + second, moved, own.size)
     lengths = ((metric[blocks.first] - metric[blocks.second]) ** 2).sum(axis=1)
     added = ((slopes.reshape(own.shape) @ metric) ** 2).sum(axis=1)
     added -= np.bincount(blocks.person, moved**2 * lengths[blocks.pair], count)
-    error = float(added.std()) * np.sqrt(people)
+    # Studies like this one have the same people's designs: only within a design is chance.
+    each = added.reshape(-1, drawn)
+    varied = each.var(axis=0, ddof=1).mean() if len(each) > 1 else added.var()
+    error = float(np.sqrt(varied * people))
     return float(ndtr((added.mean() * people - critical) / max(error, 1e-300)))
 
 

@@ -21,6 +21,7 @@ def chapter(analysis: Analysis, words: Words) -> Html:
         *_people(analysis, words),
         *_retest(analysis, words),
         *_side(analysis, words),
+        *_always_tied(analysis, words),
         *_response(analysis, words),
     ]
     return Html("".join(f"<p>{said}</p>\n" for said in found or [words("consistency.nothing")]))
@@ -140,6 +141,14 @@ def _side(analysis: Analysis, words: Words) -> list[Html]:
         people = words.names(side.biased, _MOST_PEOPLE)
         said.append(words("consistency.side_people", people=people))
     return [words.sentences(*said)]
+
+
+def _always_tied(analysis: Analysis, words: Words) -> list[Html]:
+    """Who never chose, one by one."""
+    return [
+        words("consistency.always_tied", person=words.name(one.person), ties=one.ties, of=one.of)
+        for one in analysis.consistency.always_tied[:_MOST_PEOPLE]
+    ]
 
 
 def _response(analysis: Analysis, words: Words) -> list[Html]:
