@@ -458,7 +458,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
     [
         (PLAIN + HEAD + ROWS, "row 5 is the line of column names again"),
         ("x,y,z\n" + PLAIN, "row 2 holds the names of columns, and row 1 .*skip_rows=1"),
-        ("Study\n" + PLAIN.replace("left", "links"), "skip rows above the names by skip_rows=N"),
+        ("Study\nlinks,right,chosen\nA,B\n", "skip rows above the names by skip_rows=N"),
         ("left,right;chosen\nA,B;A\n", "separated by commas or semicolons in .*line sep=,"),
         (HEAD + "p1,A,B\n", "row 2: has 3 cells; allowed: 4"),
         (HEAD + "p1,A,B,A,note\n", "row 2: has 5 cells; allowed: 4"),

@@ -57,7 +57,7 @@ def find_header(
 
     wanted: sets of names, one of which a line of column names has. Above it only titles may stand,
     which fill one cell; anything else has to be skipped by skip_rows. Without such a line the first
-    that is not blank has the names.
+    of several cells has the names, with as many below it, or else the first that is not blank.
     """
     text = content[:_MOST_BYTES].decode("utf-8", errors="ignore")
     said, after_said = _said_separator(text, skip_rows)
@@ -74,9 +74,9 @@ def find_header(
         _check_titles(place, found[mark], begin, at)
     else:
         _check_spaces(place, text, begin, wanted)
-        mark = said or _likely_separator(place, found, begin)
-        at = next((i for i, row in enumerate(found[mark]) if i >= begin and row.filled), -1)
-        if at < 0:
+        marks, at = _table_below_titles(found, begin)
+        mark = said or _likely_separator(place, {each: found[each] for each in marks}, at)
+        if at == len(found[mark]) or not found[mark][at].filled:
             below = f" below the first {skip_rows} rows" if skip_rows else ""
             allowed = "allowed: a line of column names, then answers"
             raise InputError(f"{place}: is empty{below}; {allowed}")
@@ -214,6 +214,28 @@ def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:
                 f"{place}: row {at + 1} holds the names of columns, and row {row + 1} above it "
                 f"more than a title; allowed: names first, or skip_rows={at}"
             )
+
+
+def _table_below_titles(found: dict[str, list[_Row]], begin: int) -> tuple[list[str], int]:
+    """The first row of several cells that the next one has as many of, and by which separators.
+
+    Above it stand titles. Without such a row, the first that is not blank, by any of them.
+    """
+    tables: dict[str, int] = {}
+    for mark, rows in found.items():
+        filled = [at for at, row in enumerate(rows) if at >= begin and row.filled]
+        wide = [i for i, at in enumerate(filled) if rows[at].filled > 1][:1]
+        for names, below in ((filled[i], filled[i + 1]) for i in wide if i + 1 < len(filled)):
+            if len(rows[below].cells) - len(rows[names].cells) in (0, 1):  # R names each row
+                tables[mark] = names
+    if tables:
+        first = min(tables.values())
+        return [mark for mark, at in tables.items() if at == first], first
+    firsts = [
+        next((i for i, row in enumerate(rows) if i >= begin and row.filled), len(rows))
+        for rows in found.values()
+    ]
+    return list(found), min(firsts)
 
 
 def _likely_separator(place: str, found: dict[str, list[_Row]], begin: int) -> str:
