@@ -169,10 +169,41 @@ def test_every_formula_gives_another_programs_index(
     np.testing.assert_allclose(n, list(index.values()), rtol=1e-12)
 
 
-def test_coefficients_that_a_formula_leaves_out_are_0(tmp_path: Path) -> None:
+def test_terms_that_a_formula_leaves_out_are_0(tmp_path: Path) -> None:
     um = 0.55
     short = formula(tmp_path, 4, "2.25 0.01 0 0.02 1", "0.3 1")
     assert short(np.array([550.0]))[0] == pytest.approx(math.sqrt(2.25 + 0.01 / (um**2 - 0.02)))
+
+
+#: By formula, how many coefficients "Dispersion formulas.pdf" has in whole terms.
+WHOLE_TERMS = {
+    **dict.fromkeys((1, 2, 3), {1, 3, 5, 7, 9, 11, 13, 15, 17}),
+    4: {1, 5, 9, 11, 13, 15, 17},
+    **dict.fromkeys((5, 6), {1, 3, 5, 7, 9, 11}),
+    7: {1, 2, 3, 4, 5, 6},
+    8: {1, 3, 4},
+    9: {1, 3, 6},
+}
+
+
+@pytest.mark.parametrize("number", WHOLE_TERMS)
+def test_half_a_term_of_a_formula_and_more_than_it_has_are_refused(
+    tmp_path: Path, number: int
+) -> None:
+    for count in range(19):
+        coefficients = " ".join(["0.01"] * count)
+        if count in WHOLE_TERMS[number]:
+            formula(tmp_path, number, coefficients, "0.3 1")
+            continue
+        has = f"formula {number} has {count} coefficients?; allowed: 1, .* or "
+        with pytest.raises(InputError, match=rf"medium\.yml: DATA\[0\]: {has}"):
+            formula(tmp_path, number, coefficients, "0.3 1")
+
+
+def test_a_published_file_that_lacks_half_a_term_is_refused(tmp_path: Path) -> None:
+    """Ordinary AgGaSe2 of Boyd as in the database; its extraordinary one has 1600 at the end."""
+    with pytest.raises(InputError, match="formula 2 has 4 coefficients; allowed: 1, 3, 5, "):
+        formula(tmp_path, 2, "3.6453 2.2057 0.1879 1.8377", "0.725 13.5")
 
 
 def test_glasses_of_the_database_have_the_index_their_makers_publish() -> None:
