@@ -177,12 +177,12 @@ def test_terms_that_a_formula_leaves_out_are_0(tmp_path: Path) -> None:
 
 #: By formula, how many coefficients "Dispersion formulas.pdf" has in whole terms.
 WHOLE_TERMS = {
-    **dict.fromkeys((1, 2, 3), {1, 3, 5, 7, 9, 11, 13, 15, 17}),
-    4: {1, 5, 9, 11, 13, 15, 17},
-    **dict.fromkeys((5, 6), {1, 3, 5, 7, 9, 11}),
-    7: {1, 2, 3, 4, 5, 6},
-    8: {1, 3, 4},
-    9: {1, 3, 6},
+    **dict.fromkeys((1, 2, 3), (1, 3, 5, 7, 9, 11, 13, 15, 17)),
+    4: (1, 5, 9, 11, 13, 15, 17),
+    **dict.fromkeys((5, 6), (1, 3, 5, 7, 9, 11)),
+    7: (1, 2, 3, 4, 5, 6),
+    8: (1, 3, 4),
+    9: (1, 3, 6),
 }
 
 

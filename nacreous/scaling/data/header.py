@@ -73,7 +73,8 @@ def find_header(
         mark, at = hits[0]
         _check_titles(place, found[mark], begin, at)
     else:
-        _check_spaces(place, text, begin, wanted)
+        if not said:
+            _check_spaces(place, text, begin, wanted)
         marks, at = _table_below_titles(found, begin)
         mark = said or _likely_separator(place, {each: found[each] for each in marks}, at)
         if at == len(found[mark]) or not found[mark][at].filled:
@@ -199,12 +200,26 @@ def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) 
 
 def _check_spaces(place: str, text: str, begin: int, wanted: Sequence[Collection[str]]) -> None:
     """Refuse names parted by spaces alone, which labels hold too."""
-    for line in text.splitlines()[begin:_MOST_ROWS]:
-        names = set(line.casefold().split(" "))
-        if any({name.casefold() for name in each} <= names for each in wanted):
-            raise InputError(
-                f"{place}: cells are separated by spaces; allowed: commas, semicolons, tabs or bars"
-            )
+    lines = text.splitlines()[begin:_MOST_ROWS]
+    words = [set(line.casefold().split(" ")) for line in lines]
+    named = any({name.casefold() for name in each} <= names for names in words for each in wanted)
+    if named or _are_parted_by_spaces([line for line in lines if line.strip()]):
+        raise InputError(
+            f"{place}: cells are separated by spaces; allowed: commas, semicolons, tabs or bars"
+        )
+
+
+def _are_parted_by_spaces(lines: list[str]) -> bool:
+    """Whether all lines, those below a title at least, have as many words and no separator.
+
+    Below names without one it may be a mark of decimals.
+    """
+    for rows, without_marks in ((lines, lines[:1]), (lines[1:], lines[1:])):
+        sizes = {len(row.split()) for row in rows}
+        marked = any(mark in line for line in without_marks for mark in SEPARATORS)
+        if len(rows) > 1 and len(sizes) == 1 and min(sizes) > 2 and not marked:
+            return True
+    return False
 
 
 def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:

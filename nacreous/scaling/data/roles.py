@@ -185,9 +185,11 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
             "row for each side, such as A,B,A,5 and A,B,B,3"
         )
     near = {
-        role: _likely(role, free) if name == role else nearest(name, table.columns)
+        role: _likely(role, free) if name == role else nearest(name, free)
         for role, name in lacking.items()
     }
+    twice = {name for name in near.values() if [*near.values()].count(name) > 1}
+    near = {role: None if name in twice else name for role, name in near.items()}
     options = ", ".join(f"{role}={near[role]!r}" if near[role] else f"{role}=NAME" for role in near)
     pairs = [name for name in free if _OR.fullmatch(name)]
     if pairs and len(lacking) > 1 and len(pairs) >= len(free) - 1:
