@@ -66,3 +66,30 @@ def test_a_line_that_names_columns_names_none_of_them_twice(tmp_path, names, tol
 def test_a_mistyped_name_is_not_taken_for_a_column_that_has_a_role_already(tmp_path):
     with pytest.raises(nc.InputError, match=r"has no column lefft; .*name it by right=NAME"):
         read(tmp_path, "left,foil,chosen\nA,B,A\nC,B,C\n", right="lefft")
+
+
+@pytest.mark.parametrize(
+    ("names", "told"),
+    [
+        (["A or B?", "B or C?"], "A vs B"),
+        (["A or B", "B or C"], "A vs B"),
+        (["Which is better: A or B?", "Which is better: B or C?"], "Which is better: A vs B"),
+        (["A oder B?", "B oder C?"], "A vs B"),
+        (["AかB？", "BかC？"], "A vs B"),
+        (["A / B", "B / C"], "A vs B"),
+    ],
+)
+def test_columns_of_pairs_in_other_words_are_told_with_vs(tmp_path, names, told):
+    text = f"Timestamp,Email Address,How old or young?,Score,{','.join(names)}\n"
+    text += "3/1/2026 9:30:00,p@x.org,31,0 / 6,A,C\n3/2/2026 9:30:00,q@x.org,32,0 / 6,B,\n"
+    allowed = f'allowed with a column a pair: names such as "{told}"'
+    with pytest.raises(nc.InputError) as refusal:
+        read(tmp_path, text)
+    assert f'has columns such as "{names[0]}"; {allowed}' in str(refusal.value)
+    read(tmp_path, text.replace(names[0], told).replace(names[1], told.replace("B", "C")))
+
+
+def test_columns_with_or_that_hold_neither_are_no_pairs(tmp_path):
+    text = "Smoker or not,Where or when,links,rechts,Antwort\n1,2,A,B,A\n"
+    with pytest.raises(nc.InputError, match="has no columns left, right and chosen; columns here"):
+        read(tmp_path, text)
