@@ -93,3 +93,32 @@ def test_columns_with_or_that_hold_neither_are_no_pairs(tmp_path):
     text = "Smoker or not,Where or when,links,rechts,Antwort\n1,2,A,B,A\n"
     with pytest.raises(nc.InputError, match="has no columns left, right and chosen; columns here"):
         read(tmp_path, text)
+
+
+MONKEY = "Respondent ID,Collector ID,Start Date,"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        f"{MONKEY}Which? A vs B,Which? B vs C,Age\n,,,Response,Response,Open-Ended Response\n",
+        f"{MONKEY}Which? A vs B,Which? B vs C,Age\n,,,A vs B,B vs C,Response\n",
+        f"{MONKEY}Which?,,Age\n,,,A vs B,B vs C,Response\n",
+        f"{MONKEY}Which?,,Age\nRespondent ID,Collector ID,Start,A vs B,B vs C,Response\n",
+        "respondent_id,collector_id,date_created,A vs B,B vs C,Age\n,,,Antwort,Antwort,Antwort\n",
+        f"Of spring\n\n{MONKEY}A vs B,B vs C,Age\n,,,Response,Response,Response\n",
+        f"{MONKEY}A vs B,B vs C,Age\n",
+    ],
+)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+def test_the_second_line_of_names_of_surveymonkey_is_no_person(tmp_path, lines, encoding):
+    text = f"{lines}118,4,03/01/2026 09:30:00 AM,A,C,31\n119,4,03/02/2026 09:30:00 AM,B,,32\n"
+    answers = read(tmp_path, text.encode(encoding))
+    assert said(answers) == ["118:A>B", "118:C>B", "119:B>A"]
+    assert answers.groups["Age"].levels == ("31", "32")
+
+
+def test_the_second_line_of_names_counts_in_the_numbers_of_rows(tmp_path):
+    text = f"{MONKEY}Which?,\n,,,A vs B,B vs C\n118,4,x,A,C\n119,4,y,D,B\n"
+    with pytest.raises(nc.InputError, match=r'row 4: .*"D"; allowed: "A" or "B"'):
+        read(tmp_path, text)

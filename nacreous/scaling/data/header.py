@@ -12,6 +12,7 @@ from unicodedata import normalize
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.data.pair_name import pairs_in
+from nacreous.scaling.data.second_line import has_second_line, joined_names
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", "|": "bars"}
 #: How far down column names are looked for, and how much of a file is looked at for them.
@@ -107,13 +108,16 @@ def titles_above(content: bytes) -> tuple[list[str], bytes]:
 
 
 def _header(rows: list[_Row], mark: str, at: int) -> Header:
+    names = rows[at].cells
     texts: list[str] = []
     last = at
     if at + 2 < len(rows) and _has_import_ids(rows[at + 2]):
         texts, last = rows[at + 1].cells, at + 2
+    elif at + 1 < len(rows) and has_second_line(names, rows[at + 1].cells):
+        names, last = joined_names(names, rows[at + 1].cells), at + 1
     top = rows[at - 1].end if at else 0
-    row_names = _has_row_names(rows[at].cells, [row for row in rows[last + 1 :] if row.filled])
-    names = [*[""] * row_names, *rows[at].cells]
+    row_names = _has_row_names(names, [row for row in rows[last + 1 :] if row.filled])
+    names = [*[""] * row_names, *names]
     return Header(mark, names, last + 1, top, rows[last].end, texts, row_names)
 
 
@@ -183,10 +187,10 @@ def name_of(cell: object) -> str:
 def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) -> int | None:
     """The first row with such names, or with names of pairs: below these, left is an answer.
 
-    Qualtrics says in the third row that the first has the names.
+    Qualtrics says in the third row that the first has the names; SurveyMonkey has two rows of them.
     """
     for at, row in enumerate(rows[begin + 2 :], begin):
-        if _has_import_ids(row):
+        if _has_import_ids(row) or has_second_line(rows[at].cells, rows[at + 1].cells):
             return at
     pairs: int | None = None
     for at, row in enumerate(rows[begin:], begin):
