@@ -180,18 +180,23 @@ def _row(place: str, cells: list[str], columns: int) -> list[float]:
     for cell in cells:
         if not _is_number(cell):
             raise InputError(f"{place} has {said(cell)}; allowed: finite numbers")
-    return [float(cell) for cell in cells]
+    return [_float(cell) for cell in cells]
 
 
 def _is_number(cell: str) -> bool:
     # Python would also take 1_5 for 15.
     plain = cell.isascii() and "_" not in cell
-    return plain and _is_float(cell) and bool(np.isfinite(float(cell)))
+    return plain and _is_float(cell) and bool(np.isfinite(_float(cell)))
 
 
 def _is_float(cell: str) -> bool:
     try:
-        float(cell)
+        _float(cell)
     except ValueError:
         return False
     return True
+
+
+def _float(cell: str) -> float:
+    """A number, whose exponent Fortran writes with a D."""
+    return float(re.sub("[dD]", "e", cell))

@@ -360,6 +360,14 @@ def test_tables_say_the_same_however_they_are_written(tmp_path: Path, text: str)
     assert medium.read(written(tmp_path, text, "n.csv"))(500.0) == pytest.approx(1.55)
 
 
+def test_exponents_of_fortran_are_read(tmp_path: Path) -> None:
+    bk7 = "1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653"
+    fortran = "0.D0 1.03961212 0.600069867D-02 0.231792344D+0 2.00179144d-2 1.01046945 103.560653"
+    assert formula(tmp_path, 2, fortran, "0.3D0 2.5") == formula(tmp_path, 2, f"0 {bk7}", "0.3 2.5")
+    plain = medium.read(written(tmp_path, "0.4,1.5\n0.7,1.6\n", "plain.csv"))
+    assert medium.read(written(tmp_path, "4.0D-01,1.5\n0.7,0.16D+01\n", "d.csv")) == plain
+
+
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [

@@ -8,6 +8,8 @@ from tests.scaling.test_answer_files import read, said
 CASES = [
     ("WorkerId,AssignmentStatus", "AssignmentStatus", "Approved", "Rejected"),
     ("WorkerId,AssignmentStatus", "AssignmentStatus", "Submitted", "Rejected"),
+    ("WorkerId,AssignmentStatus,Reject", "Reject", "", "Too fast"),
+    ("WorkerId,AssignmentStatus,Reject", "Reject", "NA", "x"),
     *(
         ("Submission id,Participant id,Status", "Status", "APPROVED", word)
         for word in ("REJECTED", "RETURNED", "TIMED-OUT")
@@ -42,7 +44,8 @@ def test_what_a_program_does_not_count_is_no_answer(tmp_path, columns, column, c
 
 
 @pytest.mark.parametrize(
-    "columns", ["person,Status", "person,MODE", "person,status", "person,Participant Status"]
+    "columns",
+    ["person,Status", "person,MODE", "person,status", "person,Participant Status", "person,Reject"],
 )
 def test_the_same_words_in_a_table_of_no_such_program_are_groups(tmp_path, columns):
     text = f"{columns},left,right,chosen\n1,returned,A,B,A\n2,admin,B,A,B\n3,rejected,A,B,B\n"

@@ -13,6 +13,7 @@ import numpy as np
 
 from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.program import GORILLA, SOSCI
 from nacreous.scaling.data.table import Table
 
@@ -24,12 +25,14 @@ _REFUSED = "no answer that counts"
 class _Mark:
     """A column that says so, by which words (in small letters, without marks), and what they mean.
 
+    words: None where any does.
+
     beside: sets of columns, one of which is there too, so that a name as common is the program's
     own; small and large letters of these are alike.
     """
 
     column: str
-    words: Collection[str]
+    words: Collection[str] | None
     meaning: str
     beside: tuple[frozenset[str], ...] = (frozenset(),)
 
@@ -57,6 +60,8 @@ _MARKS = (
     _Mark("MODE", {"pretest", "admin"}, _NOBODY, (SOSCI.marks,)),
     # Amazon's API reference, "Assignment": Submitted, Approved or Rejected.
     _Mark("AssignmentStatus", {"rejected"}, _REFUSED),
+    # Who reviews its file writes a reason, or any mark, to turn work down.
+    _Mark("Reject", None, _REFUSED, (frozenset({"AssignmentStatus"}),)),
     # Gorilla's "Participant Status": who is live, or has left, is a person.
     _Mark(
         "Participant Status",
@@ -111,7 +116,9 @@ def _without(table: Table, mark: _Mark, skip: bool) -> Table:
     return table
 
 
-def _is_out(cell: str, words: Collection[str], numbers: bool) -> bool:
+def _is_out(cell: str, words: Collection[str] | None, numbers: bool) -> bool:
+    if words is None:
+        return cell.lower() not in NOTHING
     if numbers and cell.isdecimal():
         return bool(int(cell) & _BITS)
     return " ".join(re.findall(r"[^\W_]+", cell.casefold())) in words
