@@ -74,6 +74,7 @@ def test_a_mistyped_name_is_not_taken_for_a_column_that_has_a_role_already(tmp_p
         (["A or B?", "B or C?"], "A vs B"),
         (["A or B", "B or C"], "A vs B"),
         (["Which is better: A or B?", "Which is better: B or C?"], "Which is better: A vs B"),
+        (["Which - A or B", "Which - B or C"], "Which: A vs B"),
         (["A oder B?", "B oder C?"], "A vs B"),
         (["AかB？", "BかC？"], "A vs B"),
         (["A / B", "B / C"], "A vs B"),

@@ -26,8 +26,9 @@ def renamed_pair(table: Table, columns: Collection[str]) -> tuple[str, str] | No
         return None
     for name in named:
         pair = _LAST.fullmatch(_unmarked(name))
-        if pair and _is_either(table, name, pair[1].rstrip(), pair[2]):
-            return name, f"{pair[1].rstrip()} vs {pair[2]}"
+        versus = _versus(table, name, pair[1].rstrip(), pair[2]) if pair else None
+        if versus:
+            return name, versus
     if len(named) < len(columns) - 1:
         return None
     return named[0], _OTHER.sub(r"\1 vs \2", _unmarked(named[0]))
@@ -37,9 +38,12 @@ def _unmarked(name: str) -> str:
     return name.rstrip("?？ ")
 
 
-def _is_either(table: Table, name: str, left: str, right: str) -> bool:
-    """Whether all cells are what stands before or behind the word, a question aside."""
+def _versus(table: Table, name: str, before: str, right: str) -> str | None:
+    """The name with `vs` where each cell is what stands before or behind the word, or its end."""
     cells = [cell for cell in text_column(table, name).unique().to_pylist() if cell]
-    return bool(cells) and all(
-        cell == right or re.search(rf"(?<!\w){re.escape(cell)}$", left) for cell in cells
-    )
+    lefts = [cell for cell in cells if re.search(rf"(?<!\w){re.escape(cell)}$", before)]
+    if not cells or {*cells} - {*lefts} - {right}:
+        return None
+    left = min(lefts, key=len, default=before)
+    question = before.removesuffix(left).rstrip(" ,;:?？-–—")
+    return f"{question}: {left} vs {right}" if question else f"{left} vs {right}"
