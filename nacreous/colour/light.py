@@ -35,7 +35,8 @@ def spectrum_from_csv(path: str | Path) -> Array:
     r"""Spectrum in a file as instruments write it, float64 `[401]`, 380 to 780 nm by 1 nm.
 
     Two columns, wavelength in nm and value, between semicolons, tabs, commas or blanks, with
-    decimal points or commas, one of them in the whole file; wavelengths rise or fall, in any steps.
+    decimal points or commas, one of them in the whole file, and exponents with E or D; wavelengths
+    rise or fall, in any steps.
     Lines before and after the numbers are passed over, `#` begins a comment. UTF-8, UTF-16 or
     Latin-1, at most 1 MB.
 

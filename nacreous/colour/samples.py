@@ -29,6 +29,10 @@ def array_of(quantity: str, values: ArrayLike) -> Array:
         array = np.asarray(values)
     except ValueError:  # rows of unequal length
         raise InputError(f"{quantity} is ragged; allowed: an array of numbers") from None
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise InputError(
+            f"{quantity} has masked values; allowed: numbers, such as values.filled(0)"
+        )
     if array.dtype.kind not in "iuf":
         raise InputError(f"{quantity} has type {array.dtype}; allowed: an array of real numbers")
     if array.dtype == np.uint8:

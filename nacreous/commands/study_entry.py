@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from nacreous.commands.study_serve import add_action, opened
 from nacreous.commands.study_store import Actions, person_of, who
 from nacreous.commands.terminal import say
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ def invitations(args: argparse.Namespace) -> int:
         found = store.invitations(study)
     for one in found:
         state = "not used" if one.number is None else f"used by person {one.number}"
-        say(f"{one.id}  {one.label}: {state if one.revoked_at is None else 'revoked'}")
+        say(f"{one.id}  {printable(one.label)}: {state if one.revoked_at is None else 'revoked'}")
     if not found:
         say(f"{args.study}: no invitations")
     return 0

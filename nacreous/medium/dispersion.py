@@ -1,7 +1,7 @@
 """The dispersion of one quantity, n or k, as refractiveindex.info writes it.
 
 Its nine formulas are in the database's "Dispersion formulas.pdf"; wavelengths are in um, and C1,
-C2, ... the coefficients in the file's order. Coefficients that a file leaves out are 0.
+C2, ... the coefficients in the file's order. Whole terms at the end may be left out.
 """
 
 from __future__ import annotations
@@ -123,6 +123,16 @@ def _root(square: Array) -> Array:
     """Where a formula has no real index, NaN, which whoever asks refuses by name."""
     return np.sqrt(np.where(square > 0, square, np.nan))
 
+
+#: By formula, how many coefficients a whole number of its terms has.
+COEFFICIENTS: dict[int, tuple[int, ...]] = {
+    **dict.fromkeys((1, 2, 3), tuple(range(1, 18, 2))),
+    4: (1, 5, 9, 11, 13, 15, 17),
+    **dict.fromkeys((5, 6), tuple(range(1, 12, 2))),
+    7: tuple(range(1, 7)),
+    8: (1, 3, 4),
+    9: (1, 3, 6),
+}
 
 #: The formulas by their number in a file's "type: formula N".
 FORMULAS: dict[int, Callable[[Array, Array], Array]] = {

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from nacreous.medium.dispersion import (
     ALLOWED,
+    COEFFICIENTS,
     FORMULAS,
     Dispersion,
     dispersion_of_rows,
@@ -61,19 +62,26 @@ def _of_entry(place: str, entry: object) -> Parts:
             for i, name in enumerate(words[1])
         }
     if words[0] == "formula" and words[1].isdecimal() and int(words[1]) in FORMULAS:
-        first, last = _row(
-            f"{place}: wavelength_range", str(entry.get("wavelength_range")).split(), 2
-        )
-        coefficients = str(entry.get("coefficients", "")).split()
-        numbers = _row(f"{place}: coefficients", coefficients, max(1, len(coefficients)))
-        if not 0 < first < last:
-            raise InputError(
-                f"{place}: wavelength_range is {first:g} to {last:g}; allowed: rising, above 0"
-            )
-        return {
-            "n": Dispersion(int(words[1]), np.array([1e3 * first, 1e3 * last]), np.array(numbers))
-        }
+        return {"n": _of_formula(place, int(words[1]), entry)}
     raise InputError(f"{place}: type is {said(kind)}; allowed: {_KINDS}")
+
+
+def _of_formula(place: str, formula: int, entry: dict[object, object]) -> Dispersion:
+    """Of a formula without half a term: that would give another index and say nothing of it."""
+    first, last = _row(f"{place}: wavelength_range", str(entry.get("wavelength_range")).split(), 2)
+    given = entry.get("coefficients")
+    cells = [] if given is None else str(given).split()
+    coefficients = _row(f"{place}: coefficients", cells, len(cells))
+    *others, most = COEFFICIENTS[formula]
+    if len(cells) not in (*others, most):
+        has = f"formula {formula} has {len(cells)} coefficient{'s' * (len(cells) != 1)}"
+        allowed = f"{', '.join(map(str, others))} or {most}"
+        raise InputError(f"{place}: {has}; allowed: {allowed}")
+    if not 0 < first < last:
+        raise InputError(
+            f"{place}: wavelength_range is {first:g} to {last:g}; allowed: rising, above 0"
+        )
+    return Dispersion(formula, np.array([1e3 * first, 1e3 * last]), np.array(coefficients))
 
 
 def parts_of_csv(text: str) -> Parts:
@@ -172,18 +180,23 @@ def _row(place: str, cells: list[str], columns: int) -> list[float]:
     for cell in cells:
         if not _is_number(cell):
             raise InputError(f"{place} has {said(cell)}; allowed: finite numbers")
-    return [float(cell) for cell in cells]
+    return [_float(cell) for cell in cells]
 
 
 def _is_number(cell: str) -> bool:
     # Python would also take 1_5 for 15.
     plain = cell.isascii() and "_" not in cell
-    return plain and _is_float(cell) and bool(np.isfinite(float(cell)))
+    return plain and _is_float(cell) and bool(np.isfinite(_float(cell)))
 
 
 def _is_float(cell: str) -> bool:
     try:
-        float(cell)
+        _float(cell)
     except ValueError:
         return False
     return True
+
+
+def _float(cell: str) -> float:
+    """A number, whose exponent Fortran writes with a D."""
+    return float(re.sub("[dD]", "e", cell))

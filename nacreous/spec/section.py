@@ -100,6 +100,12 @@ class Section(BaseModel):
             raise InputError("model_copy(update=...) checks nothing; allowed: replace(key=value)")
         return super().model_copy(deep=deep)
 
+    def __dir__(self) -> list[str]:
+        """Keys, and what sections do; pydantic's own names are pydantic's."""
+        own = [vars(one) for one in type(self).__mro__ if one.__module__.startswith("nacreous.")]
+        does = {name for names in own for name in names if not name.startswith(("_", "model_"))}
+        return sorted(does | {*type(self).model_fields})
+
     def copy(self, **changes: Any) -> Self:
         """The same by pydantic's former name."""
         if changes:

@@ -100,6 +100,11 @@ def test_fine_samples_are_averaged_so_that_noise_and_lines_are_not_picked(tmp_pa
     assert found.sum() == pytest.approx(np.trapezoid(noisy[inside], nm[inside]), rel=1e-6)
 
 
+def test_exponents_of_fortran_are_read(tmp_path: Path) -> None:
+    found = spectrum_of(tmp_path, " 0.38000D+03   0.11833D+00\n 0.78000D+03   0.11833D+00\n")
+    assert (found == 0.11833).all()
+
+
 def test_noise_counts_as_zero_and_short_ends_are_the_nearest_value(tmp_path: Path) -> None:
     found = spectrum_of(tmp_path, "400;-0,002\n500;0,5\n700;0,9\n")
     assert found[:21].tolist() == [0.0] * 21
@@ -110,6 +115,10 @@ def test_noise_counts_as_zero_and_short_ends_are_the_nearest_value(tmp_path: Pat
     ("content", "message"),
     [
         (b"", ": 0 rows of numbers; allowed: at least 2"),
+        (
+            b"nm,value\n380 nm,1\n780 nm,1\n",
+            ': 0 rows of numbers, and line 2 has "380 nm"; allowed: at least 2 of numbers alone',
+        ),
         (b"380,1\n690,1\n", ": wavelength_nm is 380.0 to 690.0; missing: 690.0 to 700.0 nm"),
         (
             b"380,1\n780,-1\n",

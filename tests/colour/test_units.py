@@ -124,6 +124,8 @@ def test_bytes_of_a_picture_are_refused_even_where_light_may_be_brighter_than_wh
 ) -> None:
     with pytest.raises(InputError, match="uint8, the codes 0 to 255 of a picture"):
         function(np.array([[1, 2, 3]], np.uint8))
+    with pytest.raises(InputError, match="has masked values; allowed: numbers"):
+        function(np.ma.array([0.5, 0.9, 0.1], mask=[False, True, False]))
 
 
 def test_lab_is_relative_to_the_white_of_d65_unless_another_is_given() -> None:

@@ -53,6 +53,12 @@ def test_a_section_shows_the_keys_that_differ_from_their_defaults() -> None:
     assert len(repr(nc.Pearl.load("paper"))) < 200
 
 
+def test_a_section_offers_its_keys_and_what_it_does() -> None:
+    offered = dir(nc.Pearl())
+    assert {"depth", "nacre", "replace", "load"} <= {*offered}
+    assert not {"parse_raw", "construct", "model_fields", "__dict__"} & {*offered}
+
+
 def test_a_changed_section_is_checked_like_a_new_one() -> None:
     pearl = nc.Pearl(shininess=0.2)
     assert pearl.replace(depth=0.7) == nc.Pearl(shininess=0.2, depth=0.7)

@@ -169,10 +169,41 @@ def test_every_formula_gives_another_programs_index(
     np.testing.assert_allclose(n, list(index.values()), rtol=1e-12)
 
 
-def test_coefficients_that_a_formula_leaves_out_are_0(tmp_path: Path) -> None:
+def test_terms_that_a_formula_leaves_out_are_0(tmp_path: Path) -> None:
     um = 0.55
     short = formula(tmp_path, 4, "2.25 0.01 0 0.02 1", "0.3 1")
     assert short(np.array([550.0]))[0] == pytest.approx(math.sqrt(2.25 + 0.01 / (um**2 - 0.02)))
+
+
+#: By formula, how many coefficients "Dispersion formulas.pdf" has in whole terms.
+WHOLE_TERMS = {
+    **dict.fromkeys((1, 2, 3), (1, 3, 5, 7, 9, 11, 13, 15, 17)),
+    4: (1, 5, 9, 11, 13, 15, 17),
+    **dict.fromkeys((5, 6), (1, 3, 5, 7, 9, 11)),
+    7: (1, 2, 3, 4, 5, 6),
+    8: (1, 3, 4),
+    9: (1, 3, 6),
+}
+
+
+@pytest.mark.parametrize("number", WHOLE_TERMS)
+def test_half_a_term_of_a_formula_and_more_than_it_has_are_refused(
+    tmp_path: Path, number: int
+) -> None:
+    for count in range(19):
+        coefficients = " ".join(["0.01"] * count)
+        if count in WHOLE_TERMS[number]:
+            formula(tmp_path, number, coefficients, "0.3 1")
+            continue
+        has = f"formula {number} has {count} coefficients?; allowed: 1, .* or "
+        with pytest.raises(InputError, match=rf"medium\.yml: DATA\[0\]: {has}"):
+            formula(tmp_path, number, coefficients, "0.3 1")
+
+
+def test_a_published_file_that_lacks_half_a_term_is_refused(tmp_path: Path) -> None:
+    """Ordinary AgGaSe2 of Boyd as in the database; its extraordinary one has 1600 at the end."""
+    with pytest.raises(InputError, match="formula 2 has 4 coefficients; allowed: 1, 3, 5, "):
+        formula(tmp_path, 2, "3.6453 2.2057 0.1879 1.8377", "0.725 13.5")
 
 
 def test_glasses_of_the_database_have_the_index_their_makers_publish() -> None:
@@ -327,6 +358,14 @@ def test_a_medium_takes_a_number_as_it_takes_an_array(tmp_path: Path) -> None:
 )
 def test_tables_say_the_same_however_they_are_written(tmp_path: Path, text: str) -> None:
     assert medium.read(written(tmp_path, text, "n.csv"))(500.0) == pytest.approx(1.55)
+
+
+def test_exponents_of_fortran_are_read(tmp_path: Path) -> None:
+    bk7 = "1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653"
+    fortran = "0.D0 1.03961212 0.600069867D-02 0.231792344D+0 2.00179144d-2 1.01046945 103.560653"
+    assert formula(tmp_path, 2, fortran, "0.3D0 2.5") == formula(tmp_path, 2, f"0 {bk7}", "0.3 2.5")
+    plain = medium.read(written(tmp_path, "0.4,1.5\n0.7,1.6\n", "plain.csv"))
+    assert medium.read(written(tmp_path, "4.0D-01,1.5\n0.7,0.16D+01\n", "d.csv")) == plain
 
 
 @pytest.mark.parametrize(

@@ -408,6 +408,7 @@ ONE_NUMBER = [
     *(("1000", "1e3"), ("1000", "1,000"), ("0", "-0.0"), ("1e-2", ".01"), ("-1", "\u22121.0")),
     *(("1000", "1 000"), ("1000", "1'000"), ("1000.5", "1.000,5"), ("0.5", "½"), ("1.75", "1¾")),
     *(("1000", "1\u202f000"), ("1000000", "1.000.000")),
+    *(("0.5", "50%"), ("0,5", "50 %"), ("1", "100%"), ("0.125", "12.5％"), ("0.005", "5‰")),
 ]
 ALIKE = [
     *(("a b", "a\u00a0b"), ("ab", "a\u200db"), ("ab", "ab\ufe0f"), ("A1", "Ａ１"), ("1", "１")),
@@ -458,7 +459,7 @@ def test_zeros_in_front_are_part_of_a_person(tmp_path):
     [
         (PLAIN + HEAD + ROWS, "row 5 is the line of column names again"),
         ("x,y,z\n" + PLAIN, "row 2 holds the names of columns, and row 1 .*skip_rows=1"),
-        ("Study\n" + PLAIN.replace("left", "links"), "skip rows above the names by skip_rows=N"),
+        ("Study\nlinks,right,chosen\nA,B\n", "skip rows above the names by skip_rows=N"),
         ("left,right;chosen\nA,B;A\n", "separated by commas or semicolons in .*line sep=,"),
         (HEAD + "p1,A,B\n", "row 2: has 3 cells; allowed: 4"),
         (HEAD + "p1,A,B,A,note\n", "row 2: has 5 cells; allowed: 4"),

@@ -106,6 +106,8 @@ def test_what_is_no_table_is_called_by_its_name(tmp_path, content, options, mess
         ("person,Which? [A vs B][1]\np,A\n", 'column "Which? [A vs B][1]" has brackets beside tho'),
         ("person,Q1 [A vs B] [Scale 1]\np,A\n", 'column "Q1 [A vs B] [Scale 1]" has brackets bes'),
         (HEAD + "p,A,B,-3\np,B,C,2\np,A,C,0\n", "chosen holds -3, 0 and 2, as grades do; allowed"),
+        (HEAD + 'p,A,B,"1,5"\np,B,C,1\np,A,C,½\n', "chosen holds ½, 1 and 1,5, as grades do; al"),
+        (HEAD + "p,A,B,50%\np,B,C,1\np,A,C,5%\n", "chosen holds 5%, 50% and 1, as grades do; al"),
         (
             HEAD + "p,A,B,0\np,B,C,2\n",
             "chosen holds 0 and 2, and either side may be meant; allowed",

@@ -334,8 +334,8 @@ def test_names_of_columns_are_checked():
         return refusal(lambda: Answers.of_table(TABLE, **names))
 
     assert lines(person="who")[0].startswith("table: has no column who; columns here: ")
-    assert lines(left="rigth")[0] == (
-        "table: has no column rigth; did you mean right? (left='right')"
+    assert lines(left="lefft")[0] == (
+        "table: has no column lefft; did you mean left? (left='left')"
     )
     assert lines(lefft="left")[0] == "lefft is no role of a column; did you mean left?"
     assert lines(left="right")[0] == "table: column right is used as left and as right; allowed: " \

@@ -6,10 +6,12 @@ import sqlite3
 from contextlib import closing
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from nacreous.problem import InputError
 from nacreous.study.store import Store, backup, restore
+from tests.support.gathering import by_scale, frozen_study, opened, take_part
 from tests.support.pairs import pair_answer
 
 STUDY = "5e" * 32
@@ -113,3 +115,64 @@ def test_answers_with_far_numbers_are_exported_at_once(whole: Path, tmp_path: Pa
     with Store.open(tmp_path / "new.sqlite") as store:
         found = [seq for part in store.parts(STUDY, ("seq",)) for seq in part["seq"]]
     assert found == [1, 9007199254740991]
+
+
+@pytest.fixture(scope="module")
+def gathered(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A backup of a whole study's answers."""
+    folder = tmp_path_factory.mktemp("gathered")
+    asked = {"en": "Sex?", "ja": "性別"}
+    sex = {"name": "sex", "how": "recorded", "question": asked, "values": ["f", "m"]}
+    frozen = frozen_study(folder, "abc", groups=[sex])
+    with Store.open(frozen.folder) as store:
+        running = opened(store, frozen)
+        scale = {"a": 0.5, "b": 0.0, "c": -0.5}
+        for _ in range(2):
+            take_part(running, by_scale(scale, np.random.default_rng(1)), {"sex": "f"})
+    backup(frozen.folder, folder / "whole.sqlite")
+    restore(folder / "whole.sqlite", folder / "same.sqlite")
+    return folder / "whole.sqlite"
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ("answers SET left = 'z' WHERE seq = 3", 'answers, row 3: left is "z"; allowed: a stim'),
+        (
+            "answers SET right = char(27) || 'c' WHERE seq = 2",
+            r'row 2: right is "\\u001bc"; allowe',
+        ),
+        ("answers SET question = 'nope'", 'answers, row 1: question is "nope"; allowed: a questi'),
+        ('sessions SET groups = \'{"sex":"x"}\'', 'of person 0: group "sex" is "x"; allowed: a'),
+        ('sessions SET groups = \'{"dog":"f"}\'', 'of person 0: group "dog" is "f"; allowed: a'),
+        ("studies SET next_number = 1", "next_number is 1; allowed: 2 or more, for there is a per"),
+    ],
+)
+def test_what_no_study_of_the_backup_has_is_refused(
+    gathered: Path, tmp_path: Path, change: str, said: str
+) -> None:
+    copy = tmp_path / "copy.sqlite"
+    copy.write_bytes(gathered.read_bytes())
+    with closing(sqlite3.connect(copy)) as connection:
+        connection.execute(f"UPDATE {change}")
+        connection.commit()
+    with pytest.raises(InputError, match=said):
+        restore(copy, tmp_path / "new.sqlite")
+    assert not (tmp_path / "new.sqlite").exists()
+
+
+def test_a_backup_replaces_an_earlier_one_and_no_other_store(
+    whole: Path, gathered: Path, tmp_path: Path
+) -> None:
+    store, other = tmp_path / "store.sqlite", tmp_path / "other.sqlite"
+    restore(whole, store)
+    restore(gathered, other)
+    backup(store, tmp_path / "copy.sqlite")
+    backup(store, tmp_path / "copy.sqlite")
+    with pytest.raises(InputError, match="which is not in this store; wanted: a new file, or an"):
+        backup(store, other)
+    frozen = gathered.parent / "study"
+    with pytest.raises(InputError, match="is the store of a frozen study; wanted: another place"):
+        backup(store, frozen / "answers.sqlite")
+    with closing(sqlite3.connect(other)) as connection:
+        assert connection.execute("SELECT count(*) FROM answers").fetchone()[0] > 2

@@ -165,9 +165,10 @@ def test_an_export_of_several_questions_is_asked_which(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("column", "cell", "said"),
     [
-        ("sequence", "abc", "row 1: sequence is 'abc'; allowed: a number"),
-        ("response_ms", "nan", "row 1: response_ms is 'nan'; allowed: a number"),
-        ("simulated", "WAHR", "row 1: simulated is 'WAHR'; allowed: true or false"),
+        ("sequence", "abc", "row 2: sequence is 'abc'; allowed: a number"),
+        ("response_ms", "nan", "row 2: response_ms is 'nan'; allowed: a number"),
+        ("kind", "Pair", "row 2: kind is 'Pair'; allowed: training, pair, repeat, catch"),
+        ("simulated", "WAHR", "row 2: simulated is 'WAHR'; allowed: true or false"),
     ],
 )
 def test_a_spoiled_export_is_refused_in_one_line(

@@ -90,6 +90,13 @@ def test_a_revoked_invitation_and_a_revoked_link_let_nobody_in(folder: Path, cap
     assert "2  seat 3: revoked" in capsys.readouterr().out
 
 
+def test_an_invitation_is_one_line_of_the_list_whatever_it_is_called(folder: Path, capsys) -> None:
+    assert call("invite", folder, "1", "--label", "a\n2  b: used by person 0") == 0
+    capsys.readouterr()
+    assert call("invitations", folder) == 0
+    assert capsys.readouterr().out == "1  a\\u000a2  b: used by person 0: not used\n"
+
+
 def test_whoever_is_readmitted_counts_again_unless_they_withdrew(folder: Path, capsys) -> None:
     assert call("open", folder, "--everyone") == 0
     study = hash_in(folder)
@@ -127,7 +134,7 @@ def test_an_erased_person_is_called_by_number(folder: Path, capsys) -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (("invite", "0", "--label", "x"), "count is 0; allowed: 1 to 1000"),
+        (("invite", "0", "--label", "x"), "count is 0; allowed: a whole number, 1 to 1000"),
         (("invite", "1", "--label", "x", "--url", "ftp://a"), "url is 'ftp://a'"),
         *(
             (("invite", "1", "--label", "x", "--url", f"http://{host}"), "url is 'http://")

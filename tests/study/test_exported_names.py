@@ -21,6 +21,8 @@ from nacreous.study.store.codebook import group_column
 from nacreous.study.task.counting import DATA
 from tests.support.gathering import by_scale, frozen_study, opened, take_part
 
+#: Columns that somebody removes from an export.
+GONE = (("kind",), ("simulated",), ("kind", "simulated", "excluded"))
 ASKED = {"en": "Which?", "ja": "どれ?"}
 SCALE = {"a": 0.5, "b": 0.0, "c": -0.5, "NA": -0.2}
 
@@ -174,11 +176,11 @@ def test_an_export_is_never_read_as_answers_that_all_count(tmp_path: Path) -> No
     table = {name: [row[name] for row in rows] for name in rows[0]}
     tables = [
         table,
-        *({name: table[name] for name in table if name != one} for one in ("kind", "simulated")),
+        *({name: table[name] for name in table if name not in gone} for gone in GONE),
         {name.title(): column for name, column in table.items()},
     ]
     names = {"left": "Left", "right": "Right", "chosen": "Chosen"}
-    for one, called in zip(tables, ({}, {}, {}, names), strict=True):
+    for one, called in zip(tables, ({}, {}, {}, {}, names), strict=True):
         with pytest.raises(InputError, match=r"of a study's export, which says? that not every"):
             Answers.of_table(one, **called)
     counting = {name: table[name] for name in ("left", "right", "chosen", "person")}
@@ -193,6 +195,6 @@ def test_an_export_below_itself_is_refused(tmp_path: Path) -> None:
         export(store, running.study, tmp_path / "out.csv")
     head, *rows = (tmp_path / "out.csv").read_text("utf-8").splitlines()
     (tmp_path / "twice.csv").write_text("\n".join([head, *rows, *rows]), "utf-8")
-    said = f"row {len(rows) + 1}: sequence is 1, as in row 1; allowed: each once"
+    said = f"row {len(rows) + 2}: sequence is 1, as in row 2; allowed: each once"
     with pytest.raises(InputError, match=said):
         exported_answers(tmp_path / "twice.csv")

@@ -135,8 +135,14 @@ def test_an_invitation_to_another_study_is_none(store: Store) -> None:
 
 def test_what_cannot_be_invited_is_one_line(store: Store) -> None:
     for attempt, told in (
-        (lambda: store.invite(STUDY, 0, "x", "lab"), "count is 0; allowed: 1 to 1000"),
-        (lambda: store.invite(STUDY, 1001, "x", "lab"), "count is 1001; allowed: 1 to 1000"),
+        (
+            lambda: store.invite(STUDY, 0, "x", "lab"),
+            "count is 0; allowed: a whole number, 1",
+        ),
+        (
+            lambda: store.invite(STUDY, 1001, "x", "lab"),
+            "count is 1001; allowed: a whole",
+        ),
         (lambda: store.invite(STUDY, 1, "", "lab"), "label is 0 characters long"),
         (lambda: store.invite("00" * 32, 1, "x", "lab"), "is not in this store"),
         (lambda: store.revoke_invitation(99, "lab"), "invitation 99 is not in this store"),

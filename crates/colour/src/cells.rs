@@ -91,12 +91,13 @@ impl Comma {
         }
     }
 
-    /// A finite number.
+    /// A finite number; Fortran writes exponents of double precision with a D.
     pub(crate) fn number(self, cell: &str) -> Option<f64> {
-        let parsed = match self {
-            Self::Decimal => cell.replace(',', ".").parse(),
-            Self::Thousands => cell.replace(',', "").parse(),
+        let pointed = match self {
+            Self::Decimal => cell.replace(',', "."),
+            Self::Thousands => cell.replace(',', ""),
         };
+        let parsed = pointed.replace(['D', 'd'], "e").parse();
         parsed.ok().filter(|value: &f64| value.is_finite())
     }
 }
@@ -158,9 +159,20 @@ mod tests {
         assert_eq!(numbers("\"380,5\",\"0,25\";"), None);
         assert_eq!(numbers("\"380,5\",\"0,25\""), Some(vec![380.5, 0.25]));
         assert_eq!(numbers("380;0.25;;"), Some(vec![380.0, 0.25]));
-        for word in ["1.234,5", "1,2,3", "nan", "inf", "", "dark"] {
+        for word in ["1.234,5", "1,2,3", "nan", "inf", "", "dark", "D5", "1D", "1DD2"] {
             assert_eq!(number(word), None, "{word}");
         }
+    }
+
+    #[test]
+    fn an_exponent_of_fortran_is_an_exponent() {
+        for (cell, value) in
+            [("0.11833D+00", 0.11833), ("3.8D2", 380.0), ("-.5d-1", -0.05), ("0,118D+01", 1.18)]
+        {
+            assert_eq!(number(cell), Some(value), "{cell}");
+        }
+        let line = cells(" 0.38000D+03   0.11833D+00");
+        assert_eq!(line.into_iter().map(number).collect::<Vec<_>>(), [Some(380.0), Some(0.11833)]);
     }
 
     #[test]

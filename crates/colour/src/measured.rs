@@ -277,7 +277,10 @@ mod tests {
             problem("380,1\npause\n381,1"),
             "lamp.csv, line 2: a cell is \"pause\"; allowed: a finite number"
         );
-        assert_eq!(problem("a,b\nc,d"), "lamp.csv: 0 rows of numbers; allowed: at least 2");
+        assert_eq!(
+            problem("a,b\nc,d"),
+            "lamp.csv: 0 rows of numbers, and line 1 has \"a\"; allowed: at least 2 of numbers alone"
+        );
         assert_eq!(
             problem("780,1\n500,1\n500,1\n380,1"),
             "lamp.csv, line 3: wavelength_nm is 500.0; allowed: below 500.0, the last"

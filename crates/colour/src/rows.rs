@@ -20,8 +20,8 @@ enum Line<'a> {
     Row([&'a str; 2]),
     /// Begins with a number, and is no row.
     Broken { first: f64, problem: String },
-    /// Begins with a word.
-    Words { problem: String },
+    /// Begins with a word, or with a number and its unit.
+    Words { cell: String, is_pair: bool },
 }
 
 /// So many steps beyond the rows, a line that begins with a number is one of them that is broken.
@@ -41,19 +41,14 @@ pub(crate) fn samples(text: &str, place: &str) -> Result<Vec<Sample>, ColourErro
     let is_row = |(_, line): &(usize, Line<'_>)| matches!(line, Line::Row(_));
     let (Some(first), Some(last)) = (lines.iter().position(is_row), lines.iter().rposition(is_row))
     else {
-        let broken = lines.into_iter().find_map(|(number, line)| match line {
-            Line::Broken { problem, .. } => Some(refused(number, problem)),
-            _ => None,
-        });
-        return Err(broken.unwrap_or_else(|| too_few(0, place)));
+        return Err(no_row(&lines, place));
     };
     let mut rows = Vec::new();
     for (number, line) in &lines[first..=last] {
         match line {
             Line::Row(row) => rows.push((*number, *row)),
-            Line::Broken { problem, .. } | Line::Words { problem } => {
-                return Err(refused(*number, problem.clone()));
-            }
+            Line::Broken { problem, .. } => return Err(refused(*number, problem.clone())),
+            Line::Words { cell, .. } => return Err(refused(*number, not_a_number(cell))),
         }
     }
     let with_semicolons = text.contains(';');
@@ -93,8 +88,38 @@ fn line_of(content: &str) -> Line<'_> {
             let problem = format!("{count} columns; allowed: 2, wavelength and value");
             Line::Broken { first, problem }
         }
-        _ => Line::Words { problem: not_a_number(cells[0]) },
+        _ => Line::Words { cell: cells[0].to_owned(), is_pair: cells.len() == 2 },
     }
+}
+
+/// Why no line is a row: the first that begins with a number is broken; else one of two cells, or any other,
+/// begins with a digit and has a unit behind it; else the first of two cells is of words.
+fn no_row(lines: &[(usize, Line<'_>)], place: &str) -> ColourError {
+    let broken = lines.iter().find_map(|(number, line)| match line {
+        Line::Broken { problem, .. } => Some((*number, problem.clone())),
+        _ => None,
+    });
+    if let Some((line, problem)) = broken {
+        return ColourError::Line { place: place.to_owned(), line, problem };
+    }
+    let words = |wanted: &dyn Fn(&str, bool) -> bool| {
+        lines.iter().find_map(|(number, line)| match line {
+            Line::Words { cell, is_pair } if wanted(cell, *is_pair) => Some((*number, cell)),
+            _ => None,
+        })
+    };
+    let digit = |cell: &str| cell.starts_with(|first: char| first.is_ascii_digit());
+    let found = words(&|cell, is_pair| is_pair && digit(cell))
+        .or_else(|| words(&|cell, _| digit(cell)))
+        .or_else(|| words(&|_, is_pair| is_pair));
+    let Some((line, cell)) = found else {
+        return too_few(0, place);
+    };
+    let problem = format!(
+        "0 rows of numbers, and line {line} has {:?}; allowed: at least 2 of numbers alone",
+        shortened(cell)
+    );
+    ColourError::Table { place: place.to_owned(), problem }
 }
 
 fn too_few(rows: usize, place: &str) -> ColourError {
@@ -137,6 +162,26 @@ mod tests {
             let found = read(&text).unwrap_err();
             assert!(found.starts_with(&format!("lamp.csv, {problem}")), "{found}");
         }
+    }
+
+    #[test]
+    fn where_no_row_is_of_numbers_the_first_cell_that_is_none_is_named() {
+        for (text, line, cell) in [
+            ("380 nm, 0.118\n390 nm, 0.119", 1, "380 nm"),
+            ("2048 pixels\nwavelength,value\n380nm,0.118\n390nm,0.119", 3, "380nm"),
+            ("380 nm 0.118\n390 nm 0.119", 1, "380 nm 0.118"),
+            ("Lamp B\na;b\nc;d", 2, "a"),
+        ] {
+            let allowed = "allowed: at least 2 of numbers alone";
+            let problem = format!("0 rows of numbers, and line {line} has {cell:?}; {allowed}");
+            assert_eq!(read(text).unwrap_err(), format!("lamp.csv: {problem}"));
+        }
+        for text in ["", "Lamp B\nno numbers"] {
+            let problem = "lamp.csv: 0 rows of numbers; allowed: at least 2";
+            assert_eq!(read(text).unwrap_err(), problem);
+        }
+        let problem = read("380,0.118 %\n390,0.119 %").unwrap_err();
+        assert_eq!(problem, "lamp.csv, line 1: a cell is \"0.118 %\"; allowed: a finite number");
     }
 
     #[test]

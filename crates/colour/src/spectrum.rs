@@ -72,8 +72,8 @@ impl Spectrum {
 
     /// The spectrum in a table of two columns, wavelength in nm and value, as instruments write it.
     ///
-    /// Columns are parted by semicolons, tabs, commas or blanks; decimals have a point or a comma;
-    /// wavelengths rise or fall. Lines before and after the numbers are passed over, `#` begins a
+    /// Columns are parted by semicolons, tabs, commas or blanks; decimals have a point or a comma,
+    /// exponents an E or Fortran's D; wavelengths rise or fall. Lines before and after the numbers are passed over, `#` begins a
     /// comment. Values between samples lie on straight lines; of samples finer than 1 nm each value
     /// is the mean over the nm around it. Where 400 to 700 nm are covered, the nearest value stands
     /// beyond the ends. Values down to -5 % of the largest are noise and count as 0. `place` is what

@@ -29,7 +29,7 @@ def always_tied(answers: Answers) -> tuple[AlwaysTied, ...]:
     As often as all who chose something tie, fewer than 1 of 100 would never choose by chance.
     Raises `InputError` where people are unknown.
 
-    >>> table = {"left": list("aaab"), "right": list("bbba"), "chosen": ["tie", "tie", "tie", "a"]}
+    >>> table = {"left": list("aaba"), "right": list("bccb"), "chosen": ["tie", "tie", "tie", "a"]}
     >>> always_tied(Answers.of_table(table | {"person": ["mika", "mika", "mika", "jun"]}))
     (AlwaysTied(person='mika', ties=3, of=3),)
     """

@@ -179,13 +179,14 @@ def _meanings(
     if not codes or "left_word" in names or "right_word" in names:
         return meanings
     grades = {
-        unlisted(cell)
+        unlisted(cell): float(number)
         for cell, meaning in zip(found, meanings, strict=True)
-        if meaning == _UNKNOWN and number_of(unlisted(cell))
+        if meaning == _UNKNOWN and (number := number_of(unlisted(cell)))
     }
     if len(grades) > len(codes):
+        held = _both(sorted(grades, key=lambda cell: grades[cell]))
         faults.say(
-            f"{name} holds {_both(sorted(grades, key=float))}, as grades do; allowed: the "
+            f"{name} holds {held}, as grades do; allowed: the "
             "label of the chosen one, or left, right or tie, in place of each grade"
         )
         return meanings

@@ -19,13 +19,13 @@ from nacreous.scaling.data.column import (
     text_column,
 )
 from nacreous.scaling.data.count import counts_of
+from nacreous.scaling.data.discarded import without_discarded
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
 from nacreous.scaling.data.nothing import refuse_errors, refuse_nothing
 from nacreous.scaling.data.number_column import seconds_column
 from nacreous.scaling.data.pair_columns import has_pairs
-from nacreous.scaling.data.preview import without_previews
 from nacreous.scaling.data.repeat import refuse_repeats
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.study_export import refuse_study_export
@@ -73,8 +73,8 @@ def fields_of(
     skip_unanswered = truth_of("skip_unanswered", skip_unanswered)
     refuse_study_export(table)
     rows = table.rows
-    table = without_previews(table, skip_unanswered)
-    previews = rows - table.rows
+    table = without_discarded(table, skip_unanswered)
+    discarded = rows - table.rows
     table, column, unpaired = _trials(table, names)
     if "count" in column:
         table = table.take(counts_of(table, column["count"], table.faults()) > 0)
@@ -84,7 +84,7 @@ def fields_of(
         kept = np.ones(paired, bool)
         kept[unanswered(table, column, names)] = False
         table = table.take(kept)
-    skipped = paired - table.rows + previews
+    skipped = paired - table.rows + discarded
     faults = table.faults()
     if table.rows == 0:
         faults.say("has no row with a pair and an answer; allowed: 1 or more")

@@ -12,6 +12,7 @@ from unicodedata import normalize
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.data.pair_name import pairs_in
+from nacreous.scaling.data.second_line import has_second_line, joined_names
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", "|": "bars"}
 #: How far down column names are looked for, and how much of a file is looked at for them.
@@ -57,7 +58,7 @@ def find_header(
 
     wanted: sets of names, one of which a line of column names has. Above it only titles may stand,
     which fill one cell; anything else has to be skipped by skip_rows. Without such a line the first
-    that is not blank has the names.
+    of several cells has the names, with as many below it, or else the first that is not blank.
     """
     text = content[:_MOST_BYTES].decode("utf-8", errors="ignore")
     said, after_said = _said_separator(text, skip_rows)
@@ -73,10 +74,11 @@ def find_header(
         mark, at = hits[0]
         _check_titles(place, found[mark], begin, at)
     else:
-        _check_spaces(place, text, begin, wanted)
-        mark = said or _likely_separator(place, found, begin)
-        at = next((i for i, row in enumerate(found[mark]) if i >= begin and row.filled), -1)
-        if at < 0:
+        if not said:
+            _check_spaces(place, text, begin, wanted)
+        marks, at = _table_below_titles(found, begin)
+        mark = said or _likely_separator(place, {each: found[each] for each in marks}, at)
+        if at == len(found[mark]) or not found[mark][at].filled:
             below = f" below the first {skip_rows} rows" if skip_rows else ""
             allowed = "allowed: a line of column names, then answers"
             raise InputError(f"{place}: is empty{below}; {allowed}")
@@ -106,13 +108,16 @@ def titles_above(content: bytes) -> tuple[list[str], bytes]:
 
 
 def _header(rows: list[_Row], mark: str, at: int) -> Header:
+    names = rows[at].cells
     texts: list[str] = []
     last = at
     if at + 2 < len(rows) and _has_import_ids(rows[at + 2]):
         texts, last = rows[at + 1].cells, at + 2
+    elif at + 1 < len(rows) and has_second_line(names, rows[at + 1].cells):
+        names, last = joined_names(names, rows[at + 1].cells), at + 1
     top = rows[at - 1].end if at else 0
-    row_names = _has_row_names(rows[at].cells, [row for row in rows[last + 1 :] if row.filled])
-    names = [*[""] * row_names, *rows[at].cells]
+    row_names = _has_row_names(names, [row for row in rows[last + 1 :] if row.filled])
+    names = [*[""] * row_names, *names]
     return Header(mark, names, last + 1, top, rows[last].end, texts, row_names)
 
 
@@ -182,10 +187,10 @@ def name_of(cell: object) -> str:
 def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) -> int | None:
     """The first row with such names, or with names of pairs: below these, left is an answer.
 
-    Qualtrics says in the third row that the first has the names.
+    Qualtrics says in the third row that the first has the names; SurveyMonkey has two rows of them.
     """
     for at, row in enumerate(rows[begin + 2 :], begin):
-        if _has_import_ids(row):
+        if _has_import_ids(row) or has_second_line(rows[at].cells, rows[at + 1].cells):
             return at
     pairs: int | None = None
     for at, row in enumerate(rows[begin:], begin):
@@ -199,12 +204,26 @@ def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) 
 
 def _check_spaces(place: str, text: str, begin: int, wanted: Sequence[Collection[str]]) -> None:
     """Refuse names parted by spaces alone, which labels hold too."""
-    for line in text.splitlines()[begin:_MOST_ROWS]:
-        names = set(line.casefold().split(" "))
-        if any({name.casefold() for name in each} <= names for each in wanted):
-            raise InputError(
-                f"{place}: cells are separated by spaces; allowed: commas, semicolons, tabs or bars"
-            )
+    lines = text.splitlines()[begin:_MOST_ROWS]
+    words = [set(line.casefold().split(" ")) for line in lines]
+    named = any({name.casefold() for name in each} <= names for names in words for each in wanted)
+    if named or _are_parted_by_spaces([line for line in lines if line.strip()]):
+        raise InputError(
+            f"{place}: cells are separated by spaces; allowed: commas, semicolons, tabs or bars"
+        )
+
+
+def _are_parted_by_spaces(lines: list[str]) -> bool:
+    """Whether all lines, those below a title at least, have as many words and no separator.
+
+    Below names without one it may be a mark of decimals.
+    """
+    for rows, without_marks in ((lines, lines[:1]), (lines[1:], lines[1:])):
+        sizes = {len(row.split()) for row in rows}
+        marked = any(mark in line for line in without_marks for mark in SEPARATORS)
+        if len(rows) > 1 and len(sizes) == 1 and min(sizes) > 2 and not marked:
+            return True
+    return False
 
 
 def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:
@@ -214,6 +233,28 @@ def _check_titles(place: str, rows: list[_Row], begin: int, at: int) -> None:
                 f"{place}: row {at + 1} holds the names of columns, and row {row + 1} above it "
                 f"more than a title; allowed: names first, or skip_rows={at}"
             )
+
+
+def _table_below_titles(found: dict[str, list[_Row]], begin: int) -> tuple[list[str], int]:
+    """The first row of several cells that the next one has as many of, and by which separators.
+
+    Above it stand titles. Without such a row, the first that is not blank, by any of them.
+    """
+    tables: dict[str, int] = {}
+    for mark, rows in found.items():
+        filled = [at for at, row in enumerate(rows) if at >= begin and row.filled]
+        wide = [i for i, at in enumerate(filled) if rows[at].filled > 1][:1]
+        for names, below in ((filled[i], filled[i + 1]) for i in wide if i + 1 < len(filled)):
+            if len(rows[below].cells) - len(rows[names].cells) in (0, 1):  # R names each row
+                tables[mark] = names
+    if tables:
+        first = min(tables.values())
+        return [mark for mark, at in tables.items() if at == first], first
+    firsts = [
+        next((i for i, row in enumerate(rows) if i >= begin and row.filled), len(rows))
+        for rows in found.values()
+    ]
+    return list(found), min(firsts)
 
 
 def _likely_separator(place: str, found: dict[str, list[_Row]], begin: int) -> str:

@@ -30,6 +30,8 @@ _NUMBER = re.compile(
 #: Thousands parted by commas, blanks or apostrophes, and by points where a decimal comma follows.
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}([,' ])[0-9]{3}(\1[0-9]{3})*(\.[0-9]*)?")
 _POINTS = re.compile(r"[+-]?[1-9][0-9]{0,2}((\.[0-9]{3})+,[0-9]+|(\.[0-9]{3}){2,})")
+#: By which power of ten a mark behind a number divides it.
+_SHARES = {"%": 2, "‰": 3}
 #: One character that is a number between 0 and 1, alone or behind a whole one.
 _FRACTION = re.compile("([0-9]*) ?([¼½¾⅐-⅞↉])")
 
@@ -60,8 +62,8 @@ def shape_of(label: str) -> str:
 def number_of(label: str) -> str | None:
     """What all ways of writing a number have in common; None of a label that is none.
 
-    >>> number_of("1.0") == number_of("1"), number_of("01")
-    (True, None)
+    >>> number_of("1.0") == number_of("1"), number_of("50%") == number_of("0.5"), number_of("01")
+    (True, True, None)
     """
     return _number(_drawn(label))
 
@@ -83,8 +85,12 @@ def _plain(letter: str) -> str:
 
 
 def _number(drawn: str) -> str | None:
-    """A number as a whole one and a power of ten, however it is written; None of other labels."""
-    found = _NUMBER.fullmatch(_ungrouped(drawn))
+    """A number as a whole one and a power of ten, however it is written; None of other labels.
+
+    Spreadsheets show 0.5 as 50%.
+    """
+    share = _SHARES.get(drawn[-1:], 0)
+    found = _NUMBER.fullmatch(_ungrouped(drawn[:-1].rstrip() if share else drawn))
     if not found:
         return None
     fraction = found[3] or ""
@@ -92,7 +98,7 @@ def _number(drawn: str) -> str | None:
     whole = digits.rstrip("0")
     if not whole:
         return "0"
-    power = int(found[4] or 0) - len(fraction) + len(digits) - len(whole)
+    power = int(found[4] or 0) - share - len(fraction) + len(digits) - len(whole)
     return f"{found[1].strip('+')}{whole}e{power}"
 
 

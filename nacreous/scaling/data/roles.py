@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable
 from itertools import combinations
 from typing import Any, TypedDict
@@ -15,6 +14,7 @@ from nacreous.scaling.data.count import count_column, counts_of_sides
 from nacreous.scaling.data.fault import Faults, listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.number_column import number_column
+from nacreous.scaling.data.other_pair import renamed_pair
 from nacreous.scaling.data.program import names_people, program_of
 from nacreous.scaling.data.table import Table
 
@@ -185,16 +185,18 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
             "row for each side, such as A,B,A,5 and A,B,B,3"
         )
     near = {
-        role: _likely(role, free) if name == role else nearest(name, table.columns)
+        role: _likely(role, free) if name == role else nearest(name, free)
         for role, name in lacking.items()
     }
+    twice = {name for name in near.values() if [*near.values()].count(name) > 1}
+    near = {role: None if name in twice else name for role, name in near.items()}
     options = ", ".join(f"{role}={near[role]!r}" if near[role] else f"{role}=NAME" for role in near)
-    pairs = [name for name in free if _OR.fullmatch(name)]
-    if pairs and len(lacking) > 1 and len(pairs) >= len(free) - 1:
-        versus = quoted(_OR.sub(r"\1 vs \2", pairs[0]))
+    renamed = renamed_pair(table, free) if len(lacking) > 1 else None
+    if renamed:
+        name, versus = map(quoted, renamed)
         return (
-            f"has columns such as {quoted(pairs[0])}; allowed with a column a pair: names such as "
-            f"{versus}, or the columns left, right and chosen"
+            f"has columns such as {name}; allowed with a column a pair: names such as {versus}, "
+            "or the columns left, right and chosen"
         )
     names = list(lacking.values())
     meant = next(iter(near.values()))
@@ -207,11 +209,6 @@ def _lacking(table: Table, lacking: dict[str, str], taken: Collection[str]) -> s
         hint += ", or skip rows above the names by skip_rows=N"
     return f"has no column{several}; {hint}"
 
-
-#: A pair in other words than `vs`, which a label may hold.
-_OR = re.compile(
-    r"(\S.*?)(?:[ _]+(?:or|and|oder|ou)[ _]+|\s*(?:(?<!<)/|[|–—:])\s*|\s+-\s+|\s*か\s*)(\S.*)"
-)
 
 #: Parts of names that columns of a role have in other programs and languages.
 _PARTS = {

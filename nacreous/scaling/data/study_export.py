@@ -13,6 +13,7 @@ from nacreous.scaling.data.table import Table
 _WORDS = {
     "kind": {"training", "pair", "repeat", "catch"},
     "simulated": {"true", "false", "0", "1", "0.0", "1.0"},
+    "erased": {"true", "false"},
 }
 
 
@@ -31,7 +32,7 @@ def refuse_study_export(table: Table) -> None:
             f"{table.place}: has the {named} of a study's export, which "
             f"say{'s' if len(found) == 1 else ''} that not every row is data; allowed: the file as "
             "`nacreous study export` wrote it, for `nacreous scale` or "
-            "nacreous.study.exported_answers; or the rows that count, without "
+            "nacreous.study.results.exported_answers; or the rows that count, without "
             f"{'these columns' if len(found) > 1 else 'this column'}"
         )
 

@@ -111,8 +111,8 @@ def shared_scale(
 
     permutations: 99 to 1 000 000; seed: 0 to 2^63 - 1, the same seed deals alike. progress: called
     with the finished share, 0 to 1, now and then. Raises `InputError` where people are unknown,
-    where no two answered the same pair, where all agree on every pair, where nobody answered two
-    pairs that can be dealt, and beyond 500 stimuli.
+    where nobody chose anything, where no two answered the same pair, where all agree on every pair,
+    where nobody answered two pairs that can be dealt, and beyond 500 stimuli.
 
     >>> import nacreous as nc
     >>> alike = nc.scaling.simulate([1.0, 0.0, -1.0], people=40, seed=3)
@@ -121,6 +121,10 @@ def shared_scale(
     """
     whole_of("permutations", permutations, 99, 1_000_000)
     choosers = choosing(answers)
+    if len(choosers) == 0:
+        raise InputError(
+            "all answers are ties; allowed: people of whom two or more chose something"
+        )
     blocks = with_own_ties(blocks_of(choosers), drawn_in=True)
     if len(blocks.stimuli) > MOST_STIMULI:
         raise InputError(f"{len(blocks.stimuli)} stimuli; allowed: at most {MOST_STIMULI}")

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import group_column, text_column
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.study.results.scale import called_simulated
 from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
-from nacreous.study.task.counting import counts
+from nacreous.study.task.counting import KINDS, counts
 from nacreous.study.task.row import Row
 from nacreous.study.task.tasks import columns_of_tasks, task_of
 
@@ -105,17 +106,21 @@ def _rows(table: Table, where: str) -> list[Row]:
     comma = table.separator == ";"
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
-        cell = f"{where}: row {place + 1}"
+        cell = f"{where}: row {table.numbers[place]}"
         row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
         if first.setdefault(row["seq"], place) != place:
             raise InputError(
-                f"{cell}: sequence is {row['seq']}, as in row {first[row['seq']] + 1}; allowed: "
-                "each once, for a file of one export (not of several, one below the other)"
+                f"{cell}: sequence is {row['seq']}, as in row {table.numbers[first[row['seq']]]}; "
+                "allowed: each once, for a file of one export (not of several, one below another)"
             )
         trial = _number(row["trial"], f"{cell}: trial", comma)
         row["trial"] = row["seq"] if trial is None else trial  # of an erased person
         row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms", comma)
         row["simulated"] = _whether(row["simulated"], f"{cell}: simulated")
+        if row["kind"] not in KINDS:
+            raise InputError(
+                f"{cell}: kind is {said(row['kind'] or '')}; allowed: {', '.join(KINDS)}"
+            )
         # Numbers and random names are labels here, and told apart by none.
         row["number"], row["erased_as"] = row["person"], None
         rows.append(cast("Row", row))

@@ -21,7 +21,9 @@ import sqlalchemy as sa
 
 from nacreous import file
 from nacreous.problem import InputError
+from nacreous.study.store.belonging import check_belonging
 from nacreous.study.store.contents import check_contents
+from nacreous.study.store.earlier import hashes, require_earlier_backup
 from nacreous.study.store.engine import BESIDE, engine_of, given_place, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
 from nacreous.study.store.migrate import check_revision, upgrade
@@ -50,6 +52,8 @@ def backup(place: str | PathLike[str] | None, output: str | PathLike[str]) -> Co
     file.check_output(output, [".sqlite"])
     with _opened(place) as engine:
         file.require_apart([output], [place_of(engine)])
+        with engine.connect() as reading:
+            require_earlier_backup(Path(output), hashes(reading))
         with _refused(str(output)), file.atomic(output, private=True) as temporary:
             if engine.dialect.name == "sqlite":
                 _copy_file(Path(place_of(engine)), temporary)
@@ -203,6 +207,8 @@ def _checked(path: Path, *, handed_on: bool = False) -> Copied:
                 check_contents(connection, str(path))
         with translated(str(path)), engine.connect() as reading:
             _check_manifests(reading, str(path))
+            if handed_on:
+                check_belonging(reading, str(path))
             return Copied(*(_count(reading, table) for table in (studies, sessions, answers)))
     finally:
         engine.dispose()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from nacreous.problem import InputError
+from nacreous.number import whole_of
 from nacreous.study.store import accounts, check, invitations, journal, passwords, studies, tokens
 from nacreous.study.store.base import Base
 from nacreous.study.store.record import Event, Invitation
@@ -40,9 +40,7 @@ class Lab(Base):
         ...     invitation.label, invitation.number
         ('Monday, seat 3', 0)
         """
-        count = check.whole("count", count)
-        if not 1 <= count <= invitations.MOST:
-            raise InputError(f"count is {count}; allowed: 1 to {invitations.MOST}")
+        count = whole_of("count", count, 1, invitations.MOST)
         drawn = [tokens.draw() for _ in range(count)]
         work = partial(
             invitations.make,
