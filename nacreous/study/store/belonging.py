@@ -92,7 +92,7 @@ def _check_people(
 
 
 def _check_owners(connection: sa.Connection, place: str) -> None:
-    """An answer is one trial of one person, or of an erased person whom a random name stands for."""
+    """An answer is one trial of a person, or of an erased one whom a random name stands for."""
     has_session, has_trial, has_name = (
         answers.c[name].is_not(None) for name in ("session", "trial", "erased_as")
     )

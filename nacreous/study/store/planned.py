@@ -110,6 +110,6 @@ def _check_answers(
             # Labels as they were compared by the version that wrote them.
             if value != wanted and (name not in PLACES or label_of(value) != label_of(wanted)):
                 raise InputError(
-                    f"{where}{name} is {quoted(value)}; allowed: {quoted(wanted)}, as in trial {at} "
-                    f"of person {number}'s plan"
+                    f"{where}{name} is {quoted(value)}; allowed: {quoted(wanted)}, as in trial "
+                    f"{at} of person {number}'s plan"
                 )
