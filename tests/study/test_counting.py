@@ -225,7 +225,6 @@ def test_words_for_an_empty_cell_are_one_in_an_export(
     assert filled != rows
 
 
-
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
 def test_an_export_saved_anew_by_a_spreadsheet_is_known(
     running: Running, tmp_path: Path, encoding: str

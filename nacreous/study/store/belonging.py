@@ -1,4 +1,4 @@
-"""Whether what a backup holds belongs to its studies: their questions, stimuli, responses, groups, numbers.
+"""Whether what a backup holds belongs to its studies: questions, stimuli, responses, groups.
 
 Each column may be right by itself (`contents.py`) and yet name what no study has.
 """

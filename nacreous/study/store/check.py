@@ -10,6 +10,7 @@ from typing import Any
 
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.nothing import NOTHING
 
 #: The longest label, question or reason, in characters.
 LONGEST_TEXT = 1000
@@ -30,6 +31,23 @@ def text(name: str, value: Any, longest: int = LONGEST_TEXT) -> str:
     if "\0" in value or any("\ud800" <= letter <= "\udfff" for letter in value):
         raise InputError(f"{name} is {_shown(value)}; allowed: text without NUL and half letters")
     return value
+
+
+def reason(value: Any) -> str:
+    """Why a person is left out: text, and no word that programs write into an empty cell.
+
+    In an export a reason is all that says so.
+
+    >>> reason("n/a")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: reason is 'n/a', which programs read as an empty cell; wanted: ...
+    """
+    given = text("reason", value)
+    if given.strip().lower() in NOTHING:
+        raise InputError(
+            f"reason is {_shown(value)}, which programs read as an empty cell; wanted: words"
+        )
+    return given
 
 
 def one_of(name: str, value: Any, allowed: Collection[str]) -> str:
