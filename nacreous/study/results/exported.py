@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from nacreous.number import said
+from nacreous.number import said, truth_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import group_column, text_column
 from nacreous.scaling.data.nothing import is_nothing
@@ -52,6 +52,7 @@ def exported_answers(
     ...     print(exported_answers(other))
     None
     """
+    simulated = truth_of("simulated", simulated)
     if not set(_NAMES) <= set(column_names(path, [_NAMES])):
         return None
     table = read_table(path, [_NAMES])

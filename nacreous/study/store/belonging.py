@@ -6,7 +6,7 @@ Each column may be right by itself (`contents.py`) and yet name what no study ha
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 import sqlalchemy as sa
 
@@ -59,13 +59,12 @@ def _check_answers(connection: sa.Connection, place: str, study: str, design: De
             raise InputError(f"{place}: answers, row {row}: {problem}") from None
 
 
-def _different(
-    connection: sa.Connection, study: str, name: str
-) -> Iterable[sa.Row[tuple[str, int]]]:
+def _different(connection: sa.Connection, study: str, name: str) -> Iterator[tuple[str, int]]:
     """The different values of a column of answers, each with its first row."""
     column = answers.c[name]
     first = sa.select(column, sa.func.min(answers.c.seq)).where(answers.c.study == study)
-    return connection.execute(first.group_by(column))
+    for value, row in connection.execute(first.group_by(column)):
+        yield value, row
 
 
 def _check_people(
