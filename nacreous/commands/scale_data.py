@@ -96,10 +96,14 @@ def _columns(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def settings_of(args: argparse.Namespace) -> Settings:
-    """How the study's own report fits its export; of other data the defaults."""
+    """How the study's own report fits its export; of other data the defaults.
+
+    Where method or prior is given, the export is not asked.
+    """
     from nacreous.scaling.report.settings import Settings
 
-    if args.counts or args.answers == PAPER or not _may_be_export(args.answers):
+    said = args.method is not None or args.prior is not None
+    if said or args.counts or args.answers == PAPER or not _may_be_export(args.answers):
         return Settings()
     from nacreous.study.results import exported_settings
 

@@ -16,7 +16,7 @@ from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.scaling.data.truth import says_true
 from nacreous.study.results.scale import called_simulated
-from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
+from nacreous.study.store.codebook import BEFOREHAND, CHOSEN_BY, COLUMNS
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.task.counting import KINDS, counts
 from nacreous.study.task.row import Row
@@ -86,21 +86,32 @@ def exported_answers(
 def exported_settings(path: str | PathLike[str]) -> Settings | None:
     """How the study's own report fits the answers of such a file; None for any other table.
 
-    Raises `InputError` for what cannot be read, and for words that no export has.
+    Raises `InputError` for what cannot be read, for words that no export has, and where nothing is
+    said of how pairs were chosen: by the answers so far, they stretch the most likely scale.
     """
     if not set(_NAMES) <= set(column_names(path, [_NAMES])):
         return None
     table = read_table(path, [_NAMES])
-    if CHOSEN_BY.name not in table.columns or not table.rows:
-        return task_of({}).settings(None)
-    words = sorted({word or "" for word in _texts(table, CHOSEN_BY.name)})
+    if CHOSEN_BY.name not in table.columns:
+        raise InputError(f"{path}: has no column {CHOSEN_BY.name}; {_WHOLE}")
+    words = {word or "" for word in _texts(table, CHOSEN_BY.name)}
+    if "" in words:
+        raise InputError(f"{path}: {CHOSEN_BY.name} is empty; {_WHOLE}")
     try:
-        found = [task_of({}).settings(word or None) for word in words]
+        found = [task_of({}).settings(None if word == BEFOREHAND else word) for word in words]
     except InputError as problem:
         raise InputError(f"{path}: {problem}") from None
     if len(found) > 1:
-        raise InputError(f"{path}: {CHOSEN_BY.name} is {', '.join(words)}; allowed: one of them")
-    return found[0]
+        listed = ", ".join(sorted(words))
+        raise InputError(f"{path}: {CHOSEN_BY.name} is {listed}; allowed: one of them")
+    return found[0] if found else task_of({}).settings(None)
+
+
+_WHOLE = (
+    "wanted: the file as `nacreous study export` wrote it; or say how it is to be fitted, as by "
+    "--prior hierarchical where pairs were chosen by the answers so far, "
+    f"--method maximum-likelihood where {BEFOREHAND}"
+)
 
 
 def _rows(table: Table, where: str) -> list[Row]:

@@ -63,8 +63,7 @@ def _different(connection: sa.Connection, study: str, name: str) -> Iterator[tup
     """The different values of a column of answers, each with its first row."""
     column = answers.c[name]
     first = sa.select(column, sa.func.min(answers.c.seq)).where(answers.c.study == study)
-    for value, row in connection.execute(first.group_by(column)):
-        yield value, row
+    yield from connection.execute(first.group_by(column))
 
 
 def _check_people(
