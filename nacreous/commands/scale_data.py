@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -31,6 +32,8 @@ def data_of(args: argparse.Namespace) -> Any:
     from nacreous.problem import InputError
     from nacreous.scaling import Answers, Comparisons, paper
 
+    if args.answers.casefold() == PAPER != args.answers and not Path(args.answers).exists():
+        raise InputError(f"{args.answers}: does not exist; did you mean {PAPER}?")
     names = _columns(args)
     unneeded = [f"--{name.replace('_', '-')}" for name in _OF_ANSWERS if _is_given(args, name)]
     if (args.counts or args.answers == PAPER) and unneeded:

@@ -7,6 +7,7 @@ import pytest
 from nacreous import cli
 from nacreous.problem import InputError
 from nacreous.study.design import open_frozen
+from nacreous.study.running import Running
 from nacreous.study.store import NotAllowed, Store, UnknownToken
 from tests.support.pairs import pair_answer
 from tests.support.server_process import small_study
@@ -225,3 +226,21 @@ def test_a_session_that_is_not_there_is_named_in_whole_quotation_marks(folder: P
                 refused()
         with pytest.raises(InputError, match=r"^study 'nonsense' is not in this store; wanted"):
             store.registration("nonsense")
+
+
+def test_a_store_of_a_mistyped_name_is_said_to_be_new(folder: Path, tmp_path: Path, capsys) -> None:
+    place = tmp_path / "answer.sqlite"
+    for said in (f"{place}: a new store, with no answers yet\n", ""):
+        assert call("open", folder, "--store", str(place)) == 0
+        assert capsys.readouterr().err == said
+    assert call("open", folder) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_study_and_its_store_are_told_in_short(folder: Path) -> None:
+    with Store.open(folder) as store:
+        running = Running(store, open_frozen(folder))
+        assert repr(store) == f"Store('{folder / 'answers.sqlite'}')"
+        assert repr(running).startswith("Running('")
+        assert running.study[:12] in repr(running)
+        assert len(repr(running)) < 80 + len(repr(store))

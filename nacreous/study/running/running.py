@@ -78,6 +78,10 @@ class Running:
         self._asked = frozen.design.asked
         self._plans = Plans()
 
+    def __repr__(self) -> str:
+        """Which study, and where."""
+        return f"Running({self.frozen.design.name!r}, {self.study[:12]}, {self.store!r})"
+
     def enter(
         self,
         token: str,
