@@ -59,5 +59,12 @@ const [single] = report("lossless, single", () =>
 );
 const [double] = report("lossless", () => energies(stack, angleRad, wavelengthNm, "unpolarised"));
 report("illuminant model", () => illuminant(stack, angleRad, wavelengthNm, 5000, 0.05, 0));
+for (const wavelengths of [1, 32]) {
+  const angles = Float64Array.from({ length: 900 }, (_, i) => i / 600);
+  const nm = Float64Array.from({ length: wavelengths }, (_, i) => 400 + i);
+  const short = new Stack(new Float64Array(10).fill(400), 20, 1.53, 1.43, 1, 1.53);
+  const { seconds } = best(() => illuminant(short, angles, nm, 5000, 0.05, 0));
+  console.log(`illuminant model, 900 x ${wavelengths}: ${(seconds * 1e6).toFixed(0)} us`);
+}
 const apart = double.reduce((most, R, i) => Math.max(most, Math.abs(R - single[i])), 0);
 console.log(`largest difference in R of single and double precision: ${apart.toExponential(1)}`);

@@ -147,8 +147,9 @@ def main() -> None:
     section = page(measured())
     print(section)
     document = ROOT / "docs" / "benchmarks.md"
-    text = document.read_text(encoding="utf-8")
-    document.write_text(f"{text.partition(TITLE)[0].rstrip()}\n\n{section}", encoding="utf-8")
+    before, _, after = document.read_text(encoding="utf-8").partition(TITLE)
+    rest = after.partition("\n## ")[1:]
+    document.write_text(f"{before.rstrip()}\n\n{section}{''.join(rest)}", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -48,14 +48,14 @@ class _Parser(argparse.ArgumentParser):
 
     def _get_value(self, action: argparse.Action, arg_string: str) -> Any:
         """A number as its option takes it, or what it should have been in words."""
-        number = next((kind for kind in _NUMBERS if kind is action.type), None)
-        if number is None:
-            return super()._get_value(action, arg_string)
         try:
-            return number(arg_string)
-        except ValueError:
-            said = f"{arg_string[:40]!r} is not {_NUMBERS[number]}"
-            raise argparse.ArgumentError(action, said) from None
+            return super()._get_value(action, arg_string)
+        except argparse.ArgumentError:
+            for kind, wanted in _NUMBERS.items():
+                if action.type is kind:
+                    said = f"{arg_string[:40]!r} is not {wanted}"
+                    raise argparse.ArgumentError(action, said) from None
+            raise
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """What argparse words differently from version to version, with the nearest choice."""

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from nacreous.commands.study_store import Actions, who
 from nacreous.commands.terminal import say
-from nacreous.printable import printable
 
 if TYPE_CHECKING:
     from nacreous.study.design import Frozen
@@ -115,7 +114,7 @@ def opened(args: argparse.Namespace) -> tuple[Frozen, Store]:
     is_new = "://" not in place and place != args.study and not Path(place).exists()
     store = Store.open(place)
     if is_new:  # the name may be mistyped; beside the links that a program may read
-        print(f"{printable(store.place)}: a new store, with no answers yet", file=sys.stderr)
+        say(f"{store.place}: a new store, with no answers yet", outputs=["-"])
     return frozen, store
 
 

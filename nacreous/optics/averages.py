@@ -7,23 +7,25 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy import integrate
+from numpy.typing import ArrayLike
 
 from nacreous.nacre import LayerStack
 from nacreous.number import within
 from nacreous.optics.amplitudes import asked
+from nacreous.optics.quadrature import Array, Places, UnresolvedError, integrals
 from nacreous.optics.transfer import Energies, energies
 from nacreous.problem import InputError
 
-Array: TypeAlias = NDArray[np.float64]
-#: The share of the light per rad of incidence, at angles in rad.
-Density: TypeAlias = Callable[[Array], Array]
+#: The share of the light per rad of incidence, [piece, node], from the range that a piece lies in
+#: [piece] and angles in rad [piece, node].
+Density: TypeAlias = Callable[[Places, Array], Array]
 
-#: Pieces are halved until Gauss's and Kronrod's sums differ by no more in all: a tenth of what is
-#: promised, for at the kink of total reflection both are wrong alike, by 4e-6 at 1e-6.
+#: Pieces are halved until Gauss's and Kronrod's sums differ by no more in a range: a tenth of what
+#: is promised, for at the kink of total reflection both are wrong alike, by 4e-6 at 1e-6.
 _TOLERANCE = 1e-7
 _FEWEST_PIECES, _MOST_PIECES = 16, 20_000
+#: Cones as narrow as this are plane waves: nothing that is resolved changes within them.
+_PLANE_RAD = 1e-7
 
 
 def over_aperture(
@@ -36,10 +38,11 @@ def over_aperture(
     """R, T and A for light of a full cone around each angle, each [angle, wavelength], to 1e-6.
 
     Every direction within `half_angle_rad` (0 to pi/2) of the axis carries the same power per solid
-    angle, as from a lens of even brightness. The whole cone lies above the surface: angle_rad +
-    half_angle_rad is at most pi/2. "s" and "p" are of each ray's own plane of incidence. A line of
-    guided light narrower than 1e-5 rad may be missed, which changes the mean by no more than some
-    of its width. The rest as `energies`. Raises `InputError` for what is out of range.
+    angle, as from a lens of even brightness; up to 1e-7 the cone is taken as a plane wave. The
+    whole cone lies above the surface: angle_rad + half_angle_rad is at most pi/2. "s" and "p" are
+    of each ray's own plane of incidence. A line of guided light narrower than 1e-5 rad may be
+    missed, which changes the mean by no more than some of its width. The rest as `energies`. Raises
+    `InputError` for what is out of range.
 
     Fringes of a plate fade as the cone opens:
 
@@ -52,17 +55,18 @@ def over_aperture(
     angles, wavelength = asked(stack, angle_rad, wavelength_nm)
     half = within("half_angle_rad", half_angle_rad, 0, math.pi / 2)
     for angle in angles:
-        if angle + half > math.pi / 2 + 1e-12:
+        if not 0 <= angle <= math.pi / 2 - half + 1e-12:
             raise InputError(
                 f"angle_rad is {angle:g}; allowed with half_angle_rad {half:g}: "
                 f"0 to {math.pi / 2 - half:g}"
             )
-    if half == 0:
+    if half <= _PLANE_RAD:
         return energies(stack, angles, wavelength, polarisation)
+    cones = _Cones(angles, half)
+    parts = _averaged(stack, wavelength, polarisation, cones.density, cones.ends_rad)
     shares = np.zeros((3, angles.size, wavelength.size))
-    for row, angle in enumerate(angles):
-        cone = _of_cone(float(angle), half)
-        shares[:, row] = _averaged(stack, wavelength, polarisation, *cone)
+    for part, cone in zip(parts.swapaxes(0, 1), cones.of.tolist(), strict=True):
+        shares[:, cone] += part
     return Energies(*shares)
 
 
@@ -82,62 +86,68 @@ def over_hemisphere(
     [[0.0918]]
     """
     _, wavelength = asked(stack, 0.0, wavelength_nm)
-    edges = [0.0, math.pi / 2]
-    shares = _averaged(stack, wavelength, polarisation, lambda angle: np.sin(2 * angle), edges)
-    return Energies(*shares[:, None])
+    ends_rad = np.array([[0.0, math.pi / 2]])
+    return Energies(*_averaged(stack, wavelength, polarisation, _lambert, ends_rad))
 
 
 def _averaged(
-    stack: LayerStack, nm: Array, polarisation: str, density: Density, edges: list[float]
+    stack: LayerStack, nm: Array, polarisation: str, density: Density, ends_rad: Array
 ) -> Array:
-    """R, T, A [3, wavelength]: the integral over incidence of density times each of them."""
-    if nm.size == 0:
-        return np.zeros((3, 0))
+    """R, T, A [3, range, wavelength]: integrals of density times each of them.
 
-    def summed(turn: Array) -> Array:
-        """Between two edges, the angle runs as 1 - cos, which takes roots at both ends away."""
-        at = turn[:, 0]
-        piece = np.minimum(at.astype(int), len(edges) - 2)
-        low, high = np.array(edges)[piece], np.array(edges)[piece + 1]
-        angle = low + (high - low) * np.sin(0.5 * np.pi * (at - piece)) ** 2
-        speed = 0.5 * np.pi * (high - low) * np.sin(np.pi * (at - piece))
-        found = energies(stack, angle, nm, polarisation)
-        weight = (density(angle) * speed)[:, None, None]
-        return np.asarray(weight * np.stack([found.R, found.T, found.A], axis=1))
+    ends_rad: the first and the last incidence of each range, [range, 2].
+    """
 
-    ends = np.linspace(0, len(edges) - 1, (len(edges) - 1) * _FEWEST_PIECES + 1)[1:-1]
-    done = integrate.cubature(
-        summed,
-        [0.0],
-        [len(edges) - 1.0],
-        rule="gk21",
-        rtol=0,
-        atol=_TOLERANCE,
-        points=[[end] for end in ends],
-        max_subdivisions=_MOST_PIECES,
-    )
-    if done.status != "converged":
+    def summed(of: Places, turn: Array) -> Array:
+        """In a range, the angle runs as 1 - cos, which takes roots at both ends away."""
+        low, high = ends_rad[of, :1], ends_rad[of, 1:]
+        angle = low + (high - low) * np.sin(0.5 * np.pi * turn) ** 2
+        weight = density(of, angle) * 0.5 * np.pi * (high - low) * np.sin(np.pi * turn)
+        found = energies(stack, angle.ravel(), nm, polarisation)
+        tables = [table.reshape(*angle.shape, nm.size) for table in (found.R, found.T, found.A)]
+        return np.concatenate(tables, axis=2) * weight[:, :, None]
+
+    ranges, values = len(ends_rad), 3 * nm.size
+    try:
+        found = integrals(summed, ranges, values, _TOLERANCE, _FEWEST_PIECES, _MOST_PIECES)
+    except UnresolvedError:
         raise InputError(
             f"the stack, {stack.total_um:g} um thick, changes too fast with the angle; allowed "
             f"here: what {_MOST_PIECES} pieces of 21 directions resolve to {_TOLERANCE:g}"
-        )
-    return np.asarray(done.estimate)
+        ) from None
+    return found.reshape(ranges, 3, nm.size).swapaxes(0, 1)
 
 
-def _of_cone(axis: float, half: float) -> tuple[Density, list[float]]:
-    """The share of the cone's directions at each incidence, and where it has its roots."""
+def _lambert(_: Places, angle_rad: Array) -> Array:
+    return np.asarray(np.sin(2 * angle_rad))
 
-    def density(angle: Array) -> Array:
-        # How far around the normal the cone reaches at this incidence: the spherical triangle of
-        # normal, axis and ray.
-        reach = math.cos(half) - math.cos(axis) * np.cos(angle)
-        width = math.sin(axis) * np.sin(angle)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            around = np.arccos(np.clip(reach / width, -1, 1))
-        around = np.where(width > 0, around, np.where(reach > 0, 0.0, np.pi))
-        return np.asarray(np.sin(angle) * around / (np.pi * (1 - math.cos(half))))
 
-    edges = {max(axis - half, 0.0), min(axis + half, math.pi / 2)}
-    if half > axis:
-        edges.add(half - axis)
-    return density, sorted(edges)
+class _Cones:
+    """Full cones around some axes: the share of their directions at each incidence.
+
+    That has a root at both ends, and where a cone holds the normal one between them, at which its
+    incidences are cut in two. ends_rad: of each range, [range, 2]; of: which cone it belongs to.
+    """
+
+    def __init__(self, axis_rad: Array, half_rad: float) -> None:
+        self.half_rad = half_rad
+        low, root = np.maximum(axis_rad - half_rad, 0), np.maximum(half_rad - axis_rad, 0)
+        high = np.minimum(axis_rad + half_rad, math.pi / 2)
+        root = np.clip(root, low, high)
+        ends_rad = np.array([[low, root], [root, high]]).transpose(2, 0, 1)
+        self.of, part = np.nonzero(ends_rad[:, :, 0] < ends_rad[:, :, 1])
+        self.ends_rad, self.axis_rad = ends_rad[self.of, part], axis_rad[self.of]
+
+    def density(self, of: Places, angle_rad: Array) -> Array:
+        """Of all directions of its cone, the share at an incidence, per rad.
+
+        As far around the normal as the cone reaches there: the spherical triangle of normal, axis
+        and ray, by the tangent of half its angle, which keeps its digits where cones are narrow.
+        """
+        axis, half = self.axis_rad[of, None], self.half_rad
+        beyond, apart = axis + angle_rad, axis - angle_rad
+        inside = np.sin(0.5 * (half - apart)) * np.sin(0.5 * (half + apart))
+        outside = np.sin(0.5 * (beyond + half)) * np.sin(0.5 * (beyond - half))
+        around = 2 * np.arctan2(np.sqrt(inside.clip(0)), np.sqrt(outside.clip(0)))
+        solid_angle = 4 * math.pi * math.sin(0.5 * half) ** 2
+        return np.asarray(2 * np.sin(angle_rad) * around / solid_angle)

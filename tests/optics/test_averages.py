@@ -102,6 +102,28 @@ def test_a_closed_aperture_is_the_plane_wave_and_energy_is_kept() -> None:
     assert half_sphere.R[0, 0] == pytest.approx(even, abs=1e-6)
 
 
+@pytest.mark.parametrize("axis", [0.0, 0.7])
+def test_a_cone_that_closes_becomes_the_plane_wave(axis: float) -> None:
+    plate = nc.LayerStack([20000.0], 0.0, 1.53, substrate=1.0)
+    wave = energies(plate, axis, NM).R
+    for half in (1e-17, 1e-9, 1e-8, 1.001e-7, 1e-6, 1e-5):
+        np.testing.assert_allclose(over_aperture(plate, axis, half, NM).R, wave, rtol=0, atol=1e-7)
+
+
+def test_each_cone_and_wavelength_is_what_it_is_alone() -> None:
+    """Cones that hold the normal and those that do not, each halved where it needs to be."""
+    axes = np.array([0.0, 0.1, 0.3, 0.30001, 0.9, math.pi / 2 - 0.3])
+    together = over_aperture(NACRE, axes, 0.3, 550.0)
+    for axis, R, A in zip(axes, together.R, together.A, strict=True):
+        alone = over_aperture(NACRE, axis, 0.3, 550.0)
+        np.testing.assert_allclose([alone.R[0], alone.A[0]], [R, A], rtol=0, atol=1e-14)
+    both = over_aperture(NACRE, axes, 0.3, NM)
+    np.testing.assert_allclose(both.R[:, 1:], together.R, rtol=0, atol=2e-7)
+    assert over_aperture(NACRE, [], 0.3, NM).R.shape == (0, 2)
+    assert over_aperture(NACRE, axes, 0.3, []).R.shape == (6, 0)
+    assert over_hemisphere(NACRE, []).R.shape == (1, 0)
+
+
 # --- ensembles of stacks that are given
 
 
@@ -149,6 +171,10 @@ def test_an_ensemble_by_numbers_takes_its_media_from_a_stack() -> None:
         (
             lambda: over_aperture(NACRE, 1.5, 0.2, NM),
             "angle_rad is 1.5; allowed with half_angle_rad 0.2",
+        ),
+        (
+            lambda: over_aperture(NACRE, [0.0, -0.1], 0.2, NM),
+            "angle_rad is -0.1; allowed with half_angle_rad 0.2: 0 to 1.3708",
         ),
         (lambda: over_aperture(NACRE, 0.0, -0.2, NM), "half_angle_rad is -0.2; allowed: 0 to"),
         (lambda: over_hemisphere(7, NM), "stack is 7; allowed: a LayerStack"),

@@ -8,7 +8,8 @@ use crate::{
     grid::{self, Work},
     interference::{Sums, interference},
     lanes::{LANES, Lanes, filled},
-    sight::{Indices, Sight},
+    packing,
+    sight::{Direction, Indices, Sight},
     window::{self, Ends},
 };
 
@@ -80,8 +81,20 @@ impl IlluminantModel {
         grid::check(view_angle_rad, wavelength_nm)?;
         let nacre = Nacre::new(*self, stack, wavelength_nm)?;
         let mut table = vec![0.0; view_angle_rad.len() * wavelength_nm.len()];
-        grid::fill(&nacre, view_angle_rad, [&mut table], stop);
+        if packing::is_packed(view_angle_rad.len(), wavelength_nm.len()) {
+            let directions = view_angle_rad.iter().copied().map(Direction::new).collect();
+            // All points are one row.
+            grid::fill(&Points { nacre: &nacre, directions }, &[0.0], [&mut table], stop);
+        } else {
+            grid::fill(&nacre, view_angle_rad, [&mut table], stop);
+        }
         Ok((!stop.load(Ordering::Relaxed)).then_some(table))
+    }
+
+    /// Whether [`Self::spectra`] answers before another thread would have taken up the question, in some
+    /// tens of microseconds; then it stays on the caller's thread.
+    pub fn is_brief(stack: &LayerStack, angles: usize, wavelengths: usize) -> bool {
+        grid::is_brief(packing::blocks(angles, wavelengths), stack.thickness_nm().len())
     }
 }
 
@@ -93,13 +106,13 @@ struct Nacre<'a> {
     depth_nm: Vec<f64>,
     wavelength_nm: &'a [f64],
     /// `[block]`, or one for all where no medium is dispersive.
-    indices: Vec<[Indices; LANES]>,
+    indices: Vec<Lanes<Indices>>,
     is_constant: bool,
 }
 
 /// One line of sight.
 struct Line {
-    theta_0: f64,
+    direction: Direction,
     /// What all wavelengths share, where no medium is dispersive.
     constant: Option<(Sight, Vec<usize>)>,
 }
@@ -128,11 +141,32 @@ impl<'a> Nacre<'a> {
         })
     }
 
-    /// Steps 3 to 7 for a block of wavelengths.
-    fn intensity<E: Ends>(&self, sight: &Sight, ends: &[E], wavelength_nm: &[f64]) -> Lanes<f64> {
-        let wavelength_nm = filled(wavelength_nm);
+    /// The media at each wavelength of a block.
+    fn indices(&self, block: usize) -> &Lanes<Indices> {
+        &self.indices[if self.is_constant { 0 } else { block }]
+    }
+
+    /// Steps 1 to 7 where lanes see the media along paths of their own.
+    fn by_lane(
+        &self,
+        light: &Lanes<(Indices, Direction)>,
+        wavelength_nm: &Lanes<f64>,
+    ) -> Lanes<f64> {
+        let sight = Sight::new(self.protein_nm, light);
+        let coherence_nm = self.model.coherence_nm;
+        let ends = window::lane_ends(&self.depth_nm, &sight.path_per_nm, coherence_nm);
+        self.intensity(&sight, &ends, wavelength_nm)
+    }
+
+    /// Steps 3 to 7 for a block.
+    fn intensity<E: Ends>(
+        &self,
+        sight: &Sight,
+        ends: &[E],
+        wavelength_nm: &Lanes<f64>,
+    ) -> Lanes<f64> {
         let mut sums = Sums::for_windows(window::widest(ends));
-        interference(&self.model, sight, &self.depth_nm, ends, &wavelength_nm, &mut sums)
+        interference(&self.model, sight, &self.depth_nm, ends, wavelength_nm, &mut sums)
     }
 }
 
@@ -144,25 +178,49 @@ impl Work<1> for Nacre<'_> {
     }
 
     fn meet(&self, theta_0: f64) -> Line {
+        let direction = Direction::new(theta_0);
         let constant = self.is_constant.then(|| {
-            let sight = Sight::new(&self.indices[0], self.protein_nm, theta_0);
+            let sight =
+                Sight::new(self.protein_nm, &self.indices[0].map(|media| (media, direction)));
             let ends = window::ends(&self.depth_nm, sight.path_per_nm[0], self.model.coherence_nm);
-            (sight, ends)
+            (sight, ends.collect())
         });
-        Line { theta_0, constant }
+        Line { direction, constant }
     }
 
     fn fill(&self, line: &Line, block: usize, [out]: [&mut [f64]; 1]) {
         let from = block * LANES;
-        let nm = &self.wavelength_nm[from..from + out.len()];
+        let nm = filled(&self.wavelength_nm[from..from + out.len()]);
         let intensity = if let Some((sight, ends)) = &line.constant {
-            self.intensity(sight, ends, nm)
+            self.intensity(sight, ends, &nm)
         } else {
-            let sight = Sight::new(&self.indices[block], self.protein_nm, line.theta_0);
-            let coherence_nm = self.model.coherence_nm;
-            let ends = window::lane_ends(&self.depth_nm, &sight.path_per_nm, coherence_nm);
-            self.intensity(&sight, &ends, nm)
+            self.by_lane(&self.indices(block).map(|media| (media, line.direction)), &nm)
         };
         out.copy_from_slice(&intensity[..out.len()]);
+    }
+}
+
+/// The same nacre at few wavelengths: points (angle, wavelength) side by side, as the table has them.
+struct Points<'a> {
+    nacre: &'a Nacre<'a>,
+    directions: Vec<Direction>,
+}
+
+impl Work<1> for Points<'_> {
+    type Angle = ();
+
+    fn bilayers(&self) -> usize {
+        self.nacre.bilayers()
+    }
+
+    fn meet(&self, _: f64) {}
+
+    fn fill(&self, (): &(), block: usize, [out]: [&mut [f64]; 1]) {
+        let Self { nacre, directions } = self;
+        let places = packing::places(block, directions.len(), nacre.wavelength_nm.len());
+        let indices = nacre.indices(0);
+        let light = places.map(|(angle, wavelength)| (indices[wavelength], directions[angle]));
+        let nm = places.map(|(_, wavelength)| nacre.wavelength_nm[wavelength]);
+        out.copy_from_slice(&nacre.by_lane(&light, &nm)[..out.len()]);
     }
 }

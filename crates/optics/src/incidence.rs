@@ -8,9 +8,10 @@ use nacreous_nacre::LayerStack;
 use crate::{
     absorbing,
     grid::{self, Work},
-    lanes::{LANES, Lanes},
+    lanes::{HALF, LANES, Lanes},
     lossless,
     media::Table,
+    packing,
     real::Real,
     tablets::{Columns, Tablets},
     tabulated,
@@ -72,27 +73,13 @@ impl<U, const N: usize> Light<'_, U, N> {
     ) where
         U: Use<K>,
     {
-        if are_points(angle_rad.len(), self.table.wavelengths) {
+        if packing::is_packed(angle_rad.len(), self.table.wavelengths) {
             let cos_angle = angle_rad.iter().map(|angle| angle.cos()).collect();
             // All points are one row.
             grid::fill(&Points { light: self, cos_angle }, &[0.0], tables, stop);
         } else {
             grid::fill(self, angle_rad, tables, stop);
         }
-    }
-}
-
-/// Whether blocks run on from angle to angle.
-fn are_points(angles: usize, wavelengths: usize) -> bool {
-    wavelengths <= HALF && angles > 1
-}
-
-/// Blocks of a table.
-pub(crate) fn blocks(angles: usize, wavelengths: usize) -> usize {
-    if are_points(angles, wavelengths) {
-        (angles * wavelengths).div_ceil(LANES)
-    } else {
-        angles.saturating_mul(wavelengths.div_ceil(LANES))
     }
 }
 
@@ -113,18 +100,9 @@ impl<U: Use<K>, const N: usize, const K: usize> Work<K> for Points<'_, U, N> {
 
     fn fill(&self, (): &(), block: usize, tables: [&mut [f64]; K]) {
         let Light { table, planes, precision, using } = self.light;
-        let mut wavelength = block * LANES % table.wavelengths;
-        let mut angles = self.cos_angle[block * LANES / table.wavelengths..].iter();
-        let mut cos = angles.next().copied().unwrap_or(1.0);
-        let (mut cos_angle, mut of_wavelength) = ([cos; LANES], [wavelength; LANES]);
-        for (cos_lane, lane) in cos_angle.iter_mut().zip(&mut of_wavelength) {
-            (*cos_lane, *lane) = (cos, wavelength);
-            wavelength += 1;
-            if wavelength == table.wavelengths {
-                // Behind the last angle are lanes that nobody asked for.
-                (wavelength, cos) = (0, angles.next().copied().unwrap_or(cos));
-            }
-        }
+        let places = packing::places(block, self.cos_angle.len(), table.wavelengths);
+        let cos_angle = places.map(|(angle, _)| self.cos_angle[angle]);
+        let of_wavelength = places.map(|(_, wavelength)| wavelength);
         let media = table.at_points(*planes, &cos_angle, &of_wavelength);
         let half_turns_per_nm = &of_wavelength.map(|lane| table.half_turns_per_nm[0][lane]);
         let (precision, lanes) = (*precision, tables[0].len());
@@ -292,6 +270,3 @@ fn is_finite(shares: &Shares) -> bool {
     // Without a way out in the middle, which would keep the lanes apart.
     (0..LANES).fold(true, |all, i| all & (shares[0][i] + shares[1][i]).is_finite())
 }
-
-/// Lanes of a block that wavelengths end in early; a multiple of every processor's vector length too.
-const HALF: usize = LANES / 2;

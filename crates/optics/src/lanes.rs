@@ -1,5 +1,5 @@
-//! Wavelengths, or where they are few angles too, side by side: every inner loop of the kernels runs over them, and the compiler turns it
-//! into the vector instructions of the processor it finds.
+//! Wavelengths, or where they are few angles too, side by side: every inner loop of the kernels runs over
+//! them, and the compiler turns it into the vector instructions of the processor it finds.
 
 use num_complex::Complex64;
 
@@ -8,6 +8,9 @@ use crate::real::Real;
 /// Points of a table computed side by side, a multiple of every processor's vector length; enough of them that
 /// one layer's arithmetic hides the latency of another's.
 pub(crate) const LANES: usize = 32;
+
+/// Lanes of a block that wavelengths end in early; a multiple of every processor's vector length too.
+pub(crate) const HALF: usize = LANES / 2;
 
 /// One number for each lane.
 pub(crate) type Lanes<T> = [T; LANES];

@@ -25,6 +25,7 @@ mod interference;
 mod lanes;
 mod lossless;
 mod media;
+mod packing;
 mod parallel;
 mod phase;
 mod points;

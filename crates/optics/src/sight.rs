@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// n0, n1, n2 of the paper at one wavelength: real, the same in every direction, and none below n0.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Indices([f64; 3]);
 
 impl Indices {
@@ -51,6 +51,19 @@ impl Indices {
     }
 }
 
+/// A line of sight in the ambient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Direction {
+    sin_theta_0: f64,
+    cos_theta_0: f64,
+}
+
+impl Direction {
+    pub(crate) fn new(theta_0: f64) -> Self {
+        Self { sin_theta_0: theta_0.sin(), cos_theta_0: theta_0.cos() }
+    }
+}
+
 /// What does not change along one line of sight, lane by lane.
 pub(crate) struct Sight {
     /// 2 n1 cos(theta_1): path difference per nm of aragonite.
@@ -63,26 +76,43 @@ pub(crate) struct Sight {
 }
 
 impl Sight {
-    /// Steps 1 and 2 of section 3 of docs/model.md.
-    pub(crate) fn new(indices: &[Indices; LANES], protein_nm: f64, theta_0: f64) -> Self {
+    pub(crate) fn new(protein_nm: f64, light: &Lanes<(Indices, Direction)>) -> Self {
         let none = [0.0; LANES];
         let mut sight =
             Self { path_per_nm: none, protein_path_nm: none, t1: none, r2_s: none, r2_p: none };
-        let (sin_theta_0, cos_theta_0) = (theta_0.sin(), theta_0.cos());
-        for (lane, &Indices([n0, n1, n2])) in indices.iter().enumerate() {
-            // Not quite 0 at grazing, where a medium that is no denser than its neighbour gives 0 / 0.
-            let cos2 = |n: f64| 1.0 - (n0 / n * sin_theta_0).powi(2);
-            let snell = |n: f64| cos2(n).max(f64::MIN_POSITIVE).sqrt();
-            let (cos_theta_1, cos_theta_2) = (snell(n1), snell(n2));
-            // T1 is the same both ways; from outside it is exact at grazing, where theta_1 loses digits.
-            let surface = boundary(Complex64::from(n0), Complex64::from(n1), cos_theta_0);
-            let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);
-            sight.path_per_nm[lane] = 2.0 * n1 * cos_theta_1;
-            sight.protein_path_nm[lane] = 2.0 * n2 * protein_nm * cos_theta_2;
-            sight.t1[lane] = surface.T().max(0.0);
-            sight.r2_s[lane] = inner.r_s.re;
-            sight.r2_p[lane] = inner.r_p.re;
+        for lane in 0..LANES {
+            if lane > 0 && light[lane] == light[lane - 1] {
+                sight.repeat(lane);
+            } else {
+                sight.meet(lane, protein_nm, light[lane]);
+            }
         }
         sight
+    }
+
+    /// Steps 1 and 2 of section 3 of docs/model.md.
+    fn meet(&mut self, lane: usize, protein_nm: f64, (indices, direction): (Indices, Direction)) {
+        let Indices([n0, n1, n2]) = indices;
+        let Direction { sin_theta_0, cos_theta_0 } = direction;
+        // Not quite 0 at grazing, where a medium that is no denser than its neighbour gives 0 / 0.
+        let cos2 = |n: f64| 1.0 - (n0 / n * sin_theta_0).powi(2);
+        let snell = |n: f64| cos2(n).max(f64::MIN_POSITIVE).sqrt();
+        let (cos_theta_1, cos_theta_2) = (snell(n1), snell(n2));
+        // T1 is the same both ways; from outside it is exact at grazing, where theta_1 loses digits.
+        let surface = boundary(Complex64::from(n0), Complex64::from(n1), cos_theta_0);
+        let inner = boundary(Complex64::from(n1), Complex64::from(n2), cos_theta_1);
+        self.path_per_nm[lane] = 2.0 * n1 * cos_theta_1;
+        self.protein_path_nm[lane] = 2.0 * n2 * protein_nm * cos_theta_2;
+        self.t1[lane] = surface.T().max(0.0);
+        self.r2_s[lane] = inner.r_s.re;
+        self.r2_p[lane] = inner.r_p.re;
+    }
+
+    /// What the lane before has.
+    fn repeat(&mut self, lane: usize) {
+        let Self { path_per_nm, protein_path_nm, t1, r2_s, r2_p } = self;
+        for lanes in [path_per_nm, protein_path_nm, t1, r2_s, r2_p] {
+            lanes[lane] = lanes[lane - 1];
+        }
     }
 }

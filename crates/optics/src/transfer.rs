@@ -6,6 +6,7 @@ use crate::{
     OpticsError, Polarisation, grid,
     incidence::{self, Block, Use},
     media::Table,
+    packing,
 };
 
 /// The exact answer: every wave in every layer, all reflections included, by 2x2 transfer matrices.
@@ -122,7 +123,7 @@ impl TransferModel {
     /// Whether [`Self::energies`] answers before another thread would have taken up the question, in some
     /// tens of microseconds; then it stays on the caller's thread.
     pub fn is_brief(stack: &LayerStack, angles: usize, wavelengths: usize) -> bool {
-        grid::is_brief(incidence::blocks(angles, wavelengths), stack.thickness_nm().len())
+        grid::is_brief(packing::blocks(angles, wavelengths), stack.thickness_nm().len())
     }
 }
 

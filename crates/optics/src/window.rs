@@ -37,18 +37,20 @@ impl Ends for Lanes<usize> {
 
 /// The end of each start layer's window: here the coherence length is applied. A window always holds
 /// its start layer.
-pub(crate) fn ends(depth_nm: &[f64], path_per_nm: f64, coherence_nm: f64) -> Vec<usize> {
+pub(crate) fn ends(
+    depth_nm: &[f64],
+    path_per_nm: f64,
+    coherence_nm: f64,
+) -> impl Iterator<Item = usize> {
     let mut end = 0;
-    let coherent = |from: f64, to: f64| path_per_nm * (to - from) < coherence_nm;
-    (0..depth_nm.len())
-        .map(|l| {
-            end = end.max(l + 1);
-            while end < depth_nm.len() && coherent(depth_nm[l], depth_nm[end]) {
-                end += 1;
-            }
-            end
-        })
-        .collect()
+    let coherent = move |from: f64, to: f64| path_per_nm * (to - from) < coherence_nm;
+    (0..depth_nm.len()).map(move |l| {
+        end = end.max(l + 1);
+        while end < depth_nm.len() && coherent(depth_nm[l], depth_nm[end]) {
+            end += 1;
+        }
+        end
+    })
 }
 
 /// The same where the path differs from lane to lane.
@@ -58,8 +60,14 @@ pub(crate) fn lane_ends(
     coherence_nm: f64,
 ) -> Vec<Lanes<usize>> {
     let mut by_layer = vec![[0; LANES]; depth_nm.len()];
-    for (lane, &path_per_nm) in path_per_nm.iter().enumerate() {
-        for (layer, end) in by_layer.iter_mut().zip(ends(depth_nm, path_per_nm, coherence_nm)) {
+    for (lane, &path) in path_per_nm.iter().enumerate() {
+        if lane > 0 && path.to_bits() == path_per_nm[lane - 1].to_bits() {
+            for layer in &mut by_layer {
+                layer[lane] = layer[lane - 1];
+            }
+            continue;
+        }
+        for (layer, end) in by_layer.iter_mut().zip(ends(depth_nm, path, coherence_nm)) {
             layer[lane] = end;
         }
     }

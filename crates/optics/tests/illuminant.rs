@@ -1,8 +1,10 @@
 //! Laws of the illuminant model.
 
-use nacreous_nacre::{Index, LayerStack};
+use nacreous_nacre::{Index, LayerStack, Medium};
 use nacreous_optics::{IlluminantModel, OpticsError};
+use num_complex::Complex64;
 use proptest::prelude::*;
+use std::f64::consts::FRAC_PI_2;
 
 const PAPER: IlluminantModel =
     IlluminantModel { coherence_nm: 5000.0, threshold: 0.05, diffuse_loss: 0.02 };
@@ -96,9 +98,7 @@ fn without_coherence_there_are_no_fringes() {
 
 #[test]
 fn no_light_leaves_along_the_surface() {
-    let grazing = PAPER
-        .spectra(&stack(vec![431.0; 60]), &[std::f64::consts::FRAC_PI_2], &wavelengths_nm())
-        .unwrap();
+    let grazing = PAPER.spectra(&stack(vec![431.0; 60]), &[FRAC_PI_2], &wavelengths_nm()).unwrap();
     assert!(grazing.iter().all(|&intensity| (0.0..1e-9).contains(&intensity)));
 }
 
@@ -133,6 +133,55 @@ fn bad_numbers_are_refused_by_name() {
     );
     assert!(ask(PAPER, 1.6, 500.0).contains("angle_rad is 1.6"));
     assert!(ask(PAPER, 0.0, 0.0).contains("wavelength_nm is 0"));
+}
+
+/// Stacks of every way through the model: one index for all wavelengths, or one of its own for each; windows
+/// as wide as the stack, and narrower at some angles than at others.
+fn stacks() -> [LayerStack; 4] {
+    let index = |n| Index::new("medium", n, 0.0).unwrap();
+    let glass = [390.0, 550.0, 720.0].map(|nm| Complex64::from(1.5 + 5000.0 / (nm * nm)));
+    let glass = Medium::table("aragonite", vec![390.0, 550.0, 720.0], &glass, &glass).unwrap();
+    let uneven = (0..70).map(|i| 250.0 + f64::from(i * 37 % 101) * 3.0).collect();
+    let (protein, water) = (index(1.43), index(1.33));
+    [
+        stack(vec![400.0; 10]),
+        stack(uneven),
+        LayerStack::new(vec![410.0; 60], 30.0, glass, protein, water, protein).unwrap(),
+        // No denser than around, where light along the surface goes on.
+        LayerStack::new(vec![300.0; 3], 20.0, water, protein, water, protein).unwrap(),
+    ]
+}
+
+#[test]
+fn few_wavelengths_beside_many_angles_give_each_point_the_bits_it_has_alone() {
+    for stack in stacks() {
+        for (angles, wavelengths) in [(2, 1), (33, 1), (200, 1), (31, 3), (7, 16), (7, 17)] {
+            let at = |i: usize, of: usize| i as f64 / (of - 1).max(1) as f64;
+            let angle_rad: Vec<f64> = (0..angles).map(|i| FRAC_PI_2 * at(i, angles)).collect();
+            let nm: Vec<f64> =
+                (0..wavelengths).map(|i| 400.0 + 300.0 * at(i, wavelengths)).collect();
+            let table = PAPER.spectra(&stack, &angle_rad, &nm).unwrap();
+            let alone = angle_rad.iter().flat_map(|&angle| {
+                let stack = &stack;
+                nm.iter().map(move |&nm| PAPER.spectra(stack, &[angle], &[nm]).unwrap()[0])
+            });
+            assert!(table.iter().copied().map(f64::to_bits).eq(alone.map(f64::to_bits)));
+        }
+    }
+}
+
+#[test]
+fn a_table_of_few_wavelengths_is_its_parts_wherever_it_is_cut() {
+    for stack in stacks() {
+        let angle_rad: Vec<f64> = (0..90).map(|i| f64::from(i) / 58.0).collect();
+        let nm = [450.0, 550.0, 650.0];
+        let whole = PAPER.spectra(&stack, &angle_rad, &nm).unwrap();
+        for cut in [1, 11, 45, 89] {
+            let (first, second) = angle_rad.split_at(cut);
+            let parts = [first, second].map(|part| PAPER.spectra(&stack, part, &nm).unwrap());
+            assert_eq!(parts.concat(), whole);
+        }
+    }
 }
 
 proptest! {
