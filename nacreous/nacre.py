@@ -41,7 +41,8 @@ class LayerStack:
     takes wavelengths in nm, a float64 array, and returns an index, one for each, or such a pair;
     or a name that `nc.medium.NAMES` lists, such as "aragonite".
     cover: layers upon the nacre, outermost first, each (medium, thickness in nm, up to 1e6): water,
-    lacquer, an oxide. They are coherent, as all layers; a mm of water is rather the ambient.
+    lacquer, an oxide; where there are any, one is at least 1. They are coherent, as all layers; a
+    mm of water is rather the ambient.
 
     A stack never changes: assigning to a field is refused, and `dataclasses.replace` makes another.
     It compares, hashes, copies and pickles as its numbers; a medium that is a function must pickle
@@ -210,6 +211,8 @@ def _cover(cover: Sequence[tuple[Medium, float]]) -> tuple[tuple[Medium, float],
         medium, nm = layer
         medium_of(f"cover[{place}]", medium)
         kept.append((_plain(medium), 0.0 + within(f"cover[{place}] thickness", nm, 0, 1e6)))
+    if (verdict := thin_layers(nm for _, nm in kept)) is not None:
+        raise InputError(f"cover's thickness {verdict}")
     known = [
         (f"cover[{place}]", medium_of("cover", medium)) for place, (medium, _) in enumerate(kept)
     ]

@@ -13,6 +13,7 @@ from nacreous.colour.samples import (
     WAVELENGTH_NM,
     Array,
     array_of,
+    lab_of,
     light_of,
     relative_of,
     surface_of,
@@ -102,13 +103,13 @@ def lab_from_xyz(xyz: ArrayLike, white: ArrayLike | None = None) -> Array:
 def xyz_from_lab(lab: ArrayLike, white: ArrayLike | None = None) -> Array:
     """XYZ `[..., 3]` of L*, a*, b*, relative to the XYZ of white `[3]`; D65 unless given.
 
-    L* is 0 black to 100 white, not 0 to 1 and not 0 to 255, which cannot be told from dark colours
-    and from lights.
+    L* is 0 black to 100 white, not 0 to 1, which cannot be told from dark colours, and not 0 to
+    255: L* above 234, that of 10 times white, raises `InputError`, as `lab_from_xyz` gives none.
 
     >>> xyz_from_lab([100, 0, 0], white=[1, 1, 1]).tolist()
     [1.0, 1.0, 1.0]
     """
-    return _core.xyz_from_lab(array_of("lab", lab), _white_or_d65(white))
+    return _core.xyz_from_lab(lab_of("lab", lab), _white_or_d65(white))
 
 
 def _white_or_d65(white: ArrayLike | None) -> tuple[float, float, float]:
@@ -120,12 +121,13 @@ def delta_e_2000(first: ArrayLike, second: ArrayLike) -> Array:
     """CIEDE2000 colour difference `[...]` of L*, a*, b* `[..., 3]`; about 1 is just visible.
 
     All parametric factors are 1 (ISO/CIE 11664-6; Sharma, Wu and Dalal 2005). L* is 0 to 100, as
-    `lab_from_xyz` gives it. The arrays are broadcast against each other.
+    `lab_from_xyz` gives it; above 234 it raises `InputError`, as in `xyz_from_lab`. The arrays are
+    broadcast against each other.
 
     >>> float(delta_e_2000([50, 2.6772, -79.7751], [50, 0, -82.7485]).round(4))
     2.0425
     """
-    arrays = array_of("first", first), array_of("second", second)
+    arrays = lab_of("first", first), lab_of("second", second)
     try:
         one, other = np.broadcast_arrays(*arrays)
     except ValueError:

@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 #: No light of a surface, and no code value but of light 160 times as bright as white, is larger;
 #: 8-bit codes and percentages are.
 _MOST_RELATIVE = 10.0
+#: L* of that.
+_MOST_LIGHTNESS = 116 * _MOST_RELATIVE ** (1 / 3) - 16
 #: Nothing but the darkest colours in percent, and every colour where 1 is white, is below.
 _DARK = 0.012
 
@@ -79,6 +81,22 @@ def surface_of(quantity: str, values: ArrayLike, white: float) -> Array:
             f"{quantity} is at most {most:g} beside a white of {white:g}, darker than L* 11; "
             "if 1 is white in it, divide the white by 100",
             stacklevel=3,
+        )
+    return array
+
+
+def lab_of(quantity: str, values: ArrayLike) -> Array:
+    """L*, a*, b* of surfaces: L* up to that of 10 times white, as `surface_of` takes XYZ."""
+    array = array_of(quantity, values)
+    if array.shape[-1:] != (3,):
+        return array  # told where it is used
+    lightness = array[..., 0]
+    beyond = np.argwhere(np.isfinite(lightness) & (lightness > _MOST_LIGHTNESS))
+    if len(beyond):
+        place = (*beyond[0].tolist(), 0)
+        raise InputError(
+            f"{_at(quantity, place)} is {array[place]:g}; allowed: L* up to {_MOST_LIGHTNESS:.0f}, "
+            "of which 100 is white (not codes 0 to 255)"
         )
     return array
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Any, NoReturn
 
@@ -24,6 +24,9 @@ COMMANDS = (
     "completion",
 )
 
+#: What options with numbers are told to want.
+_NUMBERS: Mapping[type[int] | type[float], str] = {int: "a whole number", float: "a number"}
+
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
@@ -42,6 +45,17 @@ Each command explains itself: nacreous COMMAND --help
 
 class _Parser(argparse.ArgumentParser):
     """argparse, with problems said as the rest of the command line says them."""
+
+    def _get_value(self, action: argparse.Action, arg_string: str) -> Any:
+        """A number as its option takes it, or what it should have been in words."""
+        try:
+            return super()._get_value(action, arg_string)
+        except argparse.ArgumentError:
+            for kind, wanted in _NUMBERS.items():
+                if action.type is kind:
+                    said = f"{arg_string[:40]!r} is not {wanted}"
+                    raise argparse.ArgumentError(action, said) from None
+            raise
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """What argparse words differently from version to version, with the nearest choice."""
@@ -90,8 +104,9 @@ def build_parser(commands: Sequence[str]) -> argparse.ArgumentParser:
 
 
 def nearest(word: str, choices: Sequence[str]) -> str:
-    """The choice that was probably meant, or all of them."""
+    """The choice that was probably meant, in small letters or capitals, or all of them."""
     from difflib import get_close_matches
 
-    near = get_close_matches(word, choices, n=1)
-    return f"did you mean {near[0]}?" if near else f"allowed: {', '.join(choices)}"
+    known = {choice.casefold(): choice for choice in choices}
+    near = get_close_matches(word.casefold(), known, n=1)
+    return f"did you mean {known[near[0]]}?" if near else f"allowed: {', '.join(choices)}"

@@ -49,10 +49,10 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "places in turn; or one picture of ours, .png or .exr, which is made again",
     )
     parser.add_argument("--scene", help="a scene file, or a preset's name (paper)")
-    parser.add_argument("--size", type=_whole, help="pixels a side, 1 to 8192 (512)")
+    parser.add_argument("--size", type=int, help="pixels a side, 1 to 8192 (512)")
     parser.add_argument(
         "--samples",
-        type=_whole,
+        type=int,
         help="samples a pixel at most, a square number up to 1024 (16); alike ones are spared",
     )
     parser.add_argument(
@@ -61,7 +61,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
     )
-    parser.add_argument("--bits", type=_whole, choices=(8, 16), help="a channel in PNG (8)")
+    parser.add_argument("--bits", type=int, choices=(8, 16), help="a channel in PNG (8)")
     parser.add_argument(
         "--space", choices=("srgb", "display-p3"), help="colour space of PNG (srgb)"
     )
@@ -76,13 +76,6 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         help="the pearls alone, cut out by the share of each pixel that they cover (no)",
     )
     parser.set_defaults(run=run)
-
-
-def _whole(text: str) -> int:
-    try:
-        return int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} is not a whole number") from None
 
 
 def run(args: argparse.Namespace) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -31,6 +32,8 @@ def data_of(args: argparse.Namespace) -> Any:
     from nacreous.problem import InputError
     from nacreous.scaling import Answers, Comparisons, paper
 
+    if args.answers.casefold() == PAPER != args.answers and not Path(args.answers).exists():
+        raise InputError(f"{args.answers}: does not exist; did you mean {PAPER}?")
     names = _columns(args)
     unneeded = [f"--{name.replace('_', '-')}" for name in _OF_ANSWERS if _is_given(args, name)]
     if (args.counts or args.answers == PAPER) and unneeded:
@@ -96,10 +99,14 @@ def _columns(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def settings_of(args: argparse.Namespace) -> Settings:
-    """How the study's own report fits its export; of other data the defaults."""
+    """How the study's own report fits its export; of other data the defaults.
+
+    Where method or prior is given, the export is not asked.
+    """
     from nacreous.scaling.report.settings import Settings
 
-    if args.counts or args.answers == PAPER or not _may_be_export(args.answers):
+    said = args.method is not None or args.prior is not None
+    if said or args.counts or args.answers == PAPER or not _may_be_export(args.answers):
         return Settings()
     from nacreous.study.results import exported_settings
 

@@ -68,26 +68,25 @@ def add_actions(actions: Actions[argparse.ArgumentParser]) -> None:
 def open_study(args: argparse.Namespace) -> int:
     """Let people enter, and say whom."""
     with _study(args) as (store, study):
+        before = store.registration(study)
         if args.registration is not None:
             store.set_registration(study, args.registration, who())
-        store.reopen(study, who())
-        say(_told(args, store, study))
+        opened_now = store.reopen(study, who())
+        say(_told(args, store, study, opened_now or store.registration(study) != before))
     return 0
 
 
 def pause(args: argparse.Namespace) -> int:
     """Let nobody enter for now."""
     with _study(args) as (store, study):
-        store.pause(study, who())
-        say(_told(args, store, study))
+        say(_told(args, store, study, store.pause(study, who())))
     return 0
 
 
 def close(args: argparse.Namespace) -> int:
     """Let nobody enter any more."""
     with _study(args) as (store, study):
-        store.close_study(study, who())
-        say(_told(args, store, study))
+        say(_told(args, store, study, store.close_study(study, who())))
     return 0
 
 
@@ -119,8 +118,8 @@ def revoke(args: argparse.Namespace) -> int:
     with _study(args) as (store, study):
         if args.person is not None:
             person = person_of(store, study, args.person)
-            store.revoke(person.id, who())
-            say(f"person {args.person}: revoked; the link is worthless, the answers stay")
+            told = "revoked" if store.revoke(person.id, who()) else "has no link any more"
+            say(f"person {args.person}: {told}; the link is worthless, the answers stay")
             return 0
         known = [one.id for one in store.invitations(study)]
         if args.invitation not in known:
@@ -141,11 +140,12 @@ def _study(args: argparse.Namespace) -> Iterator[tuple[Store, str]]:
         yield store, store.add_study(frozen.manifest())
 
 
-def _told(args: argparse.Namespace, store: Store, study: str) -> str:
-    """Who may enter now."""
+def _told(args: argparse.Namespace, store: Store, study: str, changed: bool) -> str:
+    """Who may enter now, and whether that was so already."""
     state = store.studies()[study]
+    now = state if changed else f"{state} already"
     if state != "open":
-        return f"{args.study}: {state}; nobody enters, and who has entered goes on"
+        return f"{args.study}: {now}; nobody enters, and who has entered goes on"
     everyone = store.registration(study) == "open"
     whom = "anybody with the address" if everyone else "invited people alone"
-    return f"{args.study}: open; {whom} may enter"
+    return f"{args.study}: {now}; {whom} may enter"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nacreous.commands.study_store import Actions, who
@@ -104,11 +106,16 @@ def add_action(
 
 
 def opened(args: argparse.Namespace) -> tuple[Frozen, Store]:
-    """The study and its store, both to be used now."""
+    """The study and its store, both to be used now; a new store elsewhere is told."""
     from nacreous.study.design import open_frozen
     from nacreous.study.store import Store
 
-    return open_frozen(args.study), Store.open(_place(args))
+    frozen, place = open_frozen(args.study), _place(args)
+    is_new = "://" not in place and place != args.study and not Path(place).exists()
+    store = Store.open(place)
+    if is_new:  # the name may be mistyped; beside the links that a program may read
+        say(f"{store.place}: a new store, with no answers yet", outputs=["-"])
+    return frozen, store
 
 
 def _place(args: argparse.Namespace) -> str:
@@ -139,7 +146,6 @@ def _told(study: str, frozen: Frozen, store: Store, address: str, url: str | Non
 def _password(args: argparse.Namespace) -> str:
     """Drawn, asked for twice, or one line of what is piped in."""
     import secrets
-    import sys
     from getpass import getpass
 
     from nacreous.problem import InputError

@@ -22,6 +22,9 @@ examples:
   nacreous study erase my-study 17                         at that person's wish, for ever
 """
 
+#: What is said after what was so already.
+_UNCHANGED = "; nothing was changed"
+
 Actions = argparse._SubParsersAction
 
 
@@ -129,8 +132,9 @@ def exclude(args: argparse.Namespace) -> int:
 
     with Store.open(args.place, make=False) as store:
         session = person_of(store, store.study(args.study), args.number)
-        store.exclude(session.id, args.reason, who())
-    say(f"person {session.number}: excluded; the answers stay, marked")
+        changed = store.exclude(session.id, args.reason, who())
+    told = "excluded; the answers stay, marked" if changed else f"was excluded so{_UNCHANGED}"
+    say(f"person {session.number}: {told}")
     return 0
 
 
@@ -140,8 +144,9 @@ def readmit(args: argparse.Namespace) -> int:
 
     with Store.open(args.place, make=False) as store:
         session = person_of(store, store.study(args.study), args.number)
-        store.readmit(session.id, who())
-    say(f"person {session.number}: readmitted; the answers count again")
+        changed = store.readmit(session.id, who())
+    told = "readmitted; the answers count again" if changed else f"is not excluded{_UNCHANGED}"
+    say(f"person {session.number}: {told}")
     return 0
 
 
@@ -151,8 +156,9 @@ def erase(args: argparse.Namespace) -> int:
 
     with Store.open(args.place, make=False) as store:
         session = person_of(store, store.study(args.study), args.number)
-        store.erase(session.id, who())
-    say(f"person {session.number}: erased; backups and exports made before still hold the data")
+        changed = store.erase(session.id, who())
+    told = "erased" if changed else "was erased before"
+    say(f"person {session.number}: {told}; backups and exports made before still hold the data")
     return 0
 
 

@@ -9,13 +9,13 @@ from typing import Any
 from nacreous.problem import InputError
 from nacreous.spec import document, override
 from nacreous.spec.complaint import nearest
-from nacreous.spec.override import Override
+from nacreous.spec.override import Override, Overrides
 from nacreous.spec.pearl import Pearl
 from nacreous.spec.scene import Scene
 from nacreous.spec.specfile import find
 
 
-def load(path_or_preset: str | Path, overrides: Iterable[Override] = ()) -> Pearl | Scene:
+def load(path_or_preset: str | Path, overrides: Overrides = ()) -> Pearl | Scene:
     """Read a pearl or scene file, or a preset; the keys show which of the two a file is.
 
     Where a pearl and a scene preset share a name, as "paper" does, this is the pearl; use

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from nacreous import toml_text
@@ -11,6 +11,8 @@ from nacreous.spec.complaint import shown
 
 #: A key with dots and the text of its value; from Python also the value itself.
 Override = tuple[str, Any]
+#: What Python may give in place of a list of them: a dict, or `key=value` as in `--set`.
+Overrides = Mapping[str, Any] | str | Iterable[Override | str]
 
 
 def parse(setting: str) -> tuple[str, str]:
@@ -39,7 +41,32 @@ def value_of(text: str) -> Any:
         return text
 
 
-def apply(values: dict[str, Any], overrides: Iterable[Override]) -> set[str]:
+def pairs_of(overrides: Overrides) -> Iterator[Override]:
+    """Overrides as pairs, in whichever form they were given.
+
+    >>> forms = [{"depth": 0.7}, "depth=0.7", ["depth=0.7"], [("depth", "0.7")]]
+    >>> [list(pairs_of(form)) for form in forms]
+    [[('depth', 0.7)], [('depth', '0.7')], [('depth', '0.7')], [('depth', '0.7')]]
+    """
+    if isinstance(overrides, Mapping):
+        overrides = list(overrides.items())
+    if not isinstance(overrides, Iterable) or isinstance(overrides, bytes):
+        raise _no_override(overrides)
+    for given in [overrides] if isinstance(overrides, str) else overrides:
+        if isinstance(given, str) and "=" in given:
+            yield parse(given)
+        elif isinstance(given, tuple | list) and len(given) == 2 and isinstance(given[0], str):
+            yield given[0], given[1]
+        else:
+            raise _no_override(given)
+
+
+def _no_override(given: object) -> InputError:
+    wanted = 'pairs such as [("depth", 0.7)], {"depth": 0.7} or "depth=0.7"'
+    return InputError(f"overrides: {shown(given)} is none; wanted: {wanted}")
+
+
+def apply(values: dict[str, Any], overrides: Overrides) -> set[str]:
     """Set each key in `values` and give back the keys that were set.
 
     >>> scene = {"lamps": [{"intensity": 1.0}]}
@@ -50,7 +77,7 @@ def apply(values: dict[str, Any], overrides: Iterable[Override]) -> set[str]:
     """
     done: set[str] = set()
     problems: list[str] = []
-    for key, value in overrides:
+    for key, value in pairs_of(overrides):
         try:
             _set(values, key, value_of(value) if isinstance(value, str) else value)
             done.add(key)

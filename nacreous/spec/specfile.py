@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, ClassVar, Self, TypeVar
 
@@ -27,12 +27,13 @@ class SpecFile(Section):
     preset_kind: ClassVar[str]
 
     @classmethod
-    def load(cls, path_or_preset: str | Path, overrides: Iterable[override.Override] = ()) -> Self:
+    def load(cls, path_or_preset: str | Path, overrides: override.Overrides = ()) -> Self:
         """Read a TOML file, or the preset of that name, with single keys overridden.
 
-        `overrides` are pairs of a dotted key and the TOML text of its value, as in
-        `[("nacre.seed", "9")]`. Paths in the file are relative to the file; paths in overrides
-        are relative to where the program runs. An InputError has one line for each problem.
+        `overrides` are pairs of a dotted key and its value or the TOML text of that, as in
+        `[("nacre.seed", 9)]`, `{"nacre.seed": 9}` or `"nacre.seed=9"`. Paths in the file are
+        relative to the file; paths in overrides are relative to where the program runs. An
+        InputError has one line for each problem.
         """
         path, where = find(path_or_preset, (cls.preset_kind,))[1:]
         return cls.check(document.read(path), where, path.parent, overrides)
@@ -48,7 +49,7 @@ class SpecFile(Section):
         values: dict[str, Any],
         where: str,
         folder: Path,
-        overrides: Iterable[override.Override] = (),
+        overrides: override.Overrides = (),
     ) -> Self:
         """The model of a file's keys; `where` names the file and `folder` is where it lies."""
         for other in SpecFile.__subclasses__():
@@ -78,7 +79,7 @@ def checked(
     values: dict[str, Any],
     where: str,
     folder: Path,
-    overrides: Iterable[override.Override] = (),
+    overrides: override.Overrides = (),
 ) -> Checked:
     """Keys as a section, or an InputError with a line for each problem; `where` names the keys."""
     move_paths(model, values, lambda path: str(folder / path))

@@ -22,6 +22,9 @@ from nacreous.problem import InputError
         (lambda: colour.rgb_from_hvc([0.1, 62, 5]), "value of hvc is 62; allowed: up to 25 (10"),
         (lambda: colour.munsell_notation([[0.1, 62, 5]]), "value of hvc is 62"),
         (lambda: colour.xyz_from_hvc([270, 5, 5]), "hue of hvc is 270"),
+        (lambda: colour.xyz_from_lab([255, 0, 0]), "lab[0] is 255; allowed: L* up to 234, of whic"),
+        (lambda: colour.delta_e_2000([255, 0, 0], [0, 0, 255]), "first[0] is 255; allowed: L* up"),
+        (lambda: colour.delta_e_2000([50, 0, 0], [[1, 2, 3], [240, 0, 0]]), "second[1][0] is 240"),
     ],
 )
 def test_codes_percentages_and_degrees_are_refused_where_one_is_white_and_hue_in_rad(
@@ -30,6 +33,13 @@ def test_codes_percentages_and_degrees_are_refused_where_one_is_white_and_hue_in
     with pytest.raises(InputError) as refusal:
         call()
     assert str(refusal.value).startswith(said)
+
+
+def test_lab_of_surfaces_up_to_ten_times_white_comes_back() -> None:
+    xyz = np.full(3, 10.0)
+    lab = colour.lab_from_xyz(xyz, white=[1, 1, 1])
+    np.testing.assert_allclose(colour.xyz_from_lab(lab, white=[1, 1, 1]), xyz, rtol=1e-12)
+    assert colour.delta_e_2000(lab, lab) == 0.0
 
 
 LIGHT: tuple[Callable[[Any], Any], ...] = (

@@ -86,6 +86,13 @@ def test_a_mistake_of_ours_is_not_hidden(monkeypatch: Any) -> None:
         (["schema", "nacre"], "'nacre'"),
         (["presets", "scene", "boot"], '"boot" is not a scene preset; did you mean booth?'),
         (["presets", "--al"], "--al"),
+        (["presets", "PEARL"], "kind is 'PEARL'; did you mean pearl?"),
+        (["study", "NEW", "paper"], "ACTION is 'NEW'; did you mean new?"),
+        (["scale", "PAPER"], "PAPER: does not exist; did you mean paper?"),
+        (["scale", "paper", "--unit", "jod"], "--unit is 'jod'; did you mean JOD?"),
+        (["scale", "paper", "--bootstrap", "1e3"], "--bootstrap: '1e3' is not a whole number;"),
+        (["scale", "paper", "--seed", "1.0"], "--seed: '1.0' is not a whole number;"),
+        (["scale", "paper", "--level", "most"], "--level: 'most' is not a number;"),
     ],
 )
 def test_bad_arguments_end_with_code_2(capsys: Any, arguments: list[str], said: str) -> None:

@@ -9,6 +9,8 @@ import pytest
 
 import nacreous as nc
 from nacreous.scaling import Answers, paper, thurstone
+from nacreous.scaling.report.analysis import analyse
+from nacreous.scaling.report.settings import Settings
 from nacreous.spec import Lamp, Scene, Texture
 
 MODULES = (
@@ -154,3 +156,8 @@ def test_a_scale_without_errors_is_a_table_without_them() -> None:
     scale = thurstone(Answers.of_table(table, repeats=True), prior=1.0)
     assert scale.to_frame()["se"].isna().all()
     assert "nan" not in scale._repr_html_()
+
+
+def test_an_analysis_is_told_by_how_much_was_analysed() -> None:
+    found = analyse(nc.scaling.paper(), Settings(bootstrap=0))
+    assert repr(found) == "Analysis(2184 answers, 7 stimuli)"

@@ -96,7 +96,14 @@ def test_a_pearls_protein_in_micrometres_is_refused() -> None:
 
 def test_a_last_days_layer_may_be_as_thin_as_one_likes_beside_others() -> None:
     assert nc.LayerStack([1e-3, 400.0], 0.0).total_um == pytest.approx(0.400001)
-    assert len(nc.LayerStack([1.0], 0.01, cover=[(1.33, 0.01)])) == 1
+    assert len(nc.LayerStack([1.0], 0.01, cover=[(1.33, 500.0), (1.5, 0.01)])) == 1
+
+
+def test_a_cover_in_micrometres_is_refused() -> None:
+    message = f"cover's thickness is at most 0.5; allowed: a layer of 1 nm or more {UM}"
+    for cover in ([(1.33, 0.5)], [(1.33, 0.5), (1.5, 0.1)]):
+        assert refusal(lambda cover=cover: nc.LayerStack([400.0], cover=cover)) == message
+    assert nc.LayerStack([400.0], cover=[(1.33, 0.0)]).cover == ((1.33, 0.0),)
 
 
 def test_a_billion_layers_are_refused_without_a_copy_of_them() -> None:

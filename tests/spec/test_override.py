@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from nacreous.problem import InputError
 from nacreous.spec import (
     Pearl,
     Scene,
+    load,
     override,
 )
 from tests.spec.keys import (
@@ -56,3 +59,25 @@ def test_a_setting_without_a_value_is_refused() -> None:
     assert problems(lambda: override.parse("depth"))
     assert problems(lambda: override.parse("=3"))
     assert override.parse("name = a=b ") == ("name", "a=b")
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"depth": 0.7, "nacre.seed": 9},
+        ["depth=0.7", "nacre.seed=9"],
+        [("depth", 0.7), "nacre.seed = 9"],
+        (["depth", "0.7"], ("nacre.seed", "9")),
+    ],
+    ids=str,
+)
+def test_overrides_may_be_pairs_a_dict_or_as_on_the_command_line(given: Any) -> None:
+    for pearl in (Pearl.load("akoya-rg", given), load("akoya-rg", given)):
+        assert (pearl.depth, pearl.nacre.seed) == (0.7, 9)
+    assert Pearl.load("akoya-rg", "depth=0.7").depth == 0.7
+
+
+@pytest.mark.parametrize("given", [("depth", 0.7), [3], 3, None, "depth", [("depth",)], [(1, 2)]])
+def test_overrides_that_are_none_are_told_their_forms(given: Any) -> None:
+    with pytest.raises(InputError, match=r'none; wanted: pairs such as \[\("depth", 0\.7\)\]'):
+        load("akoya-rg", given)

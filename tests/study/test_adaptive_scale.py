@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+import polars as pl
 import pytest
 
 from nacreous import cli
@@ -79,17 +80,26 @@ def test_what_is_asked_for_goes_before_what_the_study_asks_for(
     assert {one["stimulus"]: one["scale"] for one in found["stimuli"]} == pytest.approx(wanted)
 
 
-def test_only_exports_of_such_studies_say_how_pairs_were_chosen(
-    running: Running, choice: str | None, tmp_path: Path
+def test_an_export_says_how_pairs_were_chosen_and_is_not_fitted_without(
+    running: Running, choice: str | None, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "answers.csv"
     export(running.store, running.study, path)
-    text = path.read_text(encoding="utf-8")
-    assert ("pairs_chosen_by" in text) == (choice is not None)
-    if choice is not None:
-        path.write_text(text.replace(f'"{choice}"', '"by whim"'), encoding="utf-8")
-        with pytest.raises(InputError, match="pairs_chosen_by is 'by whim'; allowed: greedy"):
+    whole = pl.read_csv(path)
+    assert set(whole["pairs_chosen_by"]) == {choice or "beforehand"}
+    told = ["scale", str(path), "-o", str(tmp_path / "scale.json"), "--bootstrap", "0"]
+    for column, said in (
+        (pl.lit("by whim"), "pairs_chosen_by is 'by whim'; allowed: greedy, drawn, beforehand"),
+        (pl.lit(""), "pairs_chosen_by is empty; wanted: the file as `nacreous study export` wrot"),
+        (pl.lit("NA"), "pairs_chosen_by is empty; wanted: the file as"),
+    ):
+        whole.with_columns(column.alias("pairs_chosen_by")).write_csv(path)
+        with pytest.raises(InputError, match=said):
             exported_settings(path)
+    whole.drop("pairs_chosen_by").write_csv(path)
+    assert cli.main(told) == 2
+    assert "has no column pairs_chosen_by; wanted: the file as" in capsys.readouterr().err
+    assert cli.main([*told, "--prior", "hierarchical"]) == 0
 
 
 def test_a_manifest_without_the_choice_means_the_most_telling_pairs(running: Running) -> None:

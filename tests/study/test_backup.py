@@ -170,3 +170,40 @@ def test_what_cannot_be_backed_up_or_restored_is_one_line(tmp_path: Path) -> Non
         backup(new, tmp_path / "b.sqlite")
     assert not new.exists()
     assert not (tmp_path / "b.sqlite").exists()
+
+
+def test_a_link_that_leads_nowhere_becomes_a_folder_as_any_name_without_an_ending(
+    tmp_path: Path,
+) -> None:
+    fill(str(tmp_path / "answers.sqlite"), people=1)
+    backup(tmp_path / "answers.sqlite", tmp_path / "copy.sqlite")
+    (tmp_path / "link").symlink_to("nowhere")
+    restore(tmp_path / "copy.sqlite", tmp_path / "link")
+    assert (tmp_path / "nowhere" / "answers.sqlite").is_file()
+    (tmp_path / "named").symlink_to("named.sqlite")
+    restore(tmp_path / "copy.sqlite", tmp_path / "named")
+    assert (tmp_path / "named.sqlite").is_file()
+
+
+def test_a_backup_in_utf_16_is_refused_for_its_encoding(tmp_path: Path) -> None:
+    fill(str(tmp_path / "answers.sqlite"), people=1)
+    with sqlite3.connect(tmp_path / "answers.sqlite") as store:
+        words = list(store.iterdump())
+    store.close()
+    with sqlite3.connect(tmp_path / "copy.sqlite") as copy:
+        copy.execute("PRAGMA encoding = 'UTF-16'")
+        copy.executescript("\n".join(words))
+    copy.close()
+    with pytest.raises(InputError, match=r"copy\.sqlite: is in UTF-16(le|be); wanted: UTF-8"):
+        restore(tmp_path / "copy.sqlite", tmp_path / "new.sqlite")
+
+
+def test_what_an_interrupted_program_left_beside_a_backup_is_named(tmp_path: Path) -> None:
+    fill(str(tmp_path / "answers.sqlite"), people=1)
+    backup(tmp_path / "answers.sqlite", tmp_path / "copy.sqlite")
+    left = tmp_path / "copy.sqlite-journal"
+    left.write_bytes(b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7" + b"x" * 5000)
+    with pytest.raises(InputError, match=r"copy\.sqlite-journal: lies beside .*: remove it"):
+        restore(tmp_path / "copy.sqlite", tmp_path / "new.sqlite")
+    left.unlink()
+    restore(tmp_path / "copy.sqlite", tmp_path / "new.sqlite")

@@ -145,6 +145,30 @@ def gathered(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("answers SET question = 'nope'", 'answers, row 1: question is "nope"; allowed: a questi'),
         ('sessions SET groups = \'{"sex":"x"}\'', 'of person 0: group "sex" is "x"; allowed: a'),
         ('sessions SET groups = \'{"dog":"f"}\'', 'of person 0: group "dog" is "f"; allowed: a'),
+        (
+            "answers SET chosen = 'tie' WHERE seq = 2",
+            "row 2: chosen is 'tie'; allowed in this study",
+        ),
+        ("answers SET kind = 'pair' WHERE seq = 1", 'row 1: kind is "pair"; allowed: "training"'),
+        ("answers SET left = right, right = left WHERE seq = 4", "row 4: left is .*as in trial 3"),
+        ("answers SET trial = 99 WHERE seq = 3", "row 3: trial is 99; allowed: 0 to 5, for the pl"),
+        ("answers SET trial = NULL WHERE seq = 3", "row 3: trial is empty; allowed: 0 to 5, for"),
+        ("answers SET session = NULL WHERE seq = 3", "row 3: session, trial and erased_as are not"),
+        (
+            "sessions SET plan = '[]'",
+            "row 1: trial is 0; allowed: none, for the plan of person 0 h",
+        ),
+        ("sessions SET plan = '[{}]'", "sessions, plan of person 0, trial 0: has no question; wan"),
+        (
+            "sessions SET plan = replace(plan, '\"number\":2', '\"number\":7')",
+            "plan of person 0, trial 2: number is 7; allowed: 2, its place",
+        ),
+        (
+            "sessions SET plan = replace(plan, '\"a\"', '\"z\"')",
+            r'plan of person 0, trial \d: \w+ is "z"; allowed: a stimulus of the study',
+        ),
+        ("sessions SET language = 'xx'", 'of person 0: language is "xx"; allowed: a language of'),
+        ('sessions SET parameters = \'{"PID":"5"}\'', 'person 0: parameters name "PID"; allowed'),
         ("studies SET next_number = 1", "next_number is 1; allowed: 2 or more, for there is a per"),
     ],
 )

@@ -166,9 +166,11 @@ def test_an_export_of_several_questions_is_asked_which(tmp_path: Path) -> None:
     ("column", "cell", "said"),
     [
         ("sequence", "abc", "row 2: sequence is 'abc'; allowed: a number"),
-        ("response_ms", "nan", "row 2: response_ms is 'nan'; allowed: a number"),
+        ("sequence", "NA", "row 2: sequence is ''; allowed: a number"),
+        ("response_ms", "fast", "row 2: response_ms is 'fast'; allowed: a number"),
         ("kind", "Pair", "row 2: kind is 'Pair'; allowed: training, pair, repeat, catch"),
-        ("simulated", "WAHR", "row 2: simulated is 'WAHR'; allowed: true or false"),
+        ("simulated", "perhaps", "row 2: simulated is 'perhaps'; allowed: true or false"),
+        ("simulated", "NA", "row 2: simulated is ''; allowed: true or false"),
     ],
 )
 def test_a_spoiled_export_is_refused_in_one_line(
@@ -185,17 +187,42 @@ def test_a_spoiled_export_is_refused_in_one_line(
         exported_answers(path)
 
 
-def test_one_and_zero_are_true_and_false_as_spreadsheets_write_them(
-    running: Running, tmp_path: Path
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        *[("1", "0"), ("1.0", "0.0"), ("TRUE", "FALSE"), ("WAHR", "FALSCH"), ("VRAI", "FAUX")],
+        *[("VERDADERO", "FALSO"), ("ＴＲＵＥ", "ＦＡＬＳＥ"), ("はい", "いいえ"), ("yes", "no")],
+    ],
+)
+def test_true_and_false_are_read_as_spreadsheets_write_them(
+    running: Running, tmp_path: Path, true: str, false: str
 ) -> None:
     path = _exported(running, tmp_path)
     before = exported_answers(path, simulated=True)
-    text = path.read_text().replace(",true", ",1").replace(",false", ",0")
-    path.write_text(text)
+    text = path.read_text().replace(",true", f",{true}").replace(",false", f",{false}")
+    path.write_text(text, encoding="utf-8")
     after = exported_answers(path, simulated=True)
     assert before is not None
     assert after is not None
     np.testing.assert_array_equal(after.comparisons().matrix, before.comparisons().matrix)
+    assert f",{true}" in text
+
+
+@pytest.mark.parametrize("word", ["NA", "NULL", "nan", "None", "#N/A", "#NV", "\\N", ".", "<NA>"])
+def test_words_for_an_empty_cell_are_one_in_an_export(
+    running: Running, tmp_path: Path, word: str
+) -> None:
+    path = _exported(running, tmp_path)
+    before = exported_answers(path)
+    rows = list(csv.reader(io.StringIO(path.read_text())))
+    filled = [[cell or word for cell in row] for row in rows]
+    with path.open("w", newline="") as text:
+        csv.writer(text).writerows(filled)
+    after = exported_answers(path)
+    assert before is not None
+    assert after is not None
+    np.testing.assert_array_equal(after.comparisons().matrix, before.comparisons().matrix)
+    assert filled != rows
 
 
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])

@@ -5,7 +5,9 @@ from pathlib import Path
 import pytest
 
 from nacreous import cli
+from nacreous.problem import InputError
 from nacreous.study.design import open_frozen
+from nacreous.study.running import Running
 from nacreous.study.store import NotAllowed, Store, UnknownToken
 from tests.support.pairs import pair_answer
 from tests.support.server_process import small_study
@@ -165,3 +167,80 @@ def test_mistakes_are_told_and_change_nothing(
         study = store.add_study(open_frozen(folder).manifest())
         assert store.invitations(study) == []
         assert store.registration(study) == "invited"
+
+
+def test_what_is_so_already_is_said_and_not_logged(folder: Path, capsys) -> None:
+    study = hash_in(folder)
+    with Store.open(folder) as store:
+        store.add_study(open_frozen(folder).manifest())
+        store.set_registration(study, "open", "lab")
+        for _ in range(2):
+            store.enter(study, "en", {})
+    capsys.readouterr()
+    for action, more, said in (
+        ("readmit", ["0"], "person 0: is not excluded; nothing was changed"),
+        ("exclude", ["0", "--reason", "slept"], "person 0: excluded; the answers stay, marked"),
+        ("exclude", ["0", "--reason", "slept"], "person 0: was excluded so; nothing was changed"),
+        ("exclude", ["0", "--reason", "left"], "person 0: excluded; the answers stay, marked"),
+        ("readmit", ["0"], "person 0: readmitted; the answers count again"),
+        ("revoke", ["--person", "0"], "person 0: revoked; the link"),
+        ("revoke", ["--person", "0"], "person 0: has no link any more; the link"),
+        ("erase", ["1"], "person 1: erased; backups"),
+        ("erase", ["1"], "person 1: was erased before; backups"),
+        ("open", ["--everyone"], f"{folder}: open already; anybody"),
+        ("pause", [], f"{folder}: paused; nobody"),
+        ("pause", [], f"{folder}: paused already; nobody"),
+        ("close", [], f"{folder}: closed; nobody"),
+        ("close", [], f"{folder}: closed already; nobody"),
+    ):
+        assert call(action, folder, *more) == 0
+        assert capsys.readouterr().out.startswith(said)
+    with Store.open(folder) as store:
+        done = [event.what for event in store.events(study) if event.who != "participant"]
+    assert done[2:] == [
+        *("excluded", "excluded", "readmitted", "token revoked", "erased"),
+        *("study paused", "study closed"),
+    ]
+
+
+@pytest.mark.parametrize("reason", ["NA", "n/a", "-", "None", " nan "])
+def test_a_reason_that_programs_read_as_an_empty_cell_is_refused(
+    folder: Path, capsys, reason: str
+) -> None:
+    with Store.open(folder) as store:
+        study = store.add_study(open_frozen(folder).manifest())
+        store.set_registration(study, "open", "lab")
+        store.enter(study, "en", {})
+    assert call("exclude", folder, "0", f"--reason={reason}") == 2
+    assert "which programs read as an empty cell; wanted: words" in capsys.readouterr().err
+
+
+def test_a_session_that_is_not_there_is_named_in_whole_quotation_marks(folder: Path) -> None:
+    with Store.open(folder) as store:
+        for refused in (
+            lambda: store.consent("nonsense"),
+            lambda: store.exclude("nonsense", "slept", "lab"),
+            lambda: store.session("nonsense"),
+        ):
+            with pytest.raises(InputError, match=r"^session 'nonsense' is not in this store$"):
+                refused()
+        with pytest.raises(InputError, match=r"^study 'nonsense' is not in this store; wanted"):
+            store.registration("nonsense")
+
+
+def test_a_store_of_a_mistyped_name_is_said_to_be_new(folder: Path, tmp_path: Path, capsys) -> None:
+    place = tmp_path / "answer.sqlite"
+    for said in (f"{place}: a new store, with no answers yet\n", ""):
+        assert call("open", folder, "--store", str(place)) == 0
+        assert capsys.readouterr().err == said
+    assert call("open", folder) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_study_and_its_store_are_told_in_short(folder: Path) -> None:
+    with Store.open(folder) as store:
+        running = Running(store, open_frozen(folder))
+        assert repr(store) == f"Store('{folder / 'answers.sqlite'}')"
+        assert repr(running).startswith("Running('")
+        assert running.study[:12] in repr(running)
+        assert len(repr(running)) < 80 + len(repr(store))

@@ -211,7 +211,7 @@ def test_a_study_without_answers_has_a_header(place: str, tmp_path: Path) -> Non
     with Store.open(place) as store:
         store.add_study({"design_hash": STUDY})
         assert export(store, STUDY, tmp_path / "none.parquet") == 0
-        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 23
+        assert pyarrow.parquet.read_table(tmp_path / "none.parquet").num_columns == 24
         with pytest.raises(InputError, match=r"the ending is \.xlsx"):
             export(store, STUDY, tmp_path / "none.xlsx")
         with pytest.raises(InputError, match="is not in this store"):

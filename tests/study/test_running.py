@@ -158,7 +158,9 @@ def test_answers_come_in_turn_and_once(running: Running) -> None:
         running.hand_in(session, 0, Response("right")).result()
     count = len(running.plan(session))
     for trial in (-1, count, True, "0", None, 1.0):
-        with pytest.raises(InputError, match=f"trial is .*; allowed: 0 to {count - 1}"):
+        with pytest.raises(
+            InputError, match=f"trial is .*; allowed: a whole number, 0 to {count - 1}"
+        ):
             running.hand_in(session, trial, Response("left"))
     for chosen in ("middle", None, ["left"]):
         with pytest.raises(InputError, match="chosen is"):

@@ -238,6 +238,14 @@ def test_screen_checks_are_all_kept_and_the_last_one_counts(store: Store) -> Non
         ({"flags": {"a": "x" * 70_000}}, "flags is 70008 bytes"),
         ({"flags": [1]}, "flags is .* allowed: a mapping"),
         ({"kind": "trap"}, "kind is 'trap'"),
+        ({"simulated": "no"}, "simulated is 'no'; allowed: True, False"),
+        ({"simulated": 1}, "simulated is 1; allowed: True, False"),
+        ({"simulated": None}, "simulated is None; allowed: True, False"),
+        ({"response_ms": "900"}, "response_ms is '900'; allowed: 0 to"),
+        ({"response_ms": np.float32("nan")}, "response_ms is "),
+        ({"flags": {"a": np.float64("nan")}}, "flags is no JSON"),
+        ({"flags": {"a": np.arange(3)}}, "flags is no JSON"),
+        ({"flags": {"a": object()}}, "flags is no JSON"),
     ],
 )
 def test_a_bad_answer_is_one_line(fields: dict, told: str | None) -> None:
@@ -248,6 +256,20 @@ def test_a_bad_answer_is_one_line(fields: dict, told: str | None) -> None:
     with pytest.raises(InputError, match=told) as caught:
         pair_answer(**{**good, **fields})
     assert "\n" not in str(caught.value)
+
+
+def test_numbers_and_truth_values_of_numpy_are_stored_as_pythons() -> None:
+    plain = pair_answer(
+        3, "q", "a", "b", "left", 812.0, flags={"away": 2, "ok": True, "x": 0.5}, simulated=True
+    )
+    numpy = pair_answer(
+        np.int64(3),
+        *("q", "a", "b", "left", np.float32(812.0)),
+        flags={"away": np.int64(2), "ok": np.bool_(True), "x": np.float32(0.5)},
+        simulated=np.bool_(True),
+    )
+    assert numpy.digest == plain.digest
+    assert pair_answer(3, "q", "a", "b", "left", np.int32(812)).row["response_ms"] == 812.0
 
 
 def test_hostile_text_is_text(store: Store) -> None:

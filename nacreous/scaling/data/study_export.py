@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import text_column
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table
+from nacreous.scaling.data.truth import says_true
 
-#: What exports hold in these columns, in small letters and as spreadsheets write it.
-_WORDS = {
-    "kind": {"training", "pair", "repeat", "catch"},
-    "simulated": {"true", "false", "0", "1", "0.0", "1.0"},
-    "erased": {"true", "false"},
-}
+#: What exports hold in the column `kind`, and which columns say yes or no.
+_KINDS = {"training", "pair", "repeat", "catch"}
+_FLAGS = ("simulated", "erased")
 
 
 def refuse_study_export(table: Table) -> None:
@@ -38,9 +37,13 @@ def refuse_study_export(table: Table) -> None:
 
 
 def _marks_data(table: Table, name: str) -> bool:
-    words = _WORDS.get(name.strip().casefold())
-    if words is None:
+    import pyarrow as pa
+
+    column = name.strip().casefold()
+    if column != "kind" and column not in _FLAGS:
         return False
-    found = text_column(table, name).unique().to_pylist()
-    cells = {(cell or "").strip().casefold() for cell in found}
-    return cells <= {*words, ""} and cells != {""}
+    text = text_column(table, name)
+    said = text.filter(pa.array(~is_nothing(text))).unique().to_pylist()
+    if column == "kind":
+        return bool(said) and {cell.casefold() for cell in said} <= _KINDS
+    return bool(said) and all(says_true(cell) is not None for cell in said)

@@ -27,13 +27,15 @@ _TRUE = frozenset(
 )
 _FALSE = frozenset(
     {
-        *("0", "false", "f", "no", "n", "off", "win", "won"),
+        *("0", "false", "f", "no", "n", "off"),
         *("falsch", "nein", "faux", "non", "falso", "não", "nao", "onwaar", "nee"),
         *("falsk", "nej", "usann", "nei", "epätosi", "ei", "fałsz", "nie", "nepravda", "ne"),
         *("hamis", "nem", "fals", "nu", "yanlış", "yanliş", "hayır", "hayir", "ложь", "нет"),
         *("偽", "いいえ", "假", "否", "不", "거짓", "아니요", "아니오"),
     }
 )
+#: No tie, in words that say nothing of anything else.
+_DECIDED = frozenset({"win", "won"})
 
 
 def plain_word(cell: str) -> str:
@@ -46,6 +48,16 @@ def plain_word(cell: str) -> str:
     return re.sub(r"^([01])\.0*$", r"\1", word)
 
 
+def says_true(cell: str) -> bool | None:
+    """What a cell of a flag says; None where it says neither.
+
+    >>> [says_true(cell) for cell in ("WAHR", "faux", "1.0", "いいえ", "tie")]
+    [True, False, True, False, None]
+    """
+    word = plain_word(cell)
+    return True if word in _TRUE else False if word in _FALSE else None
+
+
 def says_tie(cell: str) -> bool | None:
     """Whether a cell of a column about ties says that there is one; None where it says neither.
 
@@ -53,9 +65,9 @@ def says_tie(cell: str) -> bool | None:
     [True, False, False, True, None]
     """
     word = plain_word(cell)
-    if word in _TRUE | TIED | _EQUAL:
+    if word in TIED | _EQUAL:
         return True
-    return False if word in _FALSE else None
+    return False if word in _DECIDED else says_true(cell)
 
 
 def names_tie(cell: str) -> bool:

@@ -63,6 +63,11 @@ class Analysis:
     groups: Groups | None
     example: bool
 
+    def __repr__(self) -> str:
+        """How much was analysed."""
+        found = self.comparisons
+        return f"Analysis({found.total:g} answers, {len(found.stimuli)} stimuli)"
+
     @property
     def people_differ(self) -> bool:
         """Whether people, or groups of answers, were found not to share one scale, by any test."""

@@ -17,7 +17,16 @@ from nacreous.scaling.data.label import label_of
 from nacreous.study.design.design import Design
 from nacreous.value import in_short
 
-__all__ = ["MAKER", "RECORD", "STIMULI", "Frozen", "FrozenStimulus", "hash_of", "open_frozen"]
+__all__ = [
+    "MAKER",
+    "RECORD",
+    "STIMULI",
+    "Frozen",
+    "FrozenStimulus",
+    "design_of",
+    "hash_of",
+    "open_frozen",
+]
 
 MAKER = "nacreous study new"
 RECORD = "study.json"
@@ -107,16 +116,23 @@ def open_frozen(path: str | Path) -> Frozen:
         raise InputError(f"{where}: has been changed since it was frozen; wanted: as it was made")
     for stimulus in stimuli:
         _check(Path(path), stimulus)
-    design = Design.check(_as_frozen(manifest["design"]), where, Path())
+    design = design_of(manifest, where)
     return Frozen(
         Path(path), design, manifest["design_hash"], manifest["study_hash"], tuple(stimuli)
     )
 
 
-def _as_frozen(design: dict[str, Any]) -> dict[str, Any]:
-    """A design with what it was frozen under: one of before `adaptation_s` asked for none."""
-    sitting = {"adaptation_s": 0.0, **design.get("sitting", {})}
-    return {**design, "sitting": sitting}
+def design_of(manifest: Mapping[str, Any], where: str) -> Design:
+    """The design in a manifest, with what it was frozen under.
+
+    One of before `adaptation_s` asked for none. where: for messages. Raises `InputError` where it
+    is none.
+    """
+    design = manifest["design"]
+    sitting = design.get("sitting", {})
+    if isinstance(sitting, dict):
+        design = {**design, "sitting": {"adaptation_s": 0.0, **sitting}}
+    return Design.check(design, where, Path())
 
 
 def _refuse_other(path: Path) -> None:

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from nacreous.number import said
+from nacreous.number import said, truth_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import group_column, text_column
+from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table, column_names, read_table
+from nacreous.scaling.data.truth import says_true
 from nacreous.study.results.scale import called_simulated
-from nacreous.study.store.codebook import CHOSEN_BY, COLUMNS
+from nacreous.study.store.codebook import BEFOREHAND, CHOSEN_BY, COLUMNS
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.task.counting import KINDS, counts
 from nacreous.study.task.row import Row
@@ -28,6 +30,8 @@ __all__ = ["exported_answers", "exported_settings"]
 
 _NAMES = tuple(column.name for column in COLUMNS)
 _COUNTED = (*(column.name for column in columns_of_tasks()), "person", "trial", "response_ms")
+#: Columns of words that may be any, such as a stimulus called NA.
+_WORDS = (*(column.name for column in columns_of_tasks()), "kind", "person", "question")
 _KNOWN = (*_NAMES, *(column.name for column in (CHOSEN_BY, *PERSON, *IDENTIFYING)))
 
 
@@ -48,6 +52,7 @@ def exported_answers(
     ...     print(exported_answers(other))
     None
     """
+    simulated = truth_of("simulated", simulated)
     if not set(_NAMES) <= set(column_names(path, [_NAMES])):
         return None
     table = read_table(path, [_NAMES])
@@ -81,21 +86,32 @@ def exported_answers(
 def exported_settings(path: str | PathLike[str]) -> Settings | None:
     """How the study's own report fits the answers of such a file; None for any other table.
 
-    Raises `InputError` for what cannot be read, and for words that no export has.
+    Raises `InputError` for what cannot be read, for words that no export has, and where nothing is
+    said of how pairs were chosen: by the answers so far, they stretch the most likely scale.
     """
     if not set(_NAMES) <= set(column_names(path, [_NAMES])):
         return None
     table = read_table(path, [_NAMES])
-    if CHOSEN_BY.name not in table.columns or not table.rows:
-        return task_of({}).settings(None)
-    words = sorted({word or "" for word in _texts(table, CHOSEN_BY.name)})
+    if CHOSEN_BY.name not in table.columns:
+        raise InputError(f"{path}: has no column {CHOSEN_BY.name}; {_WHOLE}")
+    words = {word or "" for word in _texts(table, CHOSEN_BY.name)}
+    if "" in words:
+        raise InputError(f"{path}: {CHOSEN_BY.name} is empty; {_WHOLE}")
     try:
-        found = [task_of({}).settings(word or None) for word in words]
+        found = [task_of({}).settings(None if word == BEFOREHAND else word) for word in words]
     except InputError as problem:
         raise InputError(f"{path}: {problem}") from None
     if len(found) > 1:
-        raise InputError(f"{path}: {CHOSEN_BY.name} is {', '.join(words)}; allowed: one of them")
-    return found[0]
+        listed = ", ".join(sorted(words))
+        raise InputError(f"{path}: {CHOSEN_BY.name} is {listed}; allowed: one of them")
+    return found[0] if found else task_of({}).settings(None)
+
+
+_WHOLE = (
+    "wanted: the file as `nacreous study export` wrote it; or say how it is to be fitted, as by "
+    "--prior hierarchical where pairs were chosen by the answers so far, "
+    f"--method maximum-likelihood where {BEFOREHAND}"
+)
 
 
 def _rows(table: Table, where: str) -> list[Row]:
@@ -107,7 +123,7 @@ def _rows(table: Table, where: str) -> list[Row]:
     for place in range(table.rows):
         row: dict[str, Any] = {name: levels[place] for name, levels in texts.items()}
         cell = f"{where}: row {table.numbers[place]}"
-        row["seq"] = int(_number(row["sequence"], f"{cell}: sequence", comma) or 0)
+        row["seq"] = int(_number(row["sequence"] or "", f"{cell}: sequence", comma) or 0)
         if first.setdefault(row["seq"], place) != place:
             raise InputError(
                 f"{cell}: sequence is {row['seq']}, as in row {table.numbers[first[row['seq']]]}; "
@@ -128,9 +144,12 @@ def _rows(table: Table, where: str) -> list[Row]:
 
 
 def _texts(table: Table, name: str) -> list[str | None]:
-    """A column as text; empty cells are None."""
-    texts: list[str | None] = text_column(table, name).to_pylist()
-    return texts
+    """A column as text; None for an empty cell, and for what programs write there, such as NA."""
+    text = text_column(table, name)
+    texts: list[str | None] = text.to_pylist()
+    if name in _WORDS:
+        return texts
+    return [None if empty else cell for cell, empty in zip(texts, is_nothing(text), strict=True)]
 
 
 def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | None:
@@ -149,10 +168,7 @@ def _number(text: str | None, quantity: str, decimal_comma: bool) -> float | Non
 
 def _whether(text: str | None, quantity: str) -> bool:
     """As spreadsheets write it: who takes a simulated answer for a person's would say too much."""
-    told = _WORDS.get((text or "").lower())
+    told = says_true(text or "")
     if told is None:
         raise InputError(f"{quantity} is {(text or '')[:40]!a}; allowed: true or false")
     return told
-
-
-_WORDS = {"true": True, "1": True, "1.0": True, "false": False, "0": False, "0.0": False}

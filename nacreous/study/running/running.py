@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from concurrent.futures import Future
 from typing import TYPE_CHECKING
 
-from nacreous.problem import InputError
+from nacreous.number import whole_of
 from nacreous.study.design import Frozen
 from nacreous.study.design.multilingual import Words
 from nacreous.study.plan import Trial, drawn_groups, trials
@@ -77,6 +77,10 @@ class Running:
         self.task = TASKS[frozen.design.task]
         self._asked = frozen.design.asked
         self._plans = Plans()
+
+    def __repr__(self) -> str:
+        """Which study, and where."""
+        return f"Running({self.frozen.design.name!r}, {self.study[:12]}, {self.store!r})"
 
     def enter(
         self,
@@ -169,8 +173,7 @@ class Running:
         if (refusal := self._barred(session)) is not None:
             raise refusal
         plan = self.plan(session)
-        if isinstance(trial, bool) or not isinstance(trial, int) or not 0 <= trial < len(plan):
-            raise InputError(f"trial is {ascii(trial)[:40]}; allowed: 0 to {len(plan) - 1}")
+        trial = whole_of("trial", trial, 0, len(plan) - 1)
         self.task.check(self._asked, response.given)
         asked = plan[trial]
         answer = Answer(trial, asked.question, shown(asked, self.task), response, asked.kind)

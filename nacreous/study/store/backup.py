@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import sqlite3
 import tempfile
 from collections.abc import Iterator
@@ -87,8 +88,8 @@ def restore(backup: str | PathLike[str], place: str | PathLike[str] | None) -> C
 def _made_folder(place: str | PathLike[str] | None) -> Iterator[None]:
     """The folder that a name without an ending means; none is left where nothing comes of it."""
     given = given_place(place)
-    folder = Path(given)
-    if "://" in given or folder.suffix or not folder.parent.is_dir():
+    folder = Path(os.path.realpath(given))  # of a link that leads nowhere yet, where it leads
+    if "://" in given or Path(given).suffix or folder.suffix or not folder.parent.is_dir():
         yield
         return
     try:
@@ -264,4 +265,9 @@ def _refused(place: str) -> Iterator[None]:
         text = str(problem.orig if isinstance(problem, sa.exc.DatabaseError) else problem)
         if "not a database" in text or "malformed" in text:
             raise InputError(f"{place}: is no whole store; wanted: a backup") from problem
+        if Path(f"{place}-journal").exists():  # SQLite would first write it back into the file
+            raise InputError(
+                f"{place}-journal: lies beside the backup, of a program that was broken off; "
+                "wanted: the backup alone (a backup needs no such file: remove it)"
+            ) from problem
         raise StoreError(f"cannot be copied ({text})", place) from problem

@@ -33,6 +33,10 @@ class Base:
         self._clock = clock
         self._writer = Writer(engine)
 
+    def __repr__(self) -> str:
+        """Where it is."""
+        return f"{type(self).__name__}({self.place!r})"
+
     @classmethod
     def open(
         cls,

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from numbers import Integral
 from typing import Any
 
+from nacreous.number import number_of
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.nothing import NOTHING
 
 #: The longest label, question or reason, in characters.
 LONGEST_TEXT = 1000
@@ -32,6 +35,23 @@ def text(name: str, value: Any, longest: int = LONGEST_TEXT) -> str:
     return value
 
 
+def reason(value: Any) -> str:
+    """Why a person is left out: text, and no word that programs write into an empty cell.
+
+    In an export a reason is all that says so.
+
+    >>> reason("n/a")
+    Traceback (most recent call last):
+    nacreous.problem.InputError: reason is 'n/a', which programs read as an empty cell; wanted: ...
+    """
+    given = text("reason", value)
+    if given.strip().lower() in NOTHING:
+        raise InputError(
+            f"reason is {_shown(value)}, which programs read as an empty cell; wanted: words"
+        )
+    return given
+
+
 def one_of(name: str, value: Any, allowed: Collection[str]) -> str:
     """One of some words."""
     if not isinstance(value, str) or value not in allowed:
@@ -51,14 +71,17 @@ def duration_ms(name: str, value: Any) -> float | None:
     """Milliseconds, 0 to a day, or None where unknown."""
     if value is None:
         return None
-    good = isinstance(value, int | float) and not isinstance(value, bool)
-    if not good or not 0 <= value <= 86_400_000:  # which no NaN is
+    try:
+        duration = number_of(name, value)
+    except InputError:
+        duration = math.nan
+    if not 0 <= duration <= 86_400_000:  # which no NaN is
         raise InputError(f"{name} is {_shown(value)}; allowed: 0 to 86400000")
-    return float(value)
+    return duration
 
 
 def canonical(name: str, value: Any, largest: int = LARGEST_JSON) -> str:
-    """A mapping as JSON in its one form: keys sorted, no spaces, no NaN.
+    """A mapping as JSON in its one form: keys sorted, no spaces, no NaN; NumPy's numbers too.
 
     >>> canonical("flags", {"fast": True, "age": 3})
     '{"age":3,"fast":true}'
@@ -102,12 +125,22 @@ def canonical_list(name: str, value: Any, largest: int) -> str:
 
 def _json(name: str, value: Any, largest: int) -> str:
     try:
-        made = json.dumps(value, sort_keys=True, separators=(",", ":"), allow_nan=False)
+        made = json.dumps(
+            value, sort_keys=True, separators=(",", ":"), allow_nan=False, default=_plain
+        )
     except (TypeError, ValueError, RecursionError) as problem:
         raise InputError(f"{name} is no JSON ({problem})") from problem
     if len(made) > largest:
         raise InputError(f"{name} is {len(made)} bytes of JSON; allowed: up to {largest}")
     return made
+
+
+def _plain(value: Any) -> Any:
+    """A number or a truth value of NumPy as Python's own, which alone JSON knows."""
+    kind = getattr(getattr(value, "dtype", None), "kind", "")
+    if not kind or kind not in "biuf" or value.shape != ():
+        raise TypeError(f"{type(value).__name__} is none of its types")
+    return value.item()
 
 
 def written(name: str, value: Any) -> str:

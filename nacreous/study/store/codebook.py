@@ -66,12 +66,15 @@ LOG_IDENTIFYING = (
     Column("detail", "More of it, as JSON: reasons, and each answer that was refused, whole."),
 )
 
-#: Of studies whose plans hang on the answers so far; other exports do not have it.
+#: Of a study whose plans hang on no answers.
+BEFOREHAND = "beforehand"
+#: Of every export, so that one that lacks it is known not to be whole.
 CHOSEN_BY = Column(
     "pairs_chosen_by",
-    "How pairs were chosen by the answers so far: the most telling ones, or such drawn by lot.",
+    "How pairs were chosen: by the answers so far the most telling ones (greedy), or such drawn by "
+    "lot (drawn); or beforehand.",
     None,
-    ("greedy", "drawn"),
+    ("greedy", "drawn", BEFOREHAND),
 )
 
 _OWN = (*COLUMNS, CHOSEN_BY, *PERSON, *IDENTIFYING, *PEOPLE, PLAN, *LOG, *LOG_IDENTIFYING)

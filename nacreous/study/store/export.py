@@ -103,6 +103,7 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     ...     answers_of(store, study, "deeper")
     Answers(1 answers, 2 stimuli, 1 person)
     """
+    simulated = truth_of("simulated", simulated)
     columns = Coded(COUNTED)
     with store.reading() as connection:
         for part in answering.counting_parts(connection, study, question, simulated=simulated):

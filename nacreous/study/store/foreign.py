@@ -22,8 +22,12 @@ def check_own(connection: sa.Connection, place: str, revision: str) -> None:
 
     A trigger, a view, a virtual table, a generated column, a CHECK, a DEFAULT, a UNIQUE and an
     index of expressions or of some rows run or refuse when we write or read. What a lab added for
-    speed, an index of plain columns, does neither. Raises `InputError` that names the first.
+    speed, an index of plain columns, does neither. Nor are texts in UTF-16, which SQLite can keep.
+    Raises `InputError` that names the first.
     """
+    encoding = connection.exec_driver_sql("PRAGMA encoding").scalar_one()
+    if encoding != "UTF-8":
+        raise InputError(f"{place}: is in {encoding}; wanted: UTF-8, as Nacreous makes stores")
     found, made = parts_of(connection), parts_made(revision)
     for (kind, name), words in found.items():
         own = made.get((kind, name))

@@ -9,6 +9,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.study.store import check, invitations, journal, slots, studies, tokens
 from nacreous.study.store.record import Session
@@ -90,28 +91,42 @@ def plan(connection: sa.Connection, session: str) -> list[dict[str, Any]] | None
 
 def withdraw(connection: sa.Connection, at: str, session: str) -> None:
     """Leave out a person who no longer consents; once is enough."""
-    living(connection, session)
-    if one(connection, session).excluded_reason != WITHDREW:
+    if living(connection, session).excluded_reason != WITHDREW:
         values = {"excluded_reason": WITHDREW}
         change(connection, at, session, "participant", WITHDREW, values)
 
 
-def exclude(connection: sa.Connection, at: str, session: str, who: str, reason: str) -> None:
-    """Leave a person out; what a person wished themselves stays so, and nobody else can say it."""
+def exclude(connection: sa.Connection, at: str, session: str, who: str, reason: str) -> bool:
+    """Leave a person out; what a person wished themselves stays so, and nobody else can say it.
+
+    False, and no line in the log, where that is so already.
+    """
     if reason == WITHDREW:
         raise InputError(f"reason is {reason!a}; wanted: another, for this is the person's own")
-    living(connection, session)
-    if one(connection, session).excluded_reason == WITHDREW:
+    before = living(connection, session).excluded_reason
+    if before == WITHDREW:
         raise NotAllowed("the person withdrew, and is left out by that; nothing was changed")
-    change(connection, at, session, who, "excluded", {"excluded_reason": reason}, reason=reason)
+    if before != reason:
+        change(connection, at, session, who, "excluded", {"excluded_reason": reason}, reason=reason)
+    return bool(before != reason)
 
 
-def readmit(connection: sa.Connection, at: str, session: str, who: str) -> None:
-    """Take an exclusion back, but not a person's own."""
-    living(connection, session)
-    if one(connection, session).excluded_reason == WITHDREW:
+def readmit(connection: sa.Connection, at: str, session: str, who: str) -> bool:
+    """Take an exclusion back, but not a person's own; False where there is none."""
+    before = living(connection, session).excluded_reason
+    if before == WITHDREW:
         raise NotAllowed("the person withdrew; wanted: one whom an experimenter excluded")
-    change(connection, at, session, who, "readmitted", {"excluded_reason": None})
+    if before is not None:
+        change(connection, at, session, who, "readmitted", {"excluded_reason": None})
+    return before is not None
+
+
+def revoke(connection: sa.Connection, at: str, session: str, who: str) -> bool:
+    """Make a person's token worthless; False where it is already."""
+    known = living(connection, session).token_hash is not None
+    if known:
+        change(connection, at, session, who, "token revoked", {"token_hash": None})
+    return known
 
 
 def find(connection: sa.Connection, where: sa.ColumnElement[bool]) -> list[Session]:
@@ -206,8 +221,8 @@ def add_screen(connection: sa.Connection, at: str, session: str, content: str) -
     connection.execute(sa.insert(screens).values(session=session, at=at, content=content))
 
 
-def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
-    """Take away what leads from answers to a person.
+def erase(connection: sa.Connection, at: str, session: str, who: str) -> bool:
+    """Take away what leads from answers to a person; False where that is done already.
 
     The session stays as a number that is not given out again, with days in place of times. The
     answers go in a shuffled order behind all others, under one random name that is written nowhere
@@ -220,7 +235,7 @@ def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
     )
     found = one(connection, session)
     if found.erased_at is not None:
-        return
+        return False
     _unlink(connection, found)
     connection.execute(sa.delete(screens).where(screens.c.session == session))
     row = connection.execute(sa.select(sessions).where(sessions.c.id == session)).one()
@@ -245,6 +260,7 @@ def erase(connection: sa.Connection, at: str, session: str, who: str) -> None:
     invitations.forget(connection, at, session)
     journal.forget(connection, session)
     journal.note(connection, at[:10], who, "erased", found.study, session)
+    return True
 
 
 def _unlink(connection: sa.Connection, person: Session) -> None:
@@ -272,7 +288,7 @@ def _unlink(connection: sa.Connection, person: Session) -> None:
 
 
 def _unknown(session: object) -> InputError:
-    return InputError(f"session {ascii(session)[1:40]} is not in this store")
+    return InputError(f"session {said(session)} is not in this store")
 
 
 def _session(row: sa.RowMapping) -> Session:

@@ -10,6 +10,7 @@ from datetime import datetime
 from functools import cached_property
 from typing import Any
 
+from nacreous.number import truth_of
 from nacreous.problem import InputError
 from nacreous.study.store import check
 from nacreous.study.store.schema import LONGEST_GIVEN
@@ -63,7 +64,7 @@ class Answer:
             "shown_at": None if shown is None else check.written("shown_at", shown),
             "answered_at": None if answered is None else check.written("answered_at", answered),
             "flags": check.canonical("flags", response.flags),
-            "simulated": bool(response.simulated),
+            "simulated": truth_of("simulated", response.simulated),
             "kind": check.one_of("kind", self.kind, KINDS),
         }
 

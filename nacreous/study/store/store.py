@@ -75,17 +75,23 @@ class Store(Lab):
             raise InputError(f"{self.place}: has {which}; wanted: one of its studies ({here})")
         return found[0]
 
-    def pause(self, study: str, who: str) -> None:
-        """Let nobody enter for now. Answers of those who have entered are still kept."""
-        self._set_state(study, "paused", who)
+    def pause(self, study: str, who: str) -> bool:
+        """Let nobody enter for now; False where it is paused already.
 
-    def reopen(self, study: str, who: str) -> None:
-        """Let people enter again."""
-        self._set_state(study, "open", who)
+        Answers of those who have entered are still kept.
+        """
+        return self._set_state(study, "paused", who)
 
-    def close_study(self, study: str, who: str) -> None:
-        """Let nobody enter any more. An answer that comes late is still kept, for it was given."""
-        self._set_state(study, "closed", who)
+    def reopen(self, study: str, who: str) -> bool:
+        """Let people enter again; False where they may."""
+        return self._set_state(study, "open", who)
+
+    def close_study(self, study: str, who: str) -> bool:
+        """Let nobody enter any more; False where that is so already.
+
+        An answer that comes late is still kept, for it was given.
+        """
+        return self._set_state(study, "closed", who)
 
     def enter(
         self,
@@ -115,7 +121,7 @@ class Store(Lab):
         ...     study = store.add_study({"design_hash": "ab" * 32})
         ...     store.set_registration(study, "open", "lab")
         ...     first, second = (store.enter(study, "en", {})[0] for _ in range(2))
-        ...     store.exclude(first.id, "left the room", "lab")
+        ...     _ = store.exclude(first.id, "left the room", "lab")
         ...     third, _ = store.enter(study, "en", {})
         ...     second.slot, third.number, third.slot
         (1, 2, 0)
@@ -264,39 +270,45 @@ class Store(Lab):
                 raise studies.unknown(study)
             return counting.progress(connection, study, state)
 
-    def exclude(self, session: str, reason: str, who: str) -> None:
+    def exclude(self, session: str, reason: str, who: str) -> bool:
         """Mark a person's answers as not to be counted. They stay, and so does the reason.
 
-        Raises `NotAllowed` where the person withdrew, which is never written over.
+        False where they are marked with that reason already. Raises `NotAllowed` where the person
+        withdrew, which is never written over.
         """
-        work = partial(
-            people.exclude, session=session, who=who, reason=check.text("reason", reason)
-        )
-        self._do(partial(work, at=self._at()))
+        work = partial(people.exclude, session=session, who=who, reason=check.reason(reason))
+        return self._do(partial(work, at=self._at()))
 
-    def readmit(self, session: str, who: str) -> None:
-        """Take an exclusion back, unless the person withdrew; the audit log keeps both."""
-        self._do(partial(people.readmit, at=self._at(), session=session, who=who))
+    def readmit(self, session: str, who: str) -> bool:
+        """Take an exclusion back, unless the person withdrew; the audit log keeps both.
+
+        False where the person is not excluded.
+        """
+        return self._do(partial(people.readmit, at=self._at(), session=session, who=who))
 
     def withdraw(self, session: str) -> None:
         """Leave a person out at their own wish; the reason is "withdrew", and stays."""
         self._do(partial(people.withdraw, at=self._at(), session=session))
 
-    def revoke(self, session: str, who: str) -> None:
-        """Make a participant's token worthless."""
-        change = partial(people.change, at=self._at(), session=session, who=who)
-        self._do(partial(change, what="token revoked", values={"token_hash": None}))
+    def revoke(self, session: str, who: str) -> bool:
+        """Make a participant's token worthless; False where it is already."""
+        return self._do(partial(people.revoke, at=self._at(), session=session, who=who))
 
-    def erase(self, session: str, who: str) -> None:
-        """Take away what leads from answers to a person; what was chosen stays, and is counted."""
-        self._do(partial(people.erase, at=self._at(), session=session, who=who))
+    def erase(self, session: str, who: str) -> bool:
+        """Take away what leads from answers to a person; what was chosen stays, and is counted.
+
+        False where the person is erased already.
+        """
+        erased = self._do(partial(people.erase, at=self._at(), session=session, who=who))
         if self.engine.dialect.name == "sqlite":
             # The log still holds the old pages until they are written over.
             with translated(self.place):
                 outside_transaction(self.engine, "PRAGMA wal_checkpoint(TRUNCATE)")
+        return erased
 
-    def _set_state(self, study: str, state: str, who: str) -> None:
-        self._do(partial(studies.set_state, at=self._at(), study=study, state=state, who=who))
+    def _set_state(self, study: str, state: str, who: str) -> bool:
+        work = partial(studies.set_state, at=self._at(), study=study, state=state, who=who)
+        return self._do(work)
 
     def _set_once(self, session: str, column: str, what: str) -> None:
         at = self._at()

@@ -10,6 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.study.design.manifest import hash_of as sealed_hash
 from nacreous.study.store import check, journal
@@ -85,18 +86,19 @@ def states(connection: sa.Connection) -> dict[str, str]:
     return {row.hash: row.state for row in connection.execute(query)}
 
 
-def set_state(connection: sa.Connection, at: str, study: str, state: str, who: str) -> None:
-    """Open, pause or close."""
+def set_state(connection: sa.Connection, at: str, study: str, state: str, who: str) -> bool:
+    """Open, pause or close; False, and no line in the log, where it is so already."""
     check.one_of("state", state, STATES)
-    done = connection.execute(
-        sa.update(studies)
-        .where(studies.c.hash == study)
-        .values(state=state)
-        .returning(studies.c.hash)
+    mine = studies.c.hash == study
+    before = connection.execute(
+        sa.select(studies.c.state).where(mine).with_for_update()
     ).scalar_one_or_none()
-    if done is None:
+    if before is None:
         raise unknown(study)
-    journal.note(connection, at, who, f"study {state}", study, None)
+    if before != state:
+        connection.execute(sa.update(studies).where(mine).values(state=state))
+        journal.note(connection, at, who, f"study {state}", study, None)
+    return bool(before != state)
 
 
 def registration(connection: sa.Connection, study: str, *, hold: bool = False) -> str:
@@ -137,4 +139,5 @@ def take_number(connection: sa.Connection, study: str) -> int:
 
 def unknown(study: object) -> InputError:
     """For a study that is not kept here."""
-    return InputError(f"study {ascii(study)[1:13]} is not in this store; wanted: add_study first")
+    shown = study[:12] if isinstance(study, str) else study
+    return InputError(f"study {said(shown)} is not in this store; wanted: add_study first")

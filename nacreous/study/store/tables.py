@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 from nacreous.study.design.design import Design
 from nacreous.study.store import check
 from nacreous.study.store.codebook import (
+    BEFOREHAND,
     CHOSEN_BY,
     COLUMNS,
     LOG,
@@ -90,14 +91,13 @@ def _answers(store: Store, study: str, identifying: bool) -> Table:
     people = PersonColumns(_known(store, study, design), identifying=identifying)
     given = [json.loads(one) for one in store.groups_of_answers(study)]
     groups = {name: group_column(name) for name in sorted({name for one in given for name in one})}
-    chosen = [] if chosen_by is None else [CHOSEN_BY]
-    columns = (*COLUMNS, *chosen, *people.columns, *groups.values())
+    columns = (*COLUMNS, CHOSEN_BY, *people.columns, *groups.values())
 
     def made(part: Mapping[str, Sequence[Any]]) -> pa.Table:
         import pyarrow as pa
 
         values = {**_given(part, identifying), **people.of(part["number"])}
-        values[CHOSEN_BY.name] = pa.array([chosen_by] * len(part["seq"]), pa.string())
+        values[CHOSEN_BY.name] = pa.array([chosen_by or BEFOREHAND] * len(part["seq"]), pa.string())
         levels = levels_of(pa.array(part["groups"], pa.string()).dictionary_encode(), groups)
         values.update({groups[name].name: level for name, level in levels.items()})
         return pa.table({column.name: values[column.name] for column in columns})

@@ -26,7 +26,7 @@ class Response:
     - `response_ms`: from showing to answering, 0 to a day; None where unknown
     - `shown_at`, `answered_at`: by the participant's clock, with zone; believed for nothing
     - `flags`: anything noticed, as JSON
-    - `simulated`: nobody gave it
+    - `simulated`: nobody gave it; True or False, NumPy's too, as its numbers do
 
     Nothing is checked here: `given` is checked by the task, the rest by the store.
 

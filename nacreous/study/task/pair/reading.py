@@ -82,7 +82,9 @@ def settings(chosen_by: str | None) -> Settings:
         "drawn": Settings(method="bias-reduced"),
     }
     if chosen_by not in known:
-        raise InputError(f"pairs_chosen_by is {said(chosen_by)}; allowed: greedy, drawn, or empty")
+        raise InputError(
+            f"pairs_chosen_by is {said(chosen_by)}; allowed: greedy, drawn, beforehand"
+        )
     return known[chosen_by]
 
 
