@@ -16,7 +16,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from urllib.parse import quote
 
 import sqlalchemy as sa
 
@@ -24,6 +23,7 @@ from nacreous import file
 from nacreous.problem import InputError
 from nacreous.study.store.belonging import check_belonging
 from nacreous.study.store.contents import check_contents
+from nacreous.study.store.copy_file import read_only, reading_engine
 from nacreous.study.store.earlier import hashes, require_earlier_backup
 from nacreous.study.store.engine import BESIDE, engine_of, given_place, writing
 from nacreous.study.store.fault import StoreError, place_of, translated
@@ -174,7 +174,7 @@ def _copy_rows(source: sa.Connection, target: sa.Connection) -> None:
 
 
 def _copy_file(source: Path, target: Path) -> None:
-    with _read_only(source) as old, contextlib.closing(sqlite3.connect(target)) as new:
+    with read_only(source) as old, contextlib.closing(sqlite3.connect(target)) as new:
         old.backup(new)
         new.execute("PRAGMA secure_delete = ON")
         if new.execute("SELECT 1 FROM sqlite_master WHERE name = 'logins'").fetchone():
@@ -194,12 +194,12 @@ def _checked(path: Path, *, handed_on: bool = False) -> Copied:
 
     The schema first: SQLite runs what a table names, to see whether that is whole.
     """
-    engine = sa.create_engine(f"sqlite:///file:{_quoted(path)}?mode=ro&uri=true")
+    engine = reading_engine(path)
     try:
         with _refused(str(path)), engine.connect() as reading:
             if check_revision(reading, str(path)) is None:
                 raise InputError(f"{path}: is empty; wanted: a backup of a store")
-        with _refused(str(path)), _read_only(path) as connection:
+        with _refused(str(path)), read_only(path) as connection:
             verdict = connection.execute("PRAGMA integrity_check(1)").fetchone()[0]
             stray = connection.execute("PRAGMA foreign_key_check").fetchone()
             if verdict != "ok" or stray is not None:
@@ -242,18 +242,6 @@ def _opened(place: str | PathLike[str] | None) -> Iterator[sa.Engine]:
         yield engine
     finally:
         engine.dispose()
-
-
-@contextlib.contextmanager
-def _read_only(path: Path) -> Iterator[sqlite3.Connection]:
-    uri = f"file:{_quoted(path)}?mode=ro"
-    with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
-        connection.execute("PRAGMA trusted_schema = OFF")  # it may be anybody's
-        yield connection
-
-
-def _quoted(path: Path) -> str:
-    return quote(str(path.resolve()))
 
 
 @contextlib.contextmanager

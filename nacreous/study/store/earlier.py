@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from pathlib import Path
-from urllib.parse import quote
 
 import sqlalchemy as sa
 
 from nacreous.problem import InputError
 from nacreous.study.design.manifest import RECORD
+from nacreous.study.store.copy_file import reading_engine
 from nacreous.study.store.engine import FILE
 from nacreous.study.store.schema import studies
 
@@ -22,7 +22,7 @@ def require_earlier_backup(output: Path, known: Collection[str]) -> None:
         return
     if output.name == FILE and (output.parent / RECORD).is_file():
         raise InputError(f"{output}: is the store of a frozen study; wanted: another place")
-    engine = sa.create_engine(f"sqlite:///file:{quote(str(output.resolve()))}?mode=ro&uri=true")
+    engine = reading_engine(output)
     try:
         with engine.connect() as reading:
             others = hashes(reading) - set(known)
