@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from itertools import compress
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
@@ -16,6 +17,7 @@ from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.scaling.data.truth import says_true
 from nacreous.study.results.scale import called_simulated
+from nacreous.study.results.uncounted import uncounted
 from nacreous.study.store.codebook import BEFOREHAND, CHOSEN_BY, COLUMNS
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.task.counting import KINDS, counts
@@ -67,13 +69,21 @@ def exported_answers(
         )
     elif question not in asked:
         raise InputError(f"{path}: question is {question!a}; allowed: {', '.join(asked)}")
+    answered = [row["question"] == question for row in rows]
     which = np.array(
-        [row["question"] == question and counts(row, simulated=simulated) for row in rows], bool
+        [own and counts(row, simulated=simulated) for own, row in zip(answered, rows, strict=True)],
+        bool,
     )
     if not which.any():
-        others = any(row["question"] == question and counts(row, simulated=True) for row in rows)
-        hint = "; those of simulated observers do with --simulated" if others else ""
-        raise InputError(f"{path}: no answers to {question!a} count; wanted: at least one{hint}")
+        own = list(compress(rows, answered))
+        others = any(counts(row, simulated=not simulated) for row in own)
+        way = "without" if simulated else "with"
+        whose = "people" if simulated else "simulated observers"
+        hint = f"; those of {whose} do {way} --simulated" if others else ""
+        raise InputError(
+            f"{path}: no answers to {question!a} count: {uncounted(own, simulated=simulated)}; "
+            f"wanted: at least one that does{hint}"
+        )
     counted = table.take(which)
     kept = [rows[place] for place in np.flatnonzero(which)]
     answers = task_of(kept[0]).answers(
@@ -133,6 +143,7 @@ def _rows(table: Table, where: str) -> list[Row]:
         row["trial"] = row["seq"] if trial is None else trial  # of an erased person
         row["response_ms"] = _number(row["response_ms"], f"{cell}: response_ms", comma)
         row["simulated"] = _whether(row["simulated"], f"{cell}: simulated")
+        _check_reason(row["excluded"], f"{cell}: excluded")
         if row["kind"] not in KINDS:
             raise InputError(
                 f"{cell}: kind is {said(row['kind'] or '')}; allowed: {', '.join(KINDS)}"
@@ -172,3 +183,12 @@ def _whether(text: str | None, quantity: str) -> bool:
     if told is None:
         raise InputError(f"{quantity} is {(text or '')[:40]!a}; allowed: true or false")
     return told
+
+
+def _check_reason(text: str | None, quantity: str) -> None:
+    """No reason is "no": who so filled the column meant that these answers count."""
+    if text is not None and says_true(text) is False:
+        raise InputError(
+            f"{quantity} is {text[:40]!a}, a word for no; wanted: an empty cell for answers that "
+            "count, or a reason (yes is one)"
+        )

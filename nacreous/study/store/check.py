@@ -13,6 +13,7 @@ from nacreous.number import number_of
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.nothing import NOTHING
+from nacreous.scaling.data.truth import says_true
 
 #: The longest label, question or reason, in characters.
 LONGEST_TEXT = 1000
@@ -36,7 +37,7 @@ def text(name: str, value: Any, longest: int = LONGEST_TEXT) -> str:
 
 
 def reason(value: Any) -> str:
-    """Why a person is left out: text, and no word that programs write into an empty cell.
+    """Why a person is left out: text, no word for no, nor one that programs write for nothing.
 
     In an export a reason is all that says so.
 
@@ -49,6 +50,8 @@ def reason(value: Any) -> str:
         raise InputError(
             f"reason is {_shown(value)}, which programs read as an empty cell; wanted: words"
         )
+    if says_true(given) is False:
+        raise InputError(f"reason is {_shown(value)}, a word for no; wanted: a reason")
     return given
 
 
