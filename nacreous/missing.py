@@ -27,7 +27,8 @@ def missing(path: str | PathLike[str], wanted: str = "") -> InputError:
 def beside(path: str | PathLike[str]) -> str | None:
     """The path of a file or folder in the same folder whose name is nearest, or None.
 
-    The same name with an ending comes first: `mine.toml` for `mine`.
+    The same name in other letters, small or capital, comes first: `mine.toml` for `Mine.toml`; then
+    the same name with an ending: `mine.toml` for `mine`.
 
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
@@ -50,10 +51,12 @@ def _nearest(name: str, names: list[str]) -> str | None:
     from difflib import get_close_matches
 
     word = name.lower()
+    by_name = {other.lower(): other for other in names}
+    if word in by_name:
+        return by_name[word]
     by_stem = {Path(other).stem.lower(): other for other in names}
     if word in by_stem:
         return by_stem[word]
-    by_name = {other.lower(): other for other in names}
     for known in (by_name, {} if Path(name).suffix else by_stem):
         near = get_close_matches(word, list(known), n=1, cutoff=0.7)
         if near:

@@ -44,9 +44,9 @@ from .compare.style import GroupStyle as GroupStyle
 from .data.answers import Answers as Answers
 from .data.column import Grouping as Grouping
 from .data.comparisons import Comparisons as Comparisons
-from .data.comparisons import comparisons_of as comparisons_of
 from .data.example import paper as paper
 from .data.example import paper_proportions as paper_proportions
+from .data.given import comparisons_of as comparisons_of
 from .figure import interval_plot as interval_plot
 from .figure import matrix_plot as matrix_plot
 from .figure import scale_plot as scale_plot

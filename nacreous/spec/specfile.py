@@ -112,7 +112,8 @@ def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path,
             )
     choices = [choice for kind in kinds for choice in preset.names(kind)]
     found = beside(name)
-    meant = found is not None and Path(found).stem.lower() == name.lower()
+    word = Path(name).name.lower()
+    meant = found is not None and word in (Path(found).name.lower(), Path(found).stem.lower())
     near = found if meant else nearest(name, choices) or found
     hint = f"did you mean {near}?" if near else f"presets: {', '.join(dict.fromkeys(choices))}"
     raise InputError(f"{shown(name)} is neither a file nor a {' or '.join(kinds)} preset; {hint}")

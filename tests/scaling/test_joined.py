@@ -7,7 +7,7 @@ import pytest
 
 from nacreous.problem import InputError
 from nacreous.scaling import Answers, analyse, next_pairs, thurstone
-from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.scaling.data.given import comparisons_of
 
 TRUTH = {"s0": 2.2, "s1": 2.0, "s2": 1.8, "s3": -1.8, "s4": -2.0, "s5": -2.2}
 WHO = r'"s0", "s1", "s2" were never compared with "s3", "s4", "s5"'

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.data.person import known_people
 from nacreous.value import value_class
 
@@ -23,16 +25,18 @@ class AlwaysTied:
     of: int
 
 
-def always_tied(answers: Answers) -> tuple[AlwaysTied, ...]:
+def always_tied(answers: Any) -> tuple[AlwaysTied, ...]:
     """Those of 3 answers or more who never chose, where others tie too seldom for that.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     As often as all who chose something tie, fewer than 1 of 100 would never choose by chance.
     Raises `InputError` where people are unknown.
 
     >>> table = {"left": list("aaba"), "right": list("bccb"), "chosen": ["tie", "tie", "tie", "a"]}
-    >>> always_tied(Answers.of_table(table | {"person": ["mika", "mika", "mika", "jun"]}))
+    >>> always_tied(table | {"person": ["mika", "mika", "mika", "jun"]})
     (AlwaysTied(person='mika', ties=3, of=3),)
     """
+    answers = answers_of(answers)
     person, count = known_people(answers), len(answers.people)
     tie = answers.outcome == 0
     asked = np.bincount(person, minlength=count)

@@ -13,8 +13,7 @@ from nacreous.scaling.check.response import ResponseTime, response_time
 from nacreous.scaling.check.side import SideBias, side_bias
 from nacreous.scaling.check.transitive import Transitivity, transitivity
 from nacreous.scaling.check.triads import Triads, circular_triads
-from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.scaling.data.given import counted
 from nacreous.value import value_class
 
 
@@ -50,8 +49,7 @@ def consistency(data: Any, scale: Any = None) -> Consistency:
     >>> round(found.triads.zeta, 4), round(found.agreement.u, 4), found.transitivity.strong
     (0.9286, 0.3717, 13)
     """
-    comparisons = comparisons_of(data)
-    answers = data if isinstance(data, Answers) else None
+    answers, comparisons = counted(data)
     three = len(comparisons.stimuli) >= 3
     return Consistency(
         triads=circular_triads(comparisons) if three else None,

@@ -11,7 +11,8 @@ import numpy as np
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.given import counted
 from nacreous.scaling.distribution import chi2
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.value import value_class
@@ -65,10 +66,11 @@ def agreement(data: Any) -> Agreement:
     >>> round(agreement([("a", "b"), ("a", "b"), ("b", "a")]).u, 3)
     -0.333
     """
-    counts = comparisons_of(data).unsided()
+    answers, comparisons = counted(data)
+    counts = comparisons.unsided()
     ties = float(counts.ties.sum() / max(counts.total, 1e-300))
-    if isinstance(data, Answers) and data.person is not None:
-        return _between_people(data, ties)
+    if answers is not None and answers.person is not None:
+        return _between_people(answers, ties)
     return _between_answers(counts, ties)
 
 

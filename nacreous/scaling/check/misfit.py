@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.number import said
+from nacreous.problem import InputError
 from nacreous.scaling.check.cells import Cells, cells_of
 from nacreous.scaling.check.pearson import x2_p_value
 from nacreous.scaling.check.worst import Misfit, worst_of
@@ -97,6 +99,8 @@ def goodness(fit: Scale, level: float = 0.95) -> Goodness:
     'case V does not describe these data; largest misfit 1-3'
     """
     level = level_of(level)
+    if not hasattr(fit, "log_likelihood"):
+        raise InputError(f"fit is {said(fit)}; wanted: a scale, such as thurstone(answers)")
     cells = cells_of(fit)
     df = cells.degrees
     plain = fit.order_effect is None and cells.outcomes == 2

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nacreous.scaling.check.tournament import EQUAL, Shares
 from nacreous.scaling.check.triads import Triads, triads_of
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.data.person import known_people
 from nacreous.scaling.fit.blocks import blocks_of
 from nacreous.value import value_class
@@ -25,9 +26,10 @@ class PersonalTriads:
     triads: Triads
 
 
-def triads_by_person(answers: Answers) -> tuple[PersonalTriads, ...]:
+def triads_by_person(answers: Any) -> tuple[PersonalTriads, ...]:
     """Circular triads and zeta of each person, in the order of `answers.people`.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     A person's zeta is None unless that person compared every pair of those stimuli that the person
     saw at all, and preferred one of a pair. People who saw fewer than three are left out.
 
@@ -37,6 +39,7 @@ def triads_by_person(answers: Answers) -> tuple[PersonalTriads, ...]:
     >>> mika.person, mika.triads.circular
     ('mika', 1.0)
     """
+    answers = answers_of(answers)
     blocks = blocks_of(answers)
     share = blocks.chosen / blocks.answers
     beats = np.where(np.abs(share - 0.5) < EQUAL, 0.5, share > 0.5)

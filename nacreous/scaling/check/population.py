@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.check.classes import Mixture, fit_classes
 from nacreous.scaling.check.own_values import fit_own_values, spread_ends
-from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.unit import check_model
 from nacreous.value import value_class
@@ -86,7 +86,7 @@ class Population:
 
 
 def population(
-    answers: Answers,
+    answers: Any,
     model: str = "probit",
     most: int = 4,
     starts: int = 20,
@@ -95,6 +95,7 @@ def population(
 ) -> Population:
     """Choose between one scale, a continuous spread and 2 to `most` classes by BIC.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     A spread looks like classes to any criterion that is not offered the spread as well, so it
     always competes. BIC counts people, not answers, for people are what is drawn (G. Schwarz,
     Annals of Statistics 6, 1978). A class of one person is a person: classes of which fewer than
@@ -109,6 +110,7 @@ def population(
     >>> population(spread).kind
     'spread'
     """
+    answers = answers_of(answers)
     check_model(model)
     whole_of("most", most, 2, 10)
     whole_of("starts", starts, 1, 1000)

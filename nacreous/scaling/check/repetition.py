@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.scaling.check.share import Share
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.data.person import known_people
 from nacreous.value import value_class
 
@@ -34,9 +36,10 @@ class Retest:
     by_person: Mapping[str, Share]
 
 
-def retest(answers: Answers, level: float = 0.95) -> Retest | None:
+def retest(answers: Any, level: float = 0.95) -> Retest | None:
     """Compare each person's first two answers to a pair; None where nobody was asked twice.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     First and second go by `time` where it is known, else by row. A tie agrees with a tie only.
     Raises `InputError` where people are unknown.
 
@@ -44,6 +47,7 @@ def retest(answers: Answers, level: float = 0.95) -> Retest | None:
     >>> retest(Answers.of_table(table)).agreement.share
     1.0
     """
+    answers = answers_of(answers)
     person = known_people(answers)
     first, second = _repeats(answers, person)
     if len(first) == 0:

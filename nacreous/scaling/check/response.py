@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nacreous.number import number_of, row_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.rank import rank_correlation
 from nacreous.value import value_class
 
@@ -44,9 +46,11 @@ class ResponseTime:
 
 
 def response_time(
-    answers: Answers, scale: ArrayLike | None = None, fastest_s: float = FASTEST_S
+    answers: Any, scale: ArrayLike | None = None, fastest_s: float = FASTEST_S
 ) -> ResponseTime | None:
     """Medians, hasty answers, and the relation to `scale` [n]; None where no time is known.
+
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
 
     >>> table = {"left": ["a"] * 3, "right": ["b"] * 3, "chosen": ["a"] * 3}
     >>> table["response_s"] = [0.9, 0.1, 1.2]
@@ -54,6 +58,7 @@ def response_time(
     >>> time.median_s, time.too_fast.tolist()
     (0.9, [1])
     """
+    answers = answers_of(answers)
     limit = number_of("fastest_s", fastest_s)
     if not 0 <= limit <= 3600:
         raise InputError(f"fastest_s is {limit:g}; allowed: 0 to 3600")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.share import Share
 from nacreous.scaling.check.ways_round import WaysRound, ways_round
 from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.distribution import binom
 from nacreous.scaling.fit.blocks import numbered
 from nacreous.scaling.fit.uncertainty import holm, level_of
@@ -47,9 +49,10 @@ class SideBias:
     biased: tuple[str, ...]
 
 
-def side_bias(answers: Answers, level: float = 0.95) -> SideBias:
+def side_bias(answers: Any, level: float = 0.95) -> SideBias:
     """The share of left answers, in all and by person.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     Raises `InputError` where left and right are no places (answers from a list of pairs), or all
     answers are ties.
 
@@ -58,6 +61,7 @@ def side_bias(answers: Answers, level: float = 0.95) -> SideBias:
     >>> print(bias.left)
     16 of 16, 1.00 (0.81 to 1.00)
     """
+    answers = answers_of(answers)
     level = level_of(level)
     if not answers.sided:
         raise InputError("the answers have no sides: the first of a pair was not the left one")

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nacreous.number import seed_of
 from nacreous.scaling.check.tournament import EQUAL, shares_of
-from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.scaling.data.given import comparisons_of
 from nacreous.value import value_class
 
 #: Up to so many triads, 200 stimuli, each is looked at; beyond, as many are drawn.

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nacreous.scaling.check.circle import count_open
 from nacreous.scaling.check.tournament import Shares, shares_of
-from nacreous.scaling.data.comparisons import comparisons_of
+from nacreous.scaling.data.given import comparisons_of
 from nacreous.scaling.distribution import chi2
 from nacreous.value import value_class
 

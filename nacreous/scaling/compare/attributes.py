@@ -24,8 +24,8 @@ from nacreous.scaling.compare.attribute_line import Line, Prediction
 from nacreous.scaling.compare.attribute_table import AttributeTable, check_columns
 from nacreous.scaling.compare.estimate import Estimate, estimate, fit_of, hotelling
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.given import answers_or_counts, comparisons_of
 from nacreous.scaling.distribution import chi2, t
-from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.unit import check_model
 from nacreous.value import value_class
@@ -186,7 +186,8 @@ def fit_attributes(
     table = AttributeTable.of(attributes, stimulus)
     parts = table.terms_of(terms)
     names = tuple(":".join(part) for part in parts)
-    data, comparisons = counted(data)
+    data = answers_or_counts(data)
+    comparisons = comparisons_of(data)
     line = Line.through(table, parts, comparisons.stimuli, standardise)
     check_columns(line.columns, names)
     # In steps of each column's spread, so that units do not cost digits.

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.given import comparisons_of
 from nacreous.scaling.distribution import chi2, f
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone

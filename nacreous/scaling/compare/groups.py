@@ -39,9 +39,8 @@ from nacreous.scaling.compare.estimate import (
 from nacreous.scaling.compare.group_test import GroupTest, group_tests
 from nacreous.scaling.compare.pool import pooled
 from nacreous.scaling.compare.style import GroupStyle, styles_of
-from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import comparisons_of
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.given import answers_or_counts
 from nacreous.scaling.data.label import group_names
 from nacreous.scaling.distribution import t
 from nacreous.scaling.fit.scale import Scale
@@ -194,7 +193,7 @@ def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
     if len(groups) < 2:
         raise InputError(f"groups holds {listed(groups) or 'nothing'}; allowed: 2 groups or more")
     return {
-        name: data if isinstance(data, Answers) else comparisons_of(data)
+        name: answers_or_counts(data)
         for name, data in zip(group_names(groups), groups.values(), strict=True)
     }
 

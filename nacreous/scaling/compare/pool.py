@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.given import comparisons_of
 from nacreous.unchanging import released
 
 __all__ = ["pooled"]

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.given import comparisons_of
 from nacreous.scaling.fit.clustering import personal
 from nacreous.scaling.fit.existence import pair_model
 from nacreous.scaling.fit.scale import Scale

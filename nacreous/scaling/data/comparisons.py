@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.encoding import guessed_encoding
@@ -23,7 +22,7 @@ from nacreous.scaling.data.matrix import (
     labelled_matrix,
     read_matrix,
 )
-from nacreous.scaling.data.table import is_table, read_bytes
+from nacreous.scaling.data.table import read_bytes
 from nacreous.value import value_class
 
 
@@ -204,50 +203,3 @@ class Comparisons:
         return Comparisons(
             self.stimuli, pairs // count, pairs % count, left_wins, right_wins, ties, sided=False
         )
-
-
-def comparisons_of(data: Any) -> Comparisons:
-    """Whatever holds answers, counted by pair.
-
-    `Comparisons`, `Answers`, a path to a file of answers, a table of answers (pandas, Polars,
-    pyarrow, dict of columns left, right, chosen), a square matrix of counts (nested lists, NumPy,
-    a DataFrame), or a list of tuples (winner, loser). An array [answer, 2] of other than 2 rows is
-    a list of pairs too.
-
-    >>> comparisons_of([("a", "b"), ("b", "c")])
-    Comparisons(2 answers, 3 stimuli, 2 pairs)
-    """
-    from nacreous.scaling.data.answers import Answers  # which needs this module
-
-    if isinstance(data, Comparisons):
-        return data
-    if isinstance(data, Answers):
-        return data.comparisons()
-    if isinstance(data, str | PathLike):
-        return Answers.read(data).comparisons()
-    if is_table(data) and not _is_matrix(data):
-        return Answers.of_table(data).comparisons()
-    if isinstance(data, dict) or is_table(data) or not _are_pairs(data):
-        return Comparisons.of_counts(data)
-    return Answers.of_pairs(data).comparisons()
-
-
-def _is_matrix(table: Any) -> bool:
-    """Whether a frame is a square of counts; a table of answers has three columns with names."""
-    names = list(getattr(table, "columns", ()))
-    if isinstance(table, dict) or {"left", "right", "chosen"} & {str(name) for name in names}:
-        return False
-    return len(table) == len(names)
-
-
-def _are_pairs(data: Any) -> bool:
-    if isinstance(data, np.ndarray):
-        return data.ndim == 2 and data.shape[1] == 2 and data.shape[0] != 2
-    if not isinstance(data, list | tuple):
-        raise InputError(
-            f"the data are {said(data)}; allowed: answers, comparisons, a table, a matrix of "
-            "counts, or a list of (winner, loser)"
-        )
-    if not data or isinstance(data[0], tuple):
-        return True
-    return isinstance(data[0], list) and len(data[0]) == 2 and len(data) != 2

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous import file
-from nacreous.number import number_of
+from nacreous.number import number_of, said
 from nacreous.problem import InputError
 
 __all__ = ["SUFFIXES", "WIDTHS_PT", "Fitted", "by_name", "output", "span"]
@@ -46,6 +46,9 @@ def by_name(fits: F | Mapping[str, F]) -> dict[str, F]:
     named = dict(fits) if isinstance(fits, Mapping) else {"": fits}
     if not named:
         raise InputError("there are 0 scales to draw; allowed: 1 or more")
+    for fit in named.values():
+        if not all(hasattr(fit, part) for part in ("stimuli", "scale", "unit")):
+            raise InputError(f"fits holds {said(fit)}; wanted: scales, such as thurstone(answers)")
     first = next(iter(named.values()))
     for name, fit in named.items():
         if fit.stimuli != first.stimuli:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nacreous.number import seed_of, whole_of
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.column import Grouping
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.data.person import known_people
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.own_ties import with_own_ties
@@ -82,10 +83,11 @@ class _Sorted:
 
 
 def person_covariates(
-    answers: Answers, permutations: int = 999, seed: int = 1
+    answers: Any, permutations: int = 999, seed: int = 1
 ) -> tuple[Covariate, ...]:
     """Test every column that says one thing about each person: () where there is none.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     A person's slopes against the shares of all people, at the person's own width of ties, are
     summed over the people of each group;
     the statistic is the sum over groups of S' M^-1 S (people / people of the group), with M from
@@ -101,6 +103,7 @@ def person_covariates(
     >>> person_covariates(nc.scaling.simulate([1.0, 0.0, -1.0], people=40))
     ()
     """
+    answers = answers_of(answers)
     whole_of("permutations", permutations, 99, 1_000_000)
     blocks = with_own_ties(blocks_of(answers))
     columns = dict(_columns(answers)) if len(blocks.stimuli) <= MOST_STIMULI else {}
@@ -120,13 +123,14 @@ def person_covariates(
     )
 
 
-def untested_columns(answers: Answers) -> tuple[Untested, ...]:
+def untested_columns(answers: Any) -> tuple[Untested, ...]:
     """The columns of people that `person_covariates` leaves out; none in which all are alike.
 
     >>> import nacreous as nc
     >>> untested_columns(nc.scaling.simulate([1.0, 0.0, -1.0], people=40))
     ()
     """
+    answers = answers_of(answers)
     return tuple(each for _, each in _columns(answers) if isinstance(each, Untested))
 
 

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from nacreous._core import PairModel
 from nacreous.problem import InputError
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.given import comparisons_of
 
 REMEDY = "or a prior, as prior=1.0"
 

@@ -12,9 +12,8 @@ from typing import Any
 
 from nacreous.number import number_of, said
 from nacreous.problem import InputError
-from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import counted
 from nacreous.scaling.fit.existence import islands, pair_model, require_maximum
-from nacreous.scaling.fit.maximum_likelihood import counted
 from nacreous.scaling.fit.row_means import projection, z_of_pairs
 from nacreous.scaling.fit.scale import Scale
 
@@ -29,7 +28,7 @@ def least_squares(data: Any, extremes: float = 0.5) -> Scale:
     """
     if not 1e-3 <= number_of("extremes", extremes) <= 1:
         raise InputError(f"extremes is {said(extremes)}; allowed: 0.001 to 1 answer")
-    data, comparisons = counted(data)
+    answers, comparisons = counted(data)
     room = pair_model(comparisons, "probit")
     if len(comparisons.stimuli) < 2 or islands(comparisons).max() > 0:
         require_maximum(comparisons, room)
@@ -43,7 +42,7 @@ def least_squares(data: Any, extremes: float = 0.5) -> Scale:
         method="least-squares",
         comparisons=comparisons,
         log_likelihood=room.log_likelihood(values),
-        answers=data if isinstance(data, Answers) else None,
+        answers=answers,
         parameters=values,
         pair_model=room,
     )

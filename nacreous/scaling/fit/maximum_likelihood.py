@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -13,8 +12,8 @@ from nacreous._core import PairModel
 from nacreous.number import array_of, number_of, said
 from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
-from nacreous.scaling.data.table import is_table
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.given import counted
 from nacreous.scaling.fit.bias_reduction import bias_reduced
 from nacreous.scaling.fit.existence import pair_model, require_maximum
 from nacreous.scaling.fit.scale import Scale
@@ -33,7 +32,7 @@ def fitted(
     design: ArrayLike | None = None,
 ) -> Scale:
     """The most likely scale in the model's own unit; see `thurstone` for the arguments."""
-    data, comparisons = counted(data)
+    answers, comparisons = counted(data)
     _check_order(order, comparisons)
     spread = _prior_of(prior)
     table = None if design is None else _design_of(design, comparisons)
@@ -53,7 +52,7 @@ def fitted(
         posterior = spread_posterior(comparisons, model, with_ties, order)
         room = pair_model(comparisons, model, with_ties, order)
     parameters = room.fit()[0] if posterior is None else posterior.mean
-    found = _scale(data, comparisons, room, model, parameters, order, table)
+    found = _scale(answers, comparisons, room, model, parameters, order, table)
     # Without a tie the most likely threshold is 0.
     threshold = _threshold(parameters, model, with_ties) if ties else None
     return replace(found, tie_threshold=threshold, prior=spread, posterior=posterior)
@@ -61,7 +60,7 @@ def fitted(
 
 def reduced(data: Any, model: Model, ties: bool | None = None, order: bool = False) -> Scale:
     """The scale by bias reduction in the model's own unit; see `thurstone` for the arguments."""
-    data, comparisons = counted(data)
+    answers, comparisons = counted(data)
     _check_order(order, comparisons)
     if ties:
         raise InputError(
@@ -69,7 +68,7 @@ def reduced(data: Any, model: Model, ties: bool | None = None, order: bool = Fal
         )
     room = pair_model(comparisons, model, False, order)
     parameters = bias_reduced(room, comparisons, model, order)
-    found = _scale(data, comparisons, room, model, parameters, order, None)
+    found = _scale(answers, comparisons, room, model, parameters, order, None)
     return replace(found, method="bias-reduced")
 
 
@@ -81,7 +80,7 @@ def require_plain(prior: Prior, design: ArrayLike | None) -> None:
 
 
 def _scale(
-    data: Any,
+    answers: Answers | None,
     comparisons: Comparisons,
     room: PairModel,
     model: Model,
@@ -103,7 +102,7 @@ def _scale(
         order_effect=float(parameters[count]) if order else None,
         coefficients=None if design is None else parameters[:count],
         design=design,
-        answers=data if isinstance(data, Answers) else None,
+        answers=answers,
         parameters=parameters,
         pair_model=room,
     )
@@ -131,22 +130,6 @@ def _prior_of(prior: Prior) -> Prior:
             f"prior is {said(prior)}; allowed: a spread, 0.001 to 1000, 'hierarchical', or None"
         )
     return float(prior)
-
-
-def counted(data: Any) -> tuple[Any, Comparisons]:
-    """The data, as `Answers` where they are a file or table of answers, and their counts."""
-    if isinstance(data, str | PathLike):
-        data = Answers.read(data)
-    elif is_table(data) and {"left", "right", "chosen"} <= {str(c) for c in _columns(data)}:
-        data = Answers.of_table(data)
-    return data, comparisons_of(data)
-
-
-def _columns(table: Any) -> list[Any]:
-    if isinstance(table, dict):
-        return list(table)
-    names = getattr(table, "column_names", None)
-    return list(getattr(table, "columns", ()) if names is None else names)
 
 
 def _design_of(design: ArrayLike, comparisons: Comparisons) -> NDArray[np.float64]:

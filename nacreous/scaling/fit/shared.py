@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from nacreous._core import spread_of_people
 from nacreous.number import seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.data.answers import Answers
+from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.own_ties import choosing, with_own_ties
@@ -94,10 +95,11 @@ class SharedScale:
 
 
 def shared_scale(
-    answers: Answers, permutations: int = 999, seed: int = 1, progress: Progress | None = None
+    answers: Any, permutations: int = 999, seed: int = 1, progress: Progress | None = None
 ) -> SharedScale:
     """Test whether all people judge by one scale, by dealing answers anew within each pair.
 
+    answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
     The statistic is the sum over people of g' V^-1 g, with g the slopes of a person's answers
     against the shares of all people, and V their covariance where answers are dealt at random.
     Products of a person's answers to the same pair are left out, and such answers are dealt
@@ -119,6 +121,7 @@ def shared_scale(
     >>> nc.scaling.shared_scale(alike).differ()
     False
     """
+    answers = answers_of(answers)
     whole_of("permutations", permutations, 99, 1_000_000)
     choosers = choosing(answers)
     if len(choosers) == 0:

@@ -37,7 +37,8 @@ from numpy.typing import NDArray
 from nacreous.number import said, seed_of, truth_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import fit_of
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.given import comparisons_of
 from nacreous.scaling.data.label import labels_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.spread import HIERARCHICAL, Prior, prior_variance

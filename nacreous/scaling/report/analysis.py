@@ -17,7 +17,8 @@ from nacreous.problem import InputError
 from nacreous.scaling.check.checkup import Consistency, consistency
 from nacreous.scaling.check.misfit import Goodness, goodness
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.data.comparisons import Comparisons, comparisons_of
+from nacreous.scaling.data.comparisons import Comparisons
+from nacreous.scaling.data.given import counted
 from nacreous.scaling.fit.bradley import bradley_terry
 from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.existence import require_choices, require_joined
@@ -239,15 +240,14 @@ def analyse(
     """
     wanted = _settings(settings, asked)
     show = progress or (lambda _: None)
-    answers = data if isinstance(data, Answers) else None
-    comparisons = comparisons_of(data)
+    answers, comparisons = counted(data)
     require_choices(comparisons)  # halves of ties would pass for a finding
     require_joined(comparisons)  # with a prior too, whose guess would pass for a finding
     if wanted.group is not None and answers is None:
         raise InputError(f"group is {wanted.group!r}; allowed: none, for the data are counts")
     if wanted.group is not None and answers is not None:
         answers.split(wanted.group)  # says at once if there is no such column
-    own = _fitted(data if answers is None else answers, wanted)
+    own = _fitted(comparisons if answers is None else answers, wanted)
     fit = own.to(wanted.unit or MODELS[wanted.model])
     # Without anyone to show to, resampling need not stop to say how far it is.
     watch = None if progress is None else lambda share: show(_RESAMPLING * share)
