@@ -97,6 +97,11 @@ def _groups_told(found: Analysis) -> list[str]:
     found_none = "no difference of places found" if styles else "no difference found"
     what = f"{by} differ" if differ else f"{by}: {found_none} beyond chance"
     lines = [f"{what}, p = {groups.found.p_value:.3g}", *map(_style_told, styles)]
+    if groups.may_be_side(found.settings.level):
+        lines.append(
+            "how the side draws each group cannot be told, for pairs stood mostly one way round or "
+            "the side decided: groups may differ in that alone"
+        )
     if groups.left_out:
         names = listed(one.name for one in groups.left_out)
         lines.append(f"not compared, for they have no scale of their own: {names}")
