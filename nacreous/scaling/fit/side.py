@@ -15,11 +15,11 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.fit.existence import pair_model
 
-__all__ = ["fits_side", "tells_side"]
+__all__ = ["LEAST_EXCHANGED", "fits_side", "tells_side"]
 
 #: Of the answers of each group, such a share has a partner with the sides exchanged **(ours)**:
 #: half of them have where two people saw each pair with tossed sides.
-_LEAST_EXCHANGED = 0.25
+LEAST_EXCHANGED = 0.25
 
 
 def fits_side(order: bool | None, data: Sequence[Comparisons], link: str, ties: bool) -> bool:
@@ -40,7 +40,7 @@ def fits_side(order: bool | None, data: Sequence[Comparisons], link: str, ties: 
 
 def tells_side(comparisons: Comparisons, link: str, ties: bool) -> bool:
     """Whether answers tell the pull of the side: pairs stood both ways round, and it is finite."""
-    if not comparisons.sided or _exchanged(comparisons) < _LEAST_EXCHANGED:
+    if not comparisons.sided or _exchanged(comparisons) < LEAST_EXCHANGED:
         return False
     return pair_model(comparisons, link, ties, True).existence() not in ("order", "ties")
 
