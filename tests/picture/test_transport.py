@@ -112,7 +112,7 @@ def test_no_spread_is_needed_to_be_finite() -> None:
 
 
 def test_the_overtone_of_a_black_pearl_covers_it_beyond_the_lamps_image() -> None:
-    """Median chroma outside the highlight at least half of that inside; a level film has a sixth."""
+    """Median chroma outside the highlight: half of that inside at least; level, it is a sixth."""
 
     def share(waviness_rad: float) -> float:
         pearl = Pearl.load("tahitian", [("surface.waviness_rad", waviness_rad)])
