@@ -40,9 +40,9 @@ def check_rewritten(labels: Iterable[str], place: str) -> None:
         for text, how in _readings(label):
             if text != label and text in known:
                 raise _likely_one(place, text, label, f"label, the second {how}")
-        other = paths.setdefault(_path(label), label)
-        if other != label:
-            raise _likely_one(place, other, label, "file")
+        same = paths.setdefault(_path(label), label)
+        if same != label:
+            raise _likely_one(place, same, label, "file")
         if _has_lost(label) and (other := whole.get(_with_lost(label))):
             raise _likely_one(place, other, label, "label, the second with letters lost")
 
