@@ -89,6 +89,7 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     is above 0, or every k below it. Single rows of that kind, which some published tables have, are
     refused where a wavelength is asked for that needs them.
 
+    >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> text = "DATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n    coefficients: "
     >>> bk7 = "0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653"
