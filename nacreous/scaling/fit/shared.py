@@ -78,7 +78,7 @@ class SharedScale:
         >>> import nacreous as nc
         >>> own = nc.scaling.simulate([0.8, 0.0, -0.8], people=60, person_spread=1.0, seed=1)
         >>> nc.scaling.shared_scale(own).verdict()
-        'people do not share one scale, p 0.003 (other orders)'
+        'people do not share one scale, p 0.007 (other orders)'
         """
         if not self.differ(level) and not self.tells:
             return (
