@@ -12,7 +12,7 @@ use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, SAMPLES};
 use nacreous_image::{
     Ball, Body, Film, Glow, Light, Lit, Microfacets, Model, Palette, Response, Sky, Source,
-    Surface, Surroundings, Table, Transport, Window,
+    Surface, Surroundings, Table, Transport, Waviness, Window,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Medium, Season};
 
@@ -21,6 +21,7 @@ const COLUMNS: u64 = 64;
 const OUTER_NM: f64 = 37e3;
 /// What the knobs of `akoya-rg` give.
 const FACET_SPREAD_RAD: f64 = 0.034_733;
+const WAVINESS_RAD: f64 = 0.05;
 const INSIDE_SPREAD: f64 = 0.116_3;
 
 fn main() {
@@ -52,10 +53,11 @@ fn one_run() -> Vec<(&'static str, f64)> {
     let (around, palette) = scene();
     let columns = timed(&mut parts, "growth", columns);
     let never = AtomicBool::new(false);
-    let film = timed(&mut parts, "film", || Film::new(&columns, &never));
+    let waviness = Waviness::new(WAVINESS_RAD);
+    let film = timed(&mut parts, "film", || Film::new(&columns, waviness.parts(), &never));
     let film = film.expect("media known in the light").expect("never stopped");
     let microfacets = Microfacets::grooves(FACET_SPREAD_RAD);
-    let surface = timed(&mut parts, "surface", || Surface::new(film, microfacets));
+    let surface = timed(&mut parts, "surface", || Surface::new(&film, microfacets, waviness));
     let response = timed(&mut parts, "response", || response(&surface, &palette));
     let around = timed(&mut parts, "settle", || around.settled(true));
     let first = timed(&mut parts, "pearl", || pearl(&response, &around));
@@ -132,6 +134,6 @@ fn response(surface: &Surface, palette: &Palette) -> Arc<Response> {
 }
 
 fn pearl(response: &Arc<Response>, around: &Lit) -> Model {
-    let transport = Transport::new(Arc::clone(response), around, 0, 4);
+    let transport = Transport::new(response, around, 0, 4);
     Model::Transport(Box::new(transport))
 }

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import reprlib
 import stat
+import unicodedata
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from os import PathLike
@@ -32,6 +33,7 @@ __all__ = [
     "read_panorama",
     "read_photograph",
     "read_png_text",
+    "read_text",
     "require_apart",
 ]
 
@@ -179,6 +181,26 @@ def read_bytes(path: str | PathLike[str], most_mb: int) -> bytes:
     if len(content) > most_mb * 1_000_000:
         raise InputError(f"{path}: more than {most_mb} MB; allowed: up to {most_mb} MB")
     return content
+
+
+def read_text(path: str | PathLike[str], most_mb: int) -> str:
+    r"""All that a table holds: UTF-16 where it says so, else UTF-8, else Latin-1; lines end in \n.
+
+    >>> read_text("no such lamp.csv", 1)
+    Traceback (most recent call last):
+    nacreous.problem.InputError: no such lamp.csv: does not exist
+    """
+    content = read_bytes(path, most_mb)
+    marked = content[:2] in (b"\xff\xfe", b"\xfe\xff")
+    for encoding in ["utf-16"] if marked else ["utf-8-sig", "latin-1"]:
+        try:
+            text = content.decode(encoding).replace("\r\n", "\n").replace("\r", "\n")
+        except UnicodeDecodeError:
+            continue
+        # In Latin-1 every byte is a letter, or a control character that no text has.
+        if not any(unicodedata.category(letter) == "Cc" for letter in set(text) - set("\t\n\r\f")):
+            return text
+    raise InputError(f"{path}: not text; allowed: a table in UTF-8, UTF-16 or Latin-1")
 
 
 def check_ordinary(path: str | PathLike[str]) -> Path:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import unicodedata
 from pathlib import Path
 
 from nacreous import _core
 from nacreous.colour.samples import Array
-from nacreous.file import read_bytes
-from nacreous.problem import InputError
+from nacreous.file import read_text
 
 _LARGEST_MB = 1
 
@@ -54,24 +52,7 @@ def spectrum_from_csv(path: str | Path) -> Array:
     ...     float(spectrum_from_csv(file)[100])
     1.0
     """
-    content = read_bytes(path, _LARGEST_MB)
-    return _core.spectrum_from_csv(_text(path, content), str(path))
-
-
-def _text(path: str | Path, content: bytes) -> str:
-    """UTF-16 where the file says so, else UTF-8, else Latin-1, in which every byte is a letter."""
-    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        encodings = ["utf-16"]
-    else:
-        encodings = ["utf-8-sig", "latin-1"]
-    for encoding in encodings:
-        try:
-            text = content.decode(encoding).replace("\r\n", "\n").replace("\r", "\n")
-        except UnicodeDecodeError:
-            continue
-        if not any(unicodedata.category(letter) == "Cc" for letter in set(text) - set("\t\n\r\f")):
-            return text
-    raise InputError(f"{path}: not text; allowed: a table in UTF-8, UTF-16 or Latin-1")
+    return _core.spectrum_from_csv(read_text(path, _LARGEST_MB), str(path))
 
 
 def light(name_or_path: str) -> Array:

@@ -54,7 +54,7 @@ def told(found: Analysis, seconds: float) -> str:
         f"person {one.person} always said tie ({one.ties} of the {one.of} ties)"
         for one in found.consistency.always_tied[:_MOST_UNTESTED]
     ]
-    lines += _groups_told(found) + _left_out_told(found) + _times_told(found)
+    lines += _groups_told(found) + _drawn_told(found) + _left_out_told(found) + _times_told(found)
     lines += _read_told(found) + _untested_told(found)
     return "\n".join([*lines, _fit_verdict(found)])
 
@@ -97,6 +97,11 @@ def _groups_told(found: Analysis) -> list[str]:
     found_none = "no difference of places found" if styles else "no difference found"
     what = f"{by} differ" if differ else f"{by}: {found_none} beyond chance"
     lines = [f"{what}, p = {groups.found.p_value:.3g}", *map(_style_told, styles)]
+    if groups.may_be_side(found.settings.level):
+        lines.append(
+            "how the side draws each group cannot be told, for pairs stood mostly one way round or "
+            "the side decided: groups may differ in that alone"
+        )
     if groups.left_out:
         names = listed(one.name for one in groups.left_out)
         lines.append(f"not compared, for they have no scale of their own: {names}")
@@ -110,6 +115,18 @@ def _style_told(style: GroupStyle) -> str:
     what = "calls more things equal" if style.name == "ties" else "is drawn more to the left"
     shares = f"{more:.0f} to {less:.0f} of 100"
     return f"{most} {what} than {least}, of two alike {shares}, p = {style.p_adjusted:.3g}"
+
+
+def _drawn_told(found: Analysis) -> list[str]:
+    """Columns of people whom the side draws differently; those of the groups are said there."""
+    columns = () if found.people is None else found.people.covariates
+    drawn = [one for one in columns if one.side_differs(found.settings.level)]
+    return [
+        f"the side draws people who differ in {one.column} differently, which is no other scale, "
+        f"p = {one.side_p_adjusted:.3g}"
+        for one in drawn[:_MOST_UNTESTED]
+        if one.column != found.settings.group
+    ]
 
 
 def _left_out_told(found: Analysis) -> list[str]:

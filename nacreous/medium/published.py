@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from os import PathLike
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nacreous.file import named, read_bytes
+from nacreous.file import named, read_text
 from nacreous.medium.dispersion import ALLOWED, Dispersion, fits
-from nacreous.medium.record import parts_of_csv, parts_of_yaml
+from nacreous.medium.record import parts_of_yaml
+from nacreous.medium.table import parts_of_csv
 from nacreous.number import array_of
 from nacreous.problem import InputError
 from nacreous.value import value_class
@@ -79,14 +79,17 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     r"""A medium from a file of refractiveindex.info, as published: YAML or CSV.
 
     path: a `.yml` or `.yaml` of the database, or a `.csv` (`.txt`, `.tsv`) of its download.
-    All nine dispersion formulas and the tables of n, of k and of both are read; between the rows of
-    a table lie straight lines. Without k the medium is lossless. Wavelengths are taken as in
-    vacuum and n as absolute: in air both would differ by 0.03 %.
+    UTF-8, UTF-16 or Latin-1, at most 10 MB. All nine dispersion formulas and the tables of n, of k
+    and of both are read; between the rows of a table lie straight lines. A CSV's first column is a
+    wavelength in um, or in nm where its name says so; another quantity there is refused by its
+    name. Without k the medium is lossless. Wavelengths are taken as in vacuum and n as absolute: in
+    air both would differ by 0.03 %.
 
     Raises `InputError` that names the file and what is wrong in it, such as a table in which no n
     is above 0, or every k below it. Single rows of that kind, which some published tables have, are
     refused where a wavelength is asked for that needs them.
 
+    >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> text = "DATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n    coefficients: "
     >>> bk7 = "0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653"
@@ -105,7 +108,7 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
         raise InputError(
             f"{path}: the ending is {place.suffix or 'missing'}; allowed: {', '.join(_ENDINGS)}"
         )
-    text = _text(place)
+    text = read_text(place, _LARGEST_MB)
     try:
         parts, source = parts_of_yaml(text) if is_yaml else (parts_of_csv(text), "")
         if "n" not in parts:
@@ -125,10 +128,3 @@ def _check(name: str, values: NDArray[np.float64], nm: NDArray[np.float64]) -> N
             f"{name} is {values[wrong].flat[0]:g} at {nm[wrong].flat[0]:g} nm in the medium's "
             f"file; allowed: {ALLOWED[name]}"
         )
-
-
-def _text(place: Path) -> str:
-    try:
-        return read_bytes(place, _LARGEST_MB).decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{place}: not text; allowed: UTF-8") from None

@@ -54,3 +54,14 @@ class Surface(Section):
         source="paper 4.2, Torrance and Sparrow 1967; Walter and others 2007 (GGX)",
         model="transport",
     )
+    waviness_rad: float = quantity(
+        0.05,
+        "Spread of the lean of the tablets below against the surface: what they mirror lies around "
+        "the lamp's image, coloured; 0 leaves all in one image.",
+        least=0,
+        most=0.3,
+        unit="rad",
+        source="5 degrees to either side in mature nacre of Pinna, 7.5 in early nacre "
+        "(Hovden and others 2015); of pearls nobody has measured it **(ours)**",
+        model="transport",
+    )

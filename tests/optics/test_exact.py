@@ -312,6 +312,28 @@ def test_few_wavelengths_beside_many_angles_give_what_each_angle_gives_alone(
             np.testing.assert_allclose(getattr(table, share), rows, rtol=0, atol=tolerance)
 
 
+@pytest.mark.parametrize("precision", ["double", "single"])
+@pytest.mark.parametrize(
+    ("media", "in_double", "in_single"),
+    [
+        ((1.53, 1.43, 1.0, 1.53), 0.0, 0.0),
+        (("aragonite", 1.43, 1.0, "aragonite"), 0.0, 0.0),
+        ((1.9, 1.2, 1.8, 1.0), 1e-12, 1e-3),
+    ],
+)
+def test_without_total_reflection_what_else_is_asked_changes_no_bit(
+    media: tuple[Any, ...], in_double: float, in_single: float, precision: str
+) -> None:
+    random = np.random.default_rng(6)
+    stack = nc.LayerStack(random.normal(380, 30, 60), 20.0, *media)
+    angle, nm = random.uniform(0, 1.48, 24), np.sort(random.uniform(402, 680, 70))
+    table = reflectance(stack, angle, nm, precision=precision)
+    most = in_double if precision == "double" else in_single
+    for few in (1, 5, 16, 17, 33):
+        part = reflectance(stack, angle[:7], nm[:few], precision=precision)
+        assert np.abs(part - table[:7, :few]).max() <= most
+
+
 def test_single_precision_is_right_to_1e_4_and_1e_5_rms() -> None:
     """At 400 bilayers, isotropic and uniaxial."""
     layers = np.random.default_rng(5).normal(450, 40, 400)

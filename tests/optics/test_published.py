@@ -321,8 +321,8 @@ def test_a_mediums_function_may_return_a_number() -> None:
             "DATA:\n  - type: formula 5\n    wavelength_range: 1 0.3\n    coefficients: 1.5",
             "DATA[0]: wavelength_range is 1 to 0.3; allowed: rising",
         ),
-        ("a.csv", "wl,m\n0.4,1.5\n", "columns are ['m']; allowed: wl, then n, k or both"),
-        ("a.csv", "wl,n\n0.4,1.5,2\n", "rows, row 1 has 3 numbers; allowed: 2"),
+        ("a.csv", "wl,m\n0.4,1.5\n", "row 1: columns are ['m']; allowed: wl, then n, k or both"),
+        ("a.csv", "wl,n\n0.4,1.5,2\n", "row 2 has 3 numbers; allowed: 2"),
         ("a.csv", "", "n is missing; allowed: n, or n and k"),
         ("a.json", "{}", "the ending is .json; allowed: .yml, .yaml, .csv, .txt, .tsv"),
     ],
@@ -371,17 +371,17 @@ def test_exponents_of_fortran_are_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [
-        ("a.csv", "wl,n\n0.4,1_5\n", "rows, row 1 has '1_5'; allowed: finite numbers"),
-        ("a.csv", "wl,n\n0.4,1.5\nnan,1.6\n", "rows, row 2 has 'nan'; allowed: finite numbers"),
-        ("a.csv", "wl,n\n0.0,1.5\n", "rows, row 1 has wavelength 0; allowed: above 0"),
+        ("a.csv", "wl,n\n0.4,1_5\n", "row 2 has '1_5'; allowed: finite numbers"),
+        ("a.csv", "wl,n\n0.4,1.5\nnan,1.6\n", "row 3 has 'nan'; allowed: finite numbers"),
+        ("a.csv", "wl,n\n0.0,1.5\n", "row 2 has wavelength 0; allowed: above 0"),
         ("a.csv", 'wl,n\n0.4,"' + "1" * 200_000, "no table (field larger than field limit"),
         (
             "a.yml",
             "DATA:\n  - type: tabulated n\n    data: |\n      # wl n\n      -0.4 1.5\n",
             "data, row 1 has wavelength -0.4; allowed: above 0",
         ),
-        ("a.csv", "wl,n\n0.4,-1.5\n0.6,0\n", "rows, row 1 has n = -1.5, and no row has above 0"),
-        ("a.csv", "wl,n,k\n0.4,1.5,-0.1\n", "rows, row 1 has k = -0.1, and no row has 0 or more"),
+        ("a.csv", "wl,n\n0.4,-1.5\n0.6,0\n", "row 2 has n = -1.5, and no row has above 0"),
+        ("a.csv", "wl,n,k\n0.4,1.5,-0.1\n", "row 2 has k = -0.1, and no row has 0 or more"),
         (
             "a.yml",
             "DATA:\n  - type: tabulated nk\n    data: |\n      0.4 1.5 -1\n      0.5 1.5 -2\n",
@@ -426,15 +426,13 @@ def test_a_path_that_cannot_be_is_refused_in_words(path: object) -> None:
             reader(path)  # type: ignore[operator]
 
 
-@pytest.mark.parametrize("head", ["eV,n,k", "wl (A),n,k", "wavelength [cm-1],n,k", "energy,n,k"])
-def test_wavelengths_in_a_unit_that_is_not_read_are_refused_by_name(
-    head: str, tmp_path: Path
-) -> None:
-    file = tmp_path / "medium.csv"
-    file.write_text(f"{head}\n1.5,1.5,0\n3,1.6,0\n", "utf-8")
-    with pytest.raises(nc.InputError, match=r"wavelengths are in .*; allowed: um or nm"):
-        nc.medium.read(file)
-    for unit in ("wl", "wl,um", "Wavelength (\u00b5m)", "lambda [micron]"):
-        name = unit.split(",")[0]
-        file.write_text(f"{name},n,k\n0.4,1.5,0\n0.8,1.6,0\n", "utf-8")
-        assert nc.medium.read(file).last_nm == pytest.approx(800.0)
+def test_older_copies_of_the_database_call_the_range_range(tmp_path: Path) -> None:
+    text = "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 2\n    coefficients: 1.5\n"
+    new = medium.read(written(tmp_path, text, "new.yml"))
+    older = text.replace("wavelength_range", "range")
+    assert medium.read(written(tmp_path, older, "old.yml")) == new
+    lacking = text.replace("    wavelength_range: 0.3 2\n", "")
+    with pytest.raises(
+        InputError, match=r"DATA\[0\]: wavelength_range is missing; allowed: two num"
+    ):
+        medium.read(written(tmp_path, lacking, "lacking.yml"))

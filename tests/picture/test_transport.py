@@ -51,7 +51,8 @@ def test_a_white_table_under_a_lossless_pearl_keeps_its_light_where_they_are_apa
 def test_with_absorption_the_loss_is_the_bodys() -> None:
     # Colours of a body that absorbs, against the series of its rounds: enter, come back by rho,
     # leave by the film or be mirrored back. The film's share by exact optics of the same columns.
-    gold = pearl(body={"pigment": "gold", "nacre_mm": 0.5})
+    body, level = {"pigment": "gold", "nacre_mm": 0.5}, {"waviness_rad": 0.0}
+    gold = pearl(body=body, surface=level)
     nm = np.arange(380.0, 781.0)
     columns = columns_of(gold)
     cosine = (np.arange(64) + 0.5) / 64
@@ -108,3 +109,19 @@ def test_listed_layers_are_spread_from_column_to_column() -> None:
 def test_no_spread_is_needed_to_be_finite() -> None:
     thin = Pearl(nacre={"thickness_nm": [1.0]}, film={"column_spread_nm": 200.0})
     assert np.isfinite(nc.render(thin, size=16, samples=1).linear).all()
+
+
+def test_the_overtone_of_a_black_pearl_covers_it_beyond_the_lamps_image() -> None:
+    """Median chroma outside the highlight: half of that inside at least; level, it is a sixth."""
+
+    def share(waviness_rad: float) -> float:
+        pearl = Pearl.load("tahitian", [("surface.waviness_rad", waviness_rad)])
+        image = nc.render(pearl, "north-window-black", size=160)
+        whole = image.layers["coverage"][..., 0] > 0.99
+        xyz = nc.colour.xyz_from_rgb(image.linear[whole].astype(float))
+        lightness, a, b = nc.colour.lab_from_xyz(xyz, nc.colour.white_xyz("D65")).T
+        chroma, highlight = np.hypot(a, b), lightness > 60.0
+        return float(np.median(chroma[~highlight]) / np.median(chroma[highlight]))
+
+    assert share(nc.load("tahitian").surface.waviness_rad) > 0.5
+    assert share(0.0) < 0.2

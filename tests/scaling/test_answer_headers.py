@@ -78,6 +78,15 @@ def test_a_mistyped_name_is_not_taken_for_a_column_that_has_a_role_already(tmp_p
         (["A oder B?", "B oder C?"], "A vs B"),
         (["AかB？", "BかC？"], "A vs B"),
         (["A / B", "B / C"], "A vs B"),
+        (["Was glänzt mehr: A gegen B", "Was glänzt mehr: B gegen C"], "Was glänzt mehr: A vs B"),
+        (["A contre B", "B contre C"], "A vs B"),
+        (["A contra B?", "B contra C?"], "A vs B"),
+        (["A contro B", "B contro C"], "A vs B"),
+        (["A o B", "B o C"], "A vs B"),
+        (["A対B", "B対C"], "A vs B"),
+        (["A 対 B", "B 対 C"], "A vs B"),
+        (["AｖｓB", "BｖｓC"], "A vs B"),
+        (["A OR B", "B OR C"], "A vs B"),
     ],
 )
 def test_columns_of_pairs_in_other_words_are_told_with_vs(tmp_path, names, told):

@@ -26,7 +26,7 @@ def two(people=25, seed=1, *, first, second):
     }
 
 
-def rejected(studies, model="probit", order=False):
+def rejected(studies, model="probit", order=None):
     """By test of the places, in how many studies it rejects."""
     found = [
         compare_groups(study, model, order=order, same_people=False, permutations=99)
@@ -43,13 +43,14 @@ def rejected(studies, model="probit", order=False):
         ({"tie": 0.5}, {"tie": 0.12}),
         ({"tie": 0.5}, {}),
         ({"tie": 0.3, "order": 0.5}, {"tie": 0.3, "order": -0.3}),
+        ({"order": 1.2}, {}),
     ],
 )
 def test_ways_of_answering_are_no_other_places(first, second, model):
     """5 % of 40 exceeds 7 once in 1000 runs."""
     ways = {"first": first | {"model": model}, "second": second | {"model": model}}
     studies = [two(seed=seed, **ways) for seed in range(40)]
-    found = rejected(studies, model, order="order" in first)
+    found = rejected(studies, model)
     assert max(found.values()) <= 7 / 40
 
 
@@ -64,7 +65,7 @@ def test_other_places_are_found_whatever_the_ways_of_answering():
 def test_a_restriction_is_the_fit_with_its_parameters_alike():
     """Without ties and side nothing is free in a group: the likeliest are those of all answers."""
     groups = two(first={}, second={})
-    shared = compare_groups(groups, same_people=False, permutations=99).shared
+    shared = compare_groups(groups, order=False, same_people=False, permutations=99).shared
     alike = restricted(groups, shared, "places")
     assert alike.log_likelihood == pytest.approx(shared.log_likelihood, abs=1e-9)
     assert alike.free == 4
@@ -91,6 +92,47 @@ def test_ways_of_answering_have_p_values_of_their_own_corrected_for_their_number
     assert (side.most, side.least) == ("x", "y")
     assert side.shares["x"] > 0.5 > side.shares["y"]
     assert found.df == 4
+
+
+def one_way_round(answers):
+    """The same choices, each pair with its first stimulus on the left."""
+    turned = answers.left > answers.right
+    return replace(
+        answers,
+        left=np.minimum(answers.left, answers.right),
+        right=np.maximum(answers.left, answers.right),
+        outcome=np.where(turned, -answers.outcome, answers.outcome).astype(np.int8),
+    )
+
+
+def test_a_side_that_no_pair_tells_is_not_fitted_and_groups_may_differ_by_it():
+    studies = [two(seed=seed, first={}, second={}) for seed in range(40)]
+    still = [{name: one_way_round(one) for name, one in study.items()} for study in studies]
+    assert rejected(still)["permutation"] <= 7 / 40
+    found = [compare_groups(one, same_people=False, permutations=99) for one in still[:3]]
+    assert all(one.side_untold and not one.styles for one in found)
+    told = compare_groups(studies[0], same_people=False, permutations=99)
+    assert (told.side_untold, [one.name for one in told.styles]) == (False, ["side"])
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("en", "they may differ in that alone"), ("ja", "それだけによる可能性があります")],
+)
+def test_groups_that_differ_where_the_side_is_not_told_are_said_to(language, said):
+    groups = two(first={}, second={}).values()
+    other = simulate(dict.fromkeys(TRUTH, 0.0), 25, seed=9)
+    still = one_way_round(together(next(iter(groups)), other))
+    found = analyse(with_columns(still, g=["x"] * 25 + ["y"] * 25), bootstrap=0, group="g")
+    assert found.groups_differ
+    assert said in found.text("a.html", language)
+    assert "groups may differ in that alone" in told(found, 0.0)
+
+
+def test_counts_of_winners_have_no_side_to_tell():
+    found = compare_groups({"x": [[0, 9], [5, 0]], "y": [[0, 5], [9, 0]]})
+    assert not found.side_untold
+    assert found.styles == ()
 
 
 @pytest.fixture(scope="module")

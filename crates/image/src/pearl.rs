@@ -1,11 +1,14 @@
 //! What a pearl does with light, by either model, point by point.
 
 pub(crate) mod body;
+pub(crate) mod gathered;
 pub(crate) mod glint;
 pub(crate) mod illuminant;
 pub(crate) mod knob;
+pub(crate) mod lobe_colours;
 pub(crate) mod model;
 pub(crate) mod passage;
+pub(crate) mod reflection;
 pub(crate) mod reflection_cache;
 pub(crate) mod response;
 pub(crate) mod shade;

@@ -69,7 +69,7 @@ impl Set {
         let light = light(&vec![source(1.0); places.len()], sky);
         let lamps = places.iter().map(|&place| {
             let brightness = light.brightness(&source(1.0)).unwrap();
-            Lamp::new(place, 0.05, brightness).resolved_for(&facets.microfacets)
+            Lamp::new(place, 0.05, brightness).resolved_for(&facets.microfacets.into())
         });
         let rings = Rings::new(&december(), &MODEL, &light, &Progress::default()).unwrap().unwrap();
         let even = Sky::Gradient { horizon: [sky; 3], zenith: [sky; 3] };

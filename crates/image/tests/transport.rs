@@ -9,16 +9,16 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Microfacets, Model, Panorama,
-    Pearl, Place, Projection, Response, Sight, Sky, Source, Spread, Surface, Surroundings,
-    Transport,
+    Arounds, BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Microfacets, Model,
+    Panorama, Pearl, Place, Projection, Response, Sight, Sky, Source, Spread, Surface,
+    Surroundings, Transport, Waviness,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
 
 const SIDE: usize = 4;
 
 /// Disordered uniaxial nacre: thicknesses that a plain rule throws about.
-fn film() -> Film {
+fn film(waviness: Waviness) -> Film {
     let named = |name| Medium::named(name).unwrap();
     let air = Index::new("air", 1.0, 0.0).unwrap();
     let column = |column: usize| {
@@ -28,7 +28,16 @@ fn film() -> Film {
             .unwrap()
     };
     let columns: Vec<LayerStack> = (0..16).map(column).collect();
-    Film::new(&columns, &AtomicBool::new(false)).unwrap().unwrap()
+    Film::new(&columns, waviness.parts(), &AtomicBool::new(false)).unwrap().unwrap()
+}
+
+fn level(microfacets: Microfacets) -> Surface {
+    waving(microfacets, 0.0)
+}
+
+fn waving(microfacets: Microfacets, slope_rad: f64) -> Surface {
+    let waviness = Waviness::new(slope_rad);
+    Surface::new(&film(waviness), microfacets, waviness)
 }
 
 struct Scene {
@@ -61,7 +70,7 @@ impl Scene {
     fn pearl(&self, surface: &Surface, body: &Body) -> Pearl {
         let (palette, around) = (self.light.palette(), &self.surroundings);
         let response = Arc::new(Response::new(surface, body, &palette, &self.lamps));
-        let transport = Transport::new(response, around, 0, SIDE);
+        let transport = Transport::new(&response, around, 0, SIDE);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         Pearl { model: Arc::new(Model::Transport(Box::new(transport))), texture: None, grain }
     }
@@ -81,7 +90,7 @@ impl Scene {
         let spread = Spread::of_square(0.01 / self.surroundings.balls[0].radius_mm, hit.cos_view);
         for part in 0..side {
             let view = -ray.along;
-            let (ball, pixel_mm, part, around) = (0, 0.01, (part, side), None);
+            let (ball, pixel_mm, part, around) = (0, 0.01, (part, side), Arounds::default());
             let sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
@@ -103,14 +112,18 @@ fn white(spread: f64) -> Body {
 #[test]
 fn a_lossless_pearl_in_even_light_cannot_be_seen() {
     let furnace = scene([1.0; 3], [1.0; 3], None);
-    for microfacets in [
-        Microfacets::grooves(0.012),
-        Microfacets::grooves(0.25),
-        Microfacets::ggx(0.1),
-        Microfacets::ggx(0.4),
+    for (microfacets, slope_rad) in [
+        (Microfacets::grooves(0.012), 0.0),
+        (Microfacets::grooves(0.25), 0.0),
+        (Microfacets::ggx(0.1), 0.0),
+        (Microfacets::ggx(0.4), 0.0),
+        (Microfacets::grooves(0.012), 0.02),
+        (Microfacets::grooves(0.05), 0.3),
+        (Microfacets::ggx(0.1), 0.12),
     ] {
+        let surface = waving(microfacets, slope_rad);
         for spread in [0.0, 0.3, 1000.0] {
-            let pearl = furnace.pearl(&Surface::new(film(), microfacets), &white(spread));
+            let pearl = furnace.pearl(&surface, &white(spread));
             for (x, y) in PLACES {
                 let (inside, mirror) = furnace.seen(&pearl, x, y);
                 for i in 0..3 {
@@ -132,7 +145,7 @@ fn what_is_missing_in_even_light_is_what_the_body_absorbs() {
     // that the eye looks.
     let furnace = scene([1.0; 3], [1.0; 3], None);
     let reflectance: Bands = std::array::from_fn(|band| 0.95 - 0.015 * band as f64);
-    let surface = Surface::new(film(), Microfacets::grooves(0.05));
+    let surface = level(Microfacets::grooves(0.05));
     let n2 = 0.5 * (1.683_f64.powi(2) + 1.530_f64.powi(2));
     let out = surface.entering_from_all_sides().map(|share| share / n2);
     let absorbed: Bands = std::array::from_fn(|band| {
@@ -194,7 +207,7 @@ fn entering(scene: &Scene, surface: &Surface, normal: DVec3, lamp: Option<DVec3>
 fn without_spread_the_body_is_matt() {
     let lamp = DVec3::new(0.5, 0.7, 0.5).normalize();
     let scene = scene([0.3, 0.2, 0.1], [0.5, 0.7, 1.0], Some((lamp, 0.02)));
-    let surface = Surface::new(film(), Microfacets::grooves(0.05));
+    let surface = level(Microfacets::grooves(0.05));
     let reflectance: Bands = std::array::from_fn(|band| 0.5 + 0.01 * band as f64);
     let pearl = scene.pearl(&surface, &Body { reflectance, spread: 0.0 });
     let leaving = surface.leaving(&reflectance);
@@ -220,7 +233,7 @@ fn much_spread_is_the_illuminant_limit() {
     // place (paper 3.1).
     let lit = |lamp: DVec3| scene([0.2; 3], [0.2; 3], Some((lamp.normalize(), 0.1)));
     let lamps = [DVec3::Y, DVec3::new(-1.0, -0.2, 0.3), DVec3::NEG_Z];
-    let surface = Surface::new(film(), Microfacets::grooves(0.05));
+    let surface = level(Microfacets::grooves(0.05));
     let all = surface.entering_from_all_sides();
     for scene in lamps.map(|lamp| Box::new(lit(lamp))) {
         let pearl = scene.pearl(&surface, &white(1000.0));
@@ -274,19 +287,19 @@ fn mirrored_by_all(
         for column in 0..2 * rows {
             let phi = (f64::from(column) + 0.5) * PI / f64::from(rows);
             let along = DVec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin());
-            let Some(glint) = surface.microfacets.mirrored(normal, DVec3::Z, along) else {
-                continue;
-            };
             let mut light = palette.bands(scene.surroundings.sky.radiance(along, 0.0));
             // The lamp: an even disc whose light on a surface that faces it is pi.
             let disc = 2.0 * (1.0 - 0.1_f64.cos());
             if lamp.is_some_and(|lamp| along.dot(lamp) > 0.1_f64.cos()) {
                 light = std::array::from_fn(|b| light[b] + scene.lamps[0][b] / disc);
             }
-            let film = surface.film.reflectance(glint.cos_half);
-            let bands = std::array::from_fn(|b| film[b] * light[b] * glint.share * solid);
-            for (sum, part) in all.iter_mut().zip(palette.rgb(&bands)) {
-                *sum += part;
+            for lobe in surface.lobes() {
+                let Some(glint) = lobe.facets().mirrored(normal, DVec3::Z, along) else { continue };
+                let film = lobe.mirrored(glint.cos_half);
+                let bands = std::array::from_fn(|b| film[b] * light[b] * glint.share * solid);
+                for (sum, part) in all.iter_mut().zip(palette.rgb(&bands)) {
+                    *sum += part;
+                }
             }
         }
     }
@@ -304,10 +317,14 @@ fn normal_at((x, y): (f64, f64)) -> DVec3 {
 fn few_facets_agree_with_all_of_them() {
     let lamp = DVec3::new(-0.4, 0.6, 0.7).normalize();
     let scene = scene([0.2, 0.3, 0.4], [1.0, 0.9, 0.7], Some((lamp, 0.1)));
-    for microfacets in
-        [Microfacets::grooves(0.1), Microfacets::ggx(0.1), Microfacets::grooves(0.25)]
-    {
-        let surface = Surface::new(film(), microfacets);
+    for (microfacets, slope_rad) in [
+        (Microfacets::grooves(0.1), 0.0),
+        (Microfacets::ggx(0.1), 0.0),
+        (Microfacets::grooves(0.25), 0.0),
+        (Microfacets::grooves(0.1), 0.05),
+        (Microfacets::grooves(0.1), 0.15),
+    ] {
+        let surface = waving(microfacets, slope_rad);
         let pearl = scene.pearl(&surface, &white(0.0));
         for place in MIRRORING {
             let all = mirrored_by_all(&scene, &surface, normal_at(place), Some(lamp));
@@ -341,10 +358,10 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
     let sky = Sky::Panorama { picture: Arc::new(panorama), rotation_rad: 0.3, intensity: 1.0 };
     let scene = Scene { surroundings: under(sky, vec![]), ..scene([0.0; 3], [0.0; 3], None) };
     for microfacets in [Microfacets::grooves(0.1), Microfacets::ggx(0.15)] {
-        let surface = Surface::new(film(), microfacets);
+        let surface = level(microfacets);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
         let response = Arc::new(Response::new(&surface, &white(0.0), &palette, &[]));
-        let many = Transport::new(response, around, 0, 64);
+        let many = Transport::new(&response, around, 0, 64);
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
         let pearl =
             Pearl { model: Arc::new(Model::Transport(Box::new(many))), texture: None, grain };
@@ -360,4 +377,32 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
             }
         }
     }
+}
+
+#[test]
+fn layers_that_hardly_wave_mirror_as_those_that_lie_level() {
+    let lamp = DVec3::new(-0.4, 0.6, 0.7).normalize();
+    let scene = scene([0.2, 0.3, 0.4], [1.0, 0.9, 0.7], Some((lamp, 0.1)));
+    let pearl = |slope_rad| scene.pearl(&waving(Microfacets::grooves(0.1), slope_rad), &white(0.3));
+    let (level, nearly) = (pearl(0.0), pearl(0.0005));
+    for place in MIRRORING {
+        let (of_level, of_nearly) =
+            (scene.seen(&level, place.0, place.1), scene.seen(&nearly, place.0, place.1));
+        for i in 0..3 {
+            assert!((of_level.0[i] - of_nearly.0[i]).abs() < 0.004);
+            assert!((of_level.1[i] - of_nearly.1[i]).abs() < 0.004 + 0.01 * of_level.1[i]);
+        }
+    }
+}
+
+#[test]
+fn the_surfaces_image_has_no_colour_and_the_layers_have() {
+    let chroma = |bands: Bands| {
+        let mean = bands.iter().sum::<f64>() / BANDS as f64;
+        let square = bands.iter().map(|share| (share - mean).powi(2)).sum::<f64>();
+        (square / BANDS as f64).sqrt() / mean
+    };
+    let surface = waving(Microfacets::grooves(0.03), 0.15);
+    let [sharp, layers] = surface.lobes() else { panic!("two lobes") };
+    assert!(chroma(sharp.mirrored(0.9)) < 0.05 && chroma(layers.mirrored(0.9)) > 0.2);
 }

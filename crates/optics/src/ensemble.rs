@@ -76,7 +76,7 @@ impl Ensemble {
         stop: &AtomicBool,
     ) -> Result<Option<Self>, OpticsError> {
         let Some(first) = stacks.first() else { return Ok(Some(self)) };
-        let media = table(first, angle_rad, wavelength_nm)?;
+        let media = table(first, model.origin, angle_rad, wavelength_nm)?;
         if stacks.iter().any(|stack| !stack.has_media_of(first)) {
             return Err(OpticsError::DifferentMedia);
         }

@@ -1,4 +1,3 @@
-//! What light does in nacre: Fresnel's equations at one boundary ([`fresnel`]), the exact reflectance and
 //! transmittance of a whole stack ([`TransferModel`]), and the interference of light spread through the
 //! whole nacre, after the paper of 1996 ([`IlluminantModel`]); and what scatters ([`kubelka_munk`]).
 //!
@@ -47,6 +46,6 @@ pub use film::{Amplitudes, Film, Plate};
 pub use fresnel::{Fresnel, fresnel};
 pub use illuminant::IlluminantModel;
 pub use resonance::{Resonance, resonances};
-pub use transfer::{Energies, Precision, TransferModel};
+pub use transfer::{Energies, Origin, Precision, TransferModel};
 pub use turbid::kubelka_munk;
 pub use wave::Polarisation;

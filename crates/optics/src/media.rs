@@ -6,6 +6,7 @@ use num_complex::Complex64;
 use crate::{
     OpticsError,
     lanes::{LANES, Lanes, Pair, filled},
+    transfer::Origin,
     wave::Plane,
     waves::Media,
 };
@@ -24,6 +25,7 @@ pub(crate) struct Table {
     pub(crate) is_isotropic: bool,
     /// A layer has an extinction coefficient.
     pub(crate) absorbs: bool,
+    origin: Origin,
 }
 
 /// The media's indices at a block of wavelengths.
@@ -63,7 +65,13 @@ impl Table {
                 .any(|media| !(media.aragonite.is_real() && media.protein.is_real())),
             indices,
             is_constant,
+            origin: Origin::Ambient,
         })
+    }
+
+    /// The same for light from somewhere else.
+    pub(crate) fn seen_from(self, origin: Origin) -> Self {
+        Self { origin, ..self }
     }
 
     /// The most phase that a nm of aragonite gives to any wave.
@@ -84,11 +92,11 @@ impl Table {
         block: usize,
     ) -> Media<N> {
         let cos_angle = &[cos_angle; LANES];
-        if self.is_constant {
+        self.met(if self.is_constant {
             Media::of::<1>(planes, &self.indices[0], cos_angle)
         } else {
             Media::of::<LANES>(planes, &self.indices[block], cos_angle)
-        }
+        })
     }
 
     /// The media where each lane has an angle of its own, and one of the first block's wavelengths.
@@ -98,11 +106,21 @@ impl Table {
         cos_angle: &Lanes<f64>,
         wavelength: &Lanes<usize>,
     ) -> Media<N> {
-        if self.is_constant {
+        self.met(if self.is_constant {
             Media::of::<LANES>(planes, &self.indices[0], cos_angle)
         } else {
             Media::of::<LANES>(planes, &self.indices[0].gathered(wavelength), cos_angle)
+        })
+    }
+
+    /// Light from aragonite comes through a medium of aragonite's admittance.
+    fn met<const N: usize>(&self, mut media: Media<N>) -> Media<N> {
+        if self.origin == Origin::Aragonite {
+            for waves in &mut media.waves {
+                waves.ambient.clone_from(&waves.aragonite);
+            }
         }
+        media
     }
 }
 

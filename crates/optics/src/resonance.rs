@@ -12,8 +12,13 @@ use nacreous_nacre::LayerStack;
 use num_complex::Complex64;
 
 use crate::{
-    OpticsError, Polarisation, lanes::LANES, media::Table, parallel, phase, transfer::table,
-    wave::Plane, waves::Waves,
+    OpticsError, Polarisation,
+    lanes::LANES,
+    media::Table,
+    parallel, phase,
+    transfer::{Origin, table},
+    wave::Plane,
+    waves::Waves,
 };
 
 /// A narrow line of a spectrum.
@@ -62,7 +67,7 @@ pub fn resonances(
     wavelength_nm: &[f64],
     stop: &AtomicBool,
 ) -> Result<Option<Vec<Resonance>>, OpticsError> {
-    let media = table(stack, angle_rad, wavelength_nm)?;
+    let media = table(stack, Origin::Ambient, angle_rad, wavelength_nm)?;
     let planes: &[(usize, Plane)] = match polarisation {
         Polarisation::S => &[(0, Plane::S)],
         Polarisation::P => &[(1, Plane::P)],

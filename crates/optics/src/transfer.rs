@@ -22,6 +22,19 @@ pub struct TransferModel {
     pub polarisation: Polarisation,
     /// `Single` computes stacks of lossless layers in single precision.
     pub precision: Precision,
+    /// Where the light comes from.
+    pub origin: Origin,
+}
+
+/// Where light comes from. Angles are those in the ambient in any case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Origin {
+    /// The ambient.
+    #[default]
+    Ambient,
+    /// Aragonite above the first protein layer, which it has come to through the surface: what the surface
+    /// itself mirrors is left out, and the outermost layer's thickness means nothing.
+    Aragonite,
 }
 
 /// How exactly to compute.
@@ -110,7 +123,7 @@ impl TransferModel {
         wavelength_nm: &[f64],
         stop: &AtomicBool,
     ) -> Result<Option<Energies>, OpticsError> {
-        let media = table(stack, angle_rad, wavelength_nm)?;
+        let media = table(stack, self.origin, angle_rad, wavelength_nm)?;
         let values = angle_rad.len() * wavelength_nm.len();
         let mut shares = vec![0.0; 3 * values];
         let (reflectance, others) = shares.split_at_mut(values);
@@ -130,11 +143,12 @@ impl TransferModel {
 /// The media of a question within its range.
 pub(crate) fn table(
     stack: &LayerStack,
+    origin: Origin,
     angle_rad: &[f64],
     wavelength_nm: &[f64],
 ) -> Result<Table, OpticsError> {
     grid::check(angle_rad, wavelength_nm)?;
-    Table::new(stack, wavelength_nm)
+    Ok(Table::new(stack, wavelength_nm)?.seen_from(origin))
 }
 
 struct Stack<'a>(&'a LayerStack);

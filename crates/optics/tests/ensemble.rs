@@ -29,7 +29,11 @@ fn added(
     angles: &[f64],
     nm: &[f64],
 ) -> Ensemble {
-    let model = TransferModel { polarisation: Polarisation::Unpolarised, precision };
+    let model = TransferModel {
+        polarisation: Polarisation::Unpolarised,
+        precision,
+        ..TransferModel::default()
+    };
     to.with(model, stacks, angles, nm, &AtomicBool::new(false)).unwrap().unwrap()
 }
 

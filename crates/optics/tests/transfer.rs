@@ -22,7 +22,7 @@ fn energies(
     wavelength_nm: &[f64],
     polarisation: Polarisation,
 ) -> Energies {
-    let model = TransferModel { polarisation, precision: Precision::Double };
+    let model = TransferModel { polarisation, ..TransferModel::default() };
     model.energies(stack, angle_rad, wavelength_nm, &AtomicBool::new(false)).unwrap().unwrap()
 }
 
@@ -104,8 +104,11 @@ fn thousands_of_absorbing_layers_are_finite() {
                 )
                 .unwrap();
                 for (precision, margin) in [(Precision::Double, 1e-9), (Precision::Single, 1e-4)] {
-                    let model =
-                        TransferModel { polarisation: Polarisation::Unpolarised, precision };
+                    let model = TransferModel {
+                        polarisation: Polarisation::Unpolarised,
+                        precision,
+                        ..TransferModel::default()
+                    };
                     let e = model
                         .energies(&s, &angles, &wavelengths, &AtomicBool::new(false))
                         .unwrap()
@@ -260,7 +263,7 @@ proptest! {
         let stack = LayerStack::new(d, 20.0, aragonite, real(n_p), real(1.0), real(1.53)).unwrap();
         let nm: Vec<f64> = (380..=780).map(f64::from).collect();
         let [double, single] = [Precision::Double, Precision::Single].map(|precision| {
-            TransferModel { polarisation: plane, precision }.energies(&stack, &[angle], &nm, &AtomicBool::new(false)).unwrap().unwrap().reflectance().to_vec()
+            TransferModel { polarisation: plane, precision, ..TransferModel::default() }.energies(&stack, &[angle], &nm, &AtomicBool::new(false)).unwrap().unwrap().reflectance().to_vec()
         });
         let worst = double.iter().zip(&single).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         prop_assert!(worst < 2e-4, "{}", worst);

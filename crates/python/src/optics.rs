@@ -153,6 +153,7 @@ fn transfer_model(polarisation: &str, precision: &str) -> PyResult<TransferModel
     Ok(TransferModel {
         polarisation: polarisation.parse().map_err(refused)?,
         precision: precision.parse().map_err(refused)?,
+        ..TransferModel::default()
     })
 }
 

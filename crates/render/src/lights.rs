@@ -118,7 +118,7 @@ impl Lights {
     pub fn lamps_for(&self, facets: impl Iterator<Item = Microfacets>) -> Vec<Lamp> {
         let sharpest = facets.min_by(|a, b| a.spread_rad().total_cmp(&b.spread_rad()));
         let resolved = |lamp: &Lamp| match &sharpest {
-            Some(facets) => lamp.clone().resolved_for(facets),
+            Some(facets) => lamp.clone().resolved_for(&(*facets).into()),
             None => lamp.clone(),
         };
         self.lamps.iter().map(resolved).collect()

@@ -59,7 +59,8 @@ fn exact(
     precision: Precision,
 ) -> Result<Energies, JsError> {
     fits(angle_rad, wavelength_nm)?;
-    let model = TransferModel { polarisation: polarisation.parse().map_err(refused)?, precision };
+    let polarisation = polarisation.parse().map_err(refused)?;
+    let model = TransferModel { polarisation, precision, ..TransferModel::default() };
     let never = AtomicBool::new(false);
     let found = model.energies(&stack.0, angle_rad, wavelength_nm, &never).map_err(refused)?;
     found.ok_or_else(|| refused("the computation broke off; please report this"))

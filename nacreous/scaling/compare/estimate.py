@@ -19,6 +19,7 @@ from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.errors import errors_of
 from nacreous.scaling.fit.existence import REMEDY, require_choices
 from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.side import fits_side
 from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.fit.unit import check_model
 from nacreous.value import value_class
@@ -104,13 +105,17 @@ def names_of(answers: Answers) -> tuple[str, ...]:
 
 
 def estimates(
-    groups: dict[str, Any], model: str, *, ties: bool | None = None, order: bool = False
+    groups: dict[str, Any], model: str, *, ties: bool | None = None, order: bool | None = None
 ) -> dict[str, Estimate]:
-    """One estimate a group, all of the same stimuli; messages name the group."""
+    """One estimate a group, all of the same stimuli; messages name the group.
+
+    ties, order: None has one answer for all groups, whose scales could not be compared otherwise.
+    """
     found: dict[str, Estimate] = {}
     check_model(model)
-    if ties is None:  # one answer for all groups, whose scales could not be compared otherwise
-        ties = fits_ties(None, [_counted(*group) for group in groups.items()], model, order)
+    counted = [_counted(*group) for group in groups.items()]
+    ties = fits_ties(ties, counted, model, order is True)
+    order = fits_side(order, counted, model, ties)
     for name, data in groups.items():
         try:
             found[name] = estimate(data, model, ties=ties, order=order)

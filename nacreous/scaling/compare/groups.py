@@ -1,8 +1,8 @@
 """Do groups of people share one scale? Tests that hold their size, and what differs.
 
 Three tests of one hypothesis, that the places of the stimuli are the same in every group. Where
-the width of ties or the order effect is fitted, each group has its own, and whether these differ
-is tested apart (`GroupStyle`): who calls more things equal may well have the same scale.
+answers tell the width of ties and the pull of the side, each group has its own, and whether these
+differ is tested apart (`GroupStyle`): who calls more things equal may well have the same scale.
 
 likelihood-ratio  2 (sum of the groups' log-likelihoods - that with places shared), chi-squared.
                   Holds its size if answers are independent; all that can be had from counts.
@@ -44,6 +44,7 @@ from nacreous.scaling.data.given import answers_or_counts
 from nacreous.scaling.data.label import group_names
 from nacreous.scaling.distribution import t
 from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.side import fits_side
 from nacreous.scaling.fit.uncertainty import holm
 from nacreous.scaling.fit.unit import check_model
 from nacreous.value import value_class
@@ -85,6 +86,8 @@ class GroupComparison:
     differences  stimulus by stimulus, for each pair of groups
     styles       whether groups differ in how readily they tie, and in how the side draws them,
                  where that is fitted
+    side_untold  whether left and right are places whose pull these answers do not tell, so that
+                 groups which differ may differ in that alone
     clustered    whether people were known, and errors take them as clusters
     """
 
@@ -95,6 +98,7 @@ class GroupComparison:
     differences: tuple[GroupDifference, ...]
     clustered: bool
     styles: tuple[GroupStyle, ...] = ()
+    side_untold: bool = False
 
     @property
     def statistic(self) -> float:
@@ -125,7 +129,7 @@ def compare_groups(
     model: str = "probit",
     *,
     ties: bool | None = None,
-    order: bool = False,
+    order: bool | None = None,
     same_people: bool | None = None,
     permutations: int = PERMUTATIONS,
     level: float = 0.95,
@@ -136,9 +140,11 @@ def compare_groups(
     groups        name -> Answers, counts, or whatever `thurstone` takes; the same stimuli in each
                   (`answers.split("group")` gives such).
     model         "probit" (Thurstone's case V) or "logit" (Bradley and Terry).
-    ties, order   as for `thurstone`; with them each group has a width of ties and an order effect
-                  of its own, compared apart from the places (`styles`). A group without a tie has
-                  width 0.
+    ties, order   whether each group has a width of ties and a pull of the side of its own, compared
+                  apart from the places (`styles`). A group without a tie has width 0. None, the
+                  default: ties as for `thurstone`, and the side wherever each group tells its pull:
+                  left and right are places, and a quarter of the answers or more have a partner
+                  with the sides exchanged.
     same_people   whether a person's label in two groups is one person (who then is dealt anew
                   between these groups only) or two. Needed only where labels are in both.
     permutations  how often people are dealt anew; the smallest p is 1 / (permutations + 1).
@@ -172,6 +178,7 @@ def compared(
     """As `compare_groups`, of groups whose scales are fitted, all of one model and alike."""
     same = shared_people(found, same_people)
     fit = next(iter(found.values())).fit
+    counted = [one.fit.comparisons for one in found.values()]
     model, order = fit.model, fit.order_effect is not None
     clustered = all(one.people for one in found.values())
     fitted_ties = fit.tie_threshold is not None
@@ -184,7 +191,12 @@ def compared(
     differences = _differences(found, joint, freedom, level)
     fits = {name: one.fit for name, one in found.items()}
     styles = styles_of(named, found, shared, permutations, same, seed)
-    return GroupComparison(model, fits, shared, tuple(tests), differences, clustered, styles)
+    untold = all(each.sided for each in counted) and not (
+        order or fits_side(None, counted, model, fitted_ties)
+    )
+    return GroupComparison(
+        model, fits, shared, tuple(tests), differences, clustered, styles, untold
+    )
 
 
 def _named(groups: Mapping[str, Any]) -> dict[str, Any]:

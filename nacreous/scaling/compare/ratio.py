@@ -121,14 +121,14 @@ def compare_ratios(
     model: str = "probit",
     *,
     ties: bool | None = None,
-    order: bool = False,
+    order: bool | None = None,
     same_people: bool | None = None,
     level: float = 0.95,
 ) -> RatioChange:
     """Change of the ratio from the first group to the second, as in "shown a real pearl or not".
 
-    groups: two of them, name -> data; `same_people` as for `compare_groups`, the rest as for
-    `cluster_ratio`.
+    groups: two of them, name -> data; `same_people`, `ties` and `order` as for `compare_groups`,
+    the rest as for `cluster_ratio`.
 
     >>> from nacreous.scaling.planning.simulation import simulate
     >>> near = simulate([0.8, 0.6, 0.2, -0.2, -0.6, -0.8], people=100, seed=1)

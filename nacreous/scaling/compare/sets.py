@@ -108,7 +108,7 @@ def compare_sets(
     model: str = "probit",
     *,
     ties: bool | None = None,
-    order: bool = False,
+    order: bool | None = None,
     same_people: bool | None = None,
     level: float = 0.95,
     samples: int = 2000,
@@ -117,6 +117,7 @@ def compare_sets(
     """Compare two sets of the same stimuli: agreement, and which stimuli moved how far.
 
     first, second  answers or counts with the same four or more labels.
+    ties, order    as for `compare_groups`.
     same_people    whether a person's label in both sets is one person; needed where labels are in
                    both.
     samples        draws from the normal distribution of both scales' errors, for the intervals of

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nacreous.number import whole_of
 from nacreous.problem import InputError
+from nacreous.scaling.data.comments import without_comments
 from nacreous.scaling.data.encoding import utf8_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.header import Header, find_header, titles_above
@@ -62,7 +63,10 @@ def parse_csv(
     """
     content = utf8_of(place, content, encoding).rstrip(_ENDS)
     check_escapes(place, content)
-    header = find_header(place, content, wanted, whole_of("skip_rows", skip_rows, 0, 10_000))
+    skip_rows = whole_of("skip_rows", skip_rows, 0, 10_000)
+    if not skip_rows:
+        content, skip_rows = without_comments(place, content, wanted)
+    header = find_header(place, content, wanted, skip_rows)
     columns, numbers = _body(place, content[header.begin :], header)
     kept = [at for at, name in enumerate(header.names) if name]
     for at, column in enumerate(columns):
@@ -86,7 +90,8 @@ def parse_csv_cells(place: str, content: bytes) -> list[list[str]]:
 
     Rows that are empty in every cell, and columns at the end that are, are left out.
     """
-    titles, content = titles_above(utf8_of(place, content))
+    content, _ = without_comments(place, utf8_of(place, content))
+    titles, content = titles_above(content)
     header = find_header(place, content)
     below = content[header.top :]
     names = header.names[1:] if header.row_names else header.names

@@ -28,6 +28,7 @@ from nacreous.scaling.data.number_column import seconds_column
 from nacreous.scaling.data.pair_columns import has_pairs
 from nacreous.scaling.data.repeat import refuse_repeats
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
+from nacreous.scaling.data.rounded import refuse_rounded
 from nacreous.scaling.data.study_export import refuse_study_export
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.tie_column import (
@@ -218,6 +219,7 @@ def _stimuli(
     left, right = both[: table.rows], both[table.rows :]
     for name, code in zip(shown, (left, right), strict=True):
         refuse_errors(name, found, code, faults, labels or ())
+        refuse_rounded(name, found, code, faults, labels or ())
     itself = np.flatnonzero((left == right) & (left >= 0))
     faults.say_of_rows(
         itself,
@@ -258,6 +260,7 @@ def _people(
     refuse_nothing(column["person"], text, faults)
     people, person = codes_of(text)
     refuse_errors(column["person"], people, person, faults)
+    refuse_rounded(column["person"], people, person, faults)
     faults.stop()
     check_alike(people, table.place)
     return people, person

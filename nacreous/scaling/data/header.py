@@ -15,7 +15,8 @@ from nacreous.scaling.data.pair_name import pairs_in
 from nacreous.scaling.data.second_line import has_second_line, joined_names
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", "|": "bars"}
-#: How far down column names are looked for, and how much of a file is looked at for them.
+#: How far down column names are looked for, below rows that are skipped, and how much of a file
+#: is looked at for them.
 _MOST_ROWS = 25
 _MOST_BYTES = 2**20
 
@@ -63,7 +64,7 @@ def find_header(
     text = content[:_MOST_BYTES].decode("utf-8", errors="ignore")
     said, after_said = _said_separator(text, skip_rows)
     said = said or _quoted_blanks(text, skip_rows)
-    found = {mark: _rows(place, text, mark) for mark in ([said] if said else SEPARATORS)}
+    found = {mark: _rows(place, text, mark, skip_rows) for mark in ([said] if said else SEPARATORS)}
     begin = skip_rows + after_said
     hits = [
         (mark, at)
@@ -136,7 +137,7 @@ def _has_row_names(names: list[str], rows: list[_Row]) -> bool:
 
 def _quoted_blanks(text: str, skip_rows: int) -> str | None:
     """A blank where the first line is names in quotes that blanks part, as R writes them."""
-    lines = (line.strip() for line in text.splitlines()[skip_rows:_MOST_ROWS])
+    lines = (line.strip() for line in text.splitlines()[skip_rows:][:_MOST_ROWS])
     first = next(filter(None, lines), "")
     return " " if re.fullmatch(r'"[^"]*"(?: "[^"]*")+', first) else None
 
@@ -153,8 +154,8 @@ def _said_separator(text: str, skip_rows: int) -> tuple[str | None, int]:
     return None, 0
 
 
-def _rows(place: str, text: str, mark: str) -> list[_Row]:
-    """The first rows, blank ones too, for spreadsheets count them."""
+def _rows(place: str, text: str, mark: str, skip_rows: int) -> list[_Row]:
+    """The first rows and those that are skipped, blank ones too, for spreadsheets count them."""
     lines = io.StringIO(text, newline="").readlines()
     reader = csv.reader(lines, delimiter=mark)
     rows: list[_Row] = []
@@ -164,7 +165,7 @@ def _rows(place: str, text: str, mark: str) -> list[_Row]:
             end += sum(len(line.encode()) for line in lines[read : reader.line_num])
             read = reader.line_num
             rows.append(_Row([name_of(cell) for cell in cells], end))
-            if len(rows) > _MOST_ROWS:
+            if len(rows) > skip_rows + _MOST_ROWS:
                 break
     except csv.Error as problem:  # a cell beyond 131072 characters
         if not rows:
@@ -204,7 +205,7 @@ def _named_row(rows: list[_Row], begin: int, wanted: Sequence[Collection[str]]) 
 
 def _check_spaces(place: str, text: str, begin: int, wanted: Sequence[Collection[str]]) -> None:
     """Refuse names parted by spaces alone, which labels hold too."""
-    lines = text.splitlines()[begin:_MOST_ROWS]
+    lines = text.splitlines()[begin:][:_MOST_ROWS]
     words = [set(line.casefold().split(" ")) for line in lines]
     named = any({name.casefold() for name in each} <= names for names in words for each in wanted)
     if named or _are_parted_by_spaces([line for line in lines if line.strip()]):

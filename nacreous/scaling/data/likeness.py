@@ -9,6 +9,7 @@ from unicodedata import decimal, decomposition, normalize, numeric
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.data.hidden import visible
+from nacreous.scaling.data.rewriting import check_rewritten
 
 #: Letters of Cyrillic and Greek, and some others, that are drawn as a Latin one, kana that are
 #: drawn as a kanji or as the other kana, and marks that are drawn as one on every keyboard (a part
@@ -37,7 +38,11 @@ _FRACTION = re.compile("([0-9]*) ?([¼½¾⅐-⅞↉])")
 
 
 def check_alike(labels: Iterable[str], place: str) -> None:
-    """Refuse labels that look alike or are one number: in pooled files one thing would be two."""
+    """Refuse labels that look alike, are one number or are likely one label rewritten.
+
+    In pooled files one thing would be two.
+    """
+    labels = list(labels)
     seen: dict[str, str] = {}
     for label in labels:
         other = seen.setdefault(shape_of(label), label)
@@ -47,6 +52,7 @@ def check_alike(labels: Iterable[str], place: str) -> None:
                 f"{place}: {quoted(other)} and {quoted(label)} {differ}; allowed: one way of "
                 "writing it"
             )
+    check_rewritten(labels, place)
 
 
 def shape_of(label: str) -> str:

@@ -9,11 +9,11 @@ from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.table import Table
 
 #: Two things in other words than `vs`. Labels hold these too, so nothing is read by them.
-_OTHER = re.compile(
-    r"(\S.*?)(?:[ _]+(?:or|and|oder|ou|eller)[ _]+|\s*(?:(?<!<)/|[|–—:])\s*|\s+-\s+|\s*か\s*)(\S.*)"
-)
+_WORDS = "or|and|oder|und|gegen|ou|et|contre|contra|contro|o|eller|mot|tegen|или|против"
+_MARKS = r"\s*(?:(?<!<)/|[|–—:×])\s*|\s+-\s+|\s*(?:か|対|對|ｖｓ|vs)\s*"
+_OTHER = re.compile(rf"(\S.*?)(?:[ _]+(?:{_WORDS})[ _]+|{_MARKS})(\S.*)", re.IGNORECASE)
 #: The same where what is chosen stands in the cells: the last of such words parts the two.
-_LAST = re.compile(_OTHER.pattern.replace(".*?", ".*", 1))
+_LAST = re.compile(_OTHER.pattern.replace(".*?", ".*", 1), re.IGNORECASE)
 
 
 def renamed_pair(table: Table, columns: Collection[str]) -> tuple[str, str] | None:

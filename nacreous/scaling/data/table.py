@@ -20,6 +20,7 @@ from nacreous.missing import missing
 from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.scaling.data.comments import without_comments
 from nacreous.scaling.data.csv_table import parse_csv
 from nacreous.scaling.data.encoding import guessed_encoding, utf8_of
 from nacreous.scaling.data.fault import Faults, listed
@@ -118,7 +119,8 @@ def column_names(
             return list(parquet.read_schema(file).names)
         if ending in ENDINGS and file.is_file():
             content = utf8_of(str(file), read_bytes(file))
-            return find_header(str(file), content, wanted).names
+            content, comments = without_comments(str(file), content, wanted)
+            return find_header(str(file), content, wanted, comments).names
     except (OSError, ValueError):
         pass
     return []

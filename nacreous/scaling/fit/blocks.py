@@ -15,6 +15,15 @@ Index = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
+class OnLeft:
+    """Of the blocks, what was answered with the first of the pair on the left, float64 [block]."""
+
+    answers: Array
+    chosen: Array
+    tied: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Blocks:
     """One row a block: all that one person answered about one pair, sorted by person.
 
@@ -25,6 +34,9 @@ class Blocks:
       chosen, a tie counting half; `tied`: how often it was a tie
     - `width`: float64 [person], in z, how near two things are that the person calls equal; None
       where all are taken to be alike in this
+    - `on_left`: the answers with the first on the left; None where left and right are no places
+    - `expected`: float64 [block], the choices of the first expected of this person, where a side
+      draws people; None where that is not looked at
     """
 
     stimuli: tuple[str, ...]
@@ -37,6 +49,8 @@ class Blocks:
     chosen: Array
     tied: Array
     width: Array | None = None
+    on_left: OnLeft | None = None
+    expected: Array | None = None
 
     @property
     def share(self) -> Array:
@@ -49,8 +63,10 @@ class Blocks:
     def residual(self) -> Array:
         """float64 [block], by how much `chosen` exceeds what all people together would give.
 
-        Where people have widths of ties, what all would give at this person's.
+        Where people have widths of ties or pulls of the side, what all would give at this person's.
         """
+        if self.expected is not None:
+            return np.asarray(self.chosen - self.expected)
         from nacreous.scaling.fit.own_ties import own_shares
 
         share = self.share[self.pair] if self.width is None else own_shares(self, self.width)
@@ -92,6 +108,8 @@ def blocks_of(answers: Answers) -> Blocks:
     pairs, pair = numbered(first * count + second, count**2)
     choice = np.where(answers.left > answers.right, -answers.outcome, answers.outcome)
     block, row = numbered(person * len(pairs) + pair, len(here) * len(pairs))
+    left = (answers.left == first).astype(np.float64)
+    on_left = (left, left * (choice + 1) / 2, left * (choice == 0))
     return Blocks(
         stimuli=answers.stimuli,
         people=tuple(answers.people[index] for index in here),
@@ -102,6 +120,9 @@ def blocks_of(answers: Answers) -> Blocks:
         answers=np.bincount(row).astype(np.float64),
         chosen=np.asarray(np.bincount(row, (choice + 1) / 2), np.float64),
         tied=np.asarray(np.bincount(row, choice == 0), np.float64),
+        on_left=OnLeft(*(np.asarray(np.bincount(row, each), np.float64) for each in on_left))
+        if answers.sided
+        else None,
     )
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import repeat
 from typing import Any, Literal
 
 import numpy as np
@@ -16,6 +17,7 @@ from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.given import answers_of
 from nacreous.scaling.data.person import known_people
 from nacreous.scaling.fit.blocks import Array, Blocks, blocks_of
+from nacreous.scaling.fit.own_side import OwnSides, drawn_by_side
 from nacreous.scaling.fit.own_ties import with_own_ties
 from nacreous.scaling.fit.shared import MOST_STIMULI
 from nacreous.scaling.fit.uncertainty import holm
@@ -25,6 +27,8 @@ __all__ = ["Covariate", "Untested", "person_covariates", "untested_columns"]
 
 #: A number splits people at up to so many places.
 _SPLITS = 25
+#: In so many parts of a number's range pulls of the side may be distributed in other ways.
+_PARTS = 4
 #: The smaller part of a split has at least this share of the people.
 _LEAST_PART = 0.05
 #: People whose column is filled in, below which nothing is tested.
@@ -42,6 +46,8 @@ class Covariate:
     - `split`: of a number, the value at which people differ most; the first part is up to it
     - `statistic`, `p_value`: by dealing the column anew to the people; `p_adjusted`: Holm's over
       all columns
+    - `side_p_value`, `side_p_adjusted`: the same of how the left side draws people, which is no
+      other judging; None where the answers do not tell
     """
 
     column: str
@@ -51,6 +57,12 @@ class Covariate:
     statistic: float
     p_value: float
     p_adjusted: float
+    side_p_value: float | None = None
+    side_p_adjusted: float | None = None
+
+    def side_differs(self, level: float = 0.95) -> bool:
+        """Whether the side draws people who differ in it differently, among all columns."""
+        return self.side_p_adjusted is not None and self.side_p_adjusted < 1 - level
 
     def differs(self, level: float = 0.95) -> bool:
         """Whether people who differ in it judge differently, at a level, among all columns."""
@@ -81,6 +93,18 @@ class _Sorted:
     ends: NDArray[np.int64]
     values: tuple[float, ...]
 
+    def parts(self, people: int) -> NDArray[np.int64]:
+        """The part of each of all the people, by value; of a number 4 or fewer in its order.
+
+        Whoever has no value is in a part of their own.
+        """
+        ends = self.ends
+        if self.kind == "number":
+            ends = ends[np.unique(np.linspace(0, len(ends) - 1, _PARTS + 1).astype(np.int64)[1:-1])]
+        found = np.full(people, len(ends) + 1, np.int64)
+        found[self.people] = np.searchsorted(ends, np.arange(len(self.people)), side="right")
+        return np.unique(found, return_inverse=True)[1]
+
 
 def person_covariates(
     answers: Any, permutations: int = 999, seed: int = 1
@@ -88,8 +112,8 @@ def person_covariates(
     """Test every column that says one thing about each person: () where there is none.
 
     answers: `Answers`, or a file, table or list of them as `thurstone` takes; no counts.
-    A person's slopes against the shares of all people, at the person's own width of ties, are
-    summed over the people of each group;
+    A person's slopes against the shares of all people, at the person's own width of ties and pull
+    of the side, are summed over the people of each group;
     the statistic is the sum over groups of S' M^-1 S (people / people of the group), with M from
     how far the slopes vary between people. A column of three or more different numbers takes the
     largest such statistic of up to 25 splits in two. The column is dealt anew to the people,
@@ -110,17 +134,32 @@ def person_covariates(
     found = {name: each for name, each in columns.items() if isinstance(each, _Sorted)}
     if not found:
         return ()
+    sides = OwnSides.of(blocks)
     slopes = _slopes(blocks)
-    tested = {
-        name: _tested(slopes, column, permutations, seed_of(seed)) for name, column in found.items()
-    }
-    adjusted = holm(np.array([p_value for _, p_value, _ in tested.values()]))
+    tested = []
+    for column in found.values():
+        if sides is not None:
+            slopes = _slopes(sides.held(column.parts(len(blocks.people))))
+        tested.append(_tested(slopes, column, permutations, seed_of(seed)))
+    adjusted = holm(np.array([p_value for _, p_value, _ in tested])).tolist()
+    by_side: Iterable[tuple[float, float] | tuple[None, None]] = repeat((None, None))
+    if sides is not None:
+        by_side = _by_side(drawn_by_side(blocks), list(found.values()), permutations, seed_of(seed))
     return tuple(
-        Covariate(name, len(found[name].people), found[name].kind, split, statistic, p_value, both)
-        for (name, (statistic, p_value, split)), both in zip(
-            tested.items(), adjusted.tolist(), strict=True
+        Covariate(name, len(column.people), column.kind, split, statistic, p_value, both, *side)
+        for (name, column), (statistic, p_value, split), both, side in zip(
+            found.items(), tested, adjusted, by_side, strict=False
         )
     )
+
+
+def _by_side(
+    drawn: Array, columns: list[_Sorted], permutations: int, seed: int
+) -> Iterable[tuple[float, float]]:
+    """For each column, p values of how the side draws people, alone and among all columns."""
+    slopes = (drawn / max(float(np.sqrt((drawn**2).sum())), 1e-300))[:, None]
+    found = [_tested(slopes, column, permutations, seed)[1] for column in columns]
+    return zip(found, holm(np.array(found)).tolist(), strict=True)
 
 
 def untested_columns(answers: Any) -> tuple[Untested, ...]:

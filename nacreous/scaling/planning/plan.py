@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.label import label_of
 from nacreous.scaling.distribution import t
+from nacreous.scaling.fit.scale import Scale
+from nacreous.scaling.fit.side import fits_side
 from nacreous.scaling.planning.expectation import expected_comparisons, unanimous_chances
 from nacreous.scaling.planning.forecast import Needed, Power, Precision
 from nacreous.scaling.planning.simulation import Pairs, simulate, truth_of
@@ -45,7 +48,8 @@ class Plan:
 
     Arguments as for `simulate`: scale (label -> value, or values of "1", "2", ...), people, model,
     pairs (a design, or (label, label) each), repeats, person_spread, order, tie, lapse. The fit has
-    ties and an order effect where the truth has them. Differences are tested by a t test with
+    ties and an order effect where the truth has them, and groups a pull of the side wherever their
+    answers tell it. Differences are tested by a t test with
     people as clusters, groups by dealing people anew, as `compare_groups` does.
 
     >>> plan = Plan({"dull": -0.4, "fair": 0.0, "bright": 0.4}, people=40, person_spread=0.3)
@@ -120,7 +124,7 @@ class Plan:
 
         def finds(study: int) -> bool | None:
             groups = {"a": self.answers(2 * study), "b": second.answers(2 * study + 1)}
-            fitted = self._fitted(lambda **more: fit_of(pooled(groups), self.model, **more))
+            fitted = self._fitted(partial(_pooled_fit, groups, self.model))
             if fitted is None:
                 return None
             try:
@@ -244,6 +248,13 @@ class Plan:
             return fit(ties=self.tie > 0, order=self.order != 0)
         except InputError:
             return None
+
+
+def _pooled_fit(groups: dict[str, Answers], model: str, *, ties: bool, order: bool) -> Scale:
+    """The scale of groups together, with a pull of the side wherever `compare_groups` fits it."""
+    counted = [one.comparisons() for one in groups.values()]
+    with_side = fits_side(order or None, counted, model, ties)
+    return fit_of(pooled(groups), model, ties=ties, order=with_side)
 
 
 def _differ(found: Estimate, i: int, j: int, alpha: float) -> bool:

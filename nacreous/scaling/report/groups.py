@@ -10,6 +10,8 @@ from nacreous.scaling.compare.groups import PERMUTATIONS, GroupComparison, compa
 from nacreous.scaling.compare.style import GroupStyle
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.fit.clustering import require_people
+from nacreous.scaling.fit.existence import pair_model
+from nacreous.scaling.fit.side import fits_side
 from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.report.settings import Settings
 from nacreous.value import value_class
@@ -46,6 +48,10 @@ class Groups:
         """Whether groups were found not to share one scale; None where none were compared."""
         return None if self.found is None else self.found.p_value < 1 - level
 
+    def may_be_side(self, level: float) -> bool:
+        """Whether groups that differ may differ by a pull of the side alone, which is not told."""
+        return self.found is not None and self.found.side_untold and self.found.p_value < 1 - level
+
     def styles(self, level: float) -> tuple[GroupStyle, ...]:
         """Ways of answering in which groups were found to differ, whatever places they see."""
         found = () if self.found is None else self.found.styles
@@ -61,7 +67,8 @@ def groups_of(answers: Answers, settings: Settings) -> Groups:
     parts = replace(answers, response_s=None, time=None).split(settings.group or "")
     counted = [part.comparisons() for part in parts.values()]
     with_ties = fits_ties(settings.ties, counted, settings.model, settings.order)
-    placed = {name: _placed(part, settings, with_ties) for name, part in parts.items()}
+    with_side = _with_side(parts, settings, with_ties)
+    placed = {name: _placed(part, settings, with_ties, with_side) for name, part in parts.items()}
     left_out = _left_out(placed)
     found = {name: one for name, one in placed.items() if isinstance(one, Estimate)}
     if len(found) < 2:
@@ -80,22 +87,39 @@ def left_out_of(
     parts: dict[str, Answers], settings: Settings, with_ties: bool
 ) -> tuple[LeftOut, ...]:
     """Those of some groups that cannot be compared."""
-    return _left_out({name: _placed(part, settings, with_ties) for name, part in parts.items()})
+    with_side = settings.order
+    return _left_out(
+        {name: _placed(part, settings, with_ties, with_side) for name, part in parts.items()}
+    )
 
 
 def _left_out(placed: dict[str, Estimate | str]) -> tuple[LeftOut, ...]:
     return tuple(LeftOut(name, why) for name, why in placed.items() if isinstance(why, str))
 
 
-def _placed(part: Answers, settings: Settings, with_ties: bool) -> Estimate | str:
-    """A group's scale, or why it cannot be compared."""
+def _with_side(parts: dict[str, Answers], settings: Settings, with_ties: bool) -> bool:
+    """Whether each group has a pull of the side: asked for, or told by all that are compared."""
+    compared = [part.comparisons() for part in parts.values() if _judged(part)]
+    held = [each for each in compared if pair_model(each, settings.model).existence() != "apart"]
+    return fits_side(settings.order or None, held, settings.model, with_ties)
+
+
+def _judged(part: Answers) -> bool:
+    """Whether enough people judged every stimulus; so where people are unknown."""
     try:
         if part.person is not None:
             require_people(part)
     except InputError:
+        return False
+    return True
+
+
+def _placed(part: Answers, settings: Settings, with_ties: bool, with_side: bool) -> Estimate | str:
+    """A group's scale, or why it cannot be compared."""
+    if not _judged(part):
         return "few"
     try:
-        return estimate(part, settings.model, ties=with_ties, order=settings.order)
+        return estimate(part, settings.model, ties=with_ties, order=with_side)
     except InputError:
         return "unplaced"
 

@@ -177,6 +177,7 @@ def _groups(analysis: Analysis) -> Any:
         "not_compared": left_out,
         "tests": groups.tests,
         "ways_of_answering": groups.styles,
+        "side_untold": groups.side_untold,
         "scales": {name: fit.to(analysis.fit.unit).scale for name, fit in groups.fits.items()},
         "differences_in_own_unit": groups.differences,
     }

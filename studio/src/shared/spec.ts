@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * e7849925fa5b2d71a49c3a537cc24b4aca1ae2643dd72caa3987f4a58335fb0d
+ * 46c16bc7c072701019ae23d6d01a40acf79fa68c8fd6eb13dd0596312d123a42
  */
 
 /**
@@ -355,6 +355,10 @@ export interface Surface {
    * How the microscopic facets lean: bell-shaped with grooves, or with GGX's long tails. Allowed: "torrance-sparrow" or "ggx". Source: paper 4.2, Torrance and Sparrow 1967; Walter and others 2007 (GGX). Only with model = "transport".
    */
   facets?: "torrance-sparrow" | "ggx";
+  /**
+   * Spread of the lean of the tablets below against the surface: what they mirror lies around the lamp's image, coloured; 0 leaves all in one image. Allowed: 0 to 0.3 rad. Source: 5 degrees to either side in mature nacre of Pinna, 7.5 in early nacre (Hovden and others 2015); of pearls nobody has measured it **(ours)**. Only with model = "transport".
+   */
+  waviness_rad?: number;
 }
 /**
  * The grain of the surface, from a photograph or a stand-in (paper 4.3).

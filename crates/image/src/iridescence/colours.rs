@@ -62,7 +62,8 @@ impl Iridescence {
         weights: &Weights,
         stop: &AtomicBool,
     ) -> Result<Option<Self>, OpticsError> {
-        let model = TransferModel { polarisation, precision: Precision::Single };
+        let precision = Precision::Single;
+        let model = TransferModel { polarisation, precision, ..TransferModel::default() };
         let per_nm = samples_per_nm(stack)?;
         let last = (SAMPLES - 1) * per_nm;
         let fine_nm: Vec<f64> = (0..=last).map(|i| FIRST_NM + i as f64 / per_nm as f64).collect();

@@ -6,7 +6,7 @@
 use crate::{
     pearl::sight::Sight,
     rgb::{self, Rgb},
-    surface::microfacets::Microfacets,
+    surface::facets::Facets,
     surroundings::lamp::Lamp,
 };
 
@@ -20,20 +20,20 @@ const LINE: f64 = 0.866;
 /// [`Lamp::image`] as `sight` stands for it.
 pub(crate) fn glint(
     lamp: &Lamp,
-    microfacets: &Microfacets,
+    facets: &Facets<'_>,
     sight: &Sight,
     reflected: impl Fn(f64) -> Rgb,
 ) -> Rgb {
     let (hit, view) = (&sight.hit, sight.view);
     // A ray turns by twice what the normal does.
     let length_rad = 0.5 * LINE * sight.spread.outward_rad;
-    let count = (length_rad / (STEP * microfacets.spread_rad())).ceil().clamp(1.0, MOST);
+    let count = (length_rad / (STEP * facets.spread_rad())).ceil().clamp(1.0, MOST);
     if count <= 1.0 {
-        let facets = microfacets.over(sight.spread.normals_rad());
+        let facets = facets.over(sight.spread.normals_rad());
         return lamp.image(&facets, hit.point, hit.normal, view, reflected);
     }
     let step_rad = length_rad / count;
-    let facets = microfacets.over(0.29 * step_rad);
+    let facets = facets.over(0.29 * step_rad);
     let outward = (hit.normal * hit.cos_view - view).normalize_or_zero();
     let mut sum = [0.0; 3];
     for i in 0..count as usize {

@@ -9,7 +9,7 @@ use crate::{
     iridescence::rings::Rings,
     pearl::{glint::glint, shade::Shade, sight::Sight},
     rgb::{self, Rgb},
-    surface::torrance_sparrow::TorranceSparrow,
+    surface::{facets::Facets, torrance_sparrow::TorranceSparrow},
     surroundings::{irradiance::Irradiance, lit::Lit},
     view::{cone::Cone, ray::Ray},
 };
@@ -80,7 +80,8 @@ impl IlluminantPearl {
             rgb::scaled(faded, self.mirror_weight * self.facets.reflectance(hit.cos_view));
         for lamp in &surroundings.lamps {
             let reflected = |cos_half| [self.facets.reflectance(cos_half); 3];
-            let image = glint(lamp, &self.facets.microfacets, sight, reflected);
+            let facets = Facets::new(self.facets.microfacets, None);
+            let image = glint(lamp, &facets, sight, reflected);
             if image[0] > 0.0 {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(ball));
                 rgb::add(&mut mirrored, rgb::times(lamp.brightness, rgb::scaled(image, past)));

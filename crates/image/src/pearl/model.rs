@@ -12,7 +12,7 @@ use crate::{
     light::glow::{self, DISC_POINTS, Glow},
     pearl::{
         illuminant::IlluminantPearl,
-        reflection_cache::ReflectionCache,
+        reflection_cache::{Arounds, ReflectionCache},
         shade::Shade,
         sight::{Sight, Spread},
         transport::Transport,
@@ -89,17 +89,17 @@ impl Model {
         }
     }
 
-    /// The cache of what its facets show the camera, if there shall be one.
-    pub(crate) fn reflection_cache(
+    /// The caches of what the facets of its lobes show the camera, where there shall be one.
+    pub(crate) fn reflection_caches(
         &self,
         surroundings: &Lit,
         ball: usize,
         camera: &Camera,
         pixel_mm: f64,
-    ) -> Option<ReflectionCache> {
+    ) -> Vec<Option<ReflectionCache>> {
         match self {
-            Self::Illuminant(_) => None,
-            Self::Transport(model) => model.reflection_cache(surroundings, ball, camera, pixel_mm),
+            Self::Illuminant(_) => Vec::new(),
+            Self::Transport(model) => model.reflection_caches(surroundings, ball, camera, pixel_mm),
         }
     }
 
@@ -128,10 +128,10 @@ impl Model {
                 let hit = Hit { point, normal, cos_view };
                 let pixel_mm = 0.2 * radius_mm;
                 let spread = Spread::round(0.4 / cos_view);
-                let (view, around) = (towards, None);
+                let (view, around) = (towards, Arounds::default());
                 let mut sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
                 if let Self::Transport(model) = self {
-                    sight.around = Some(model.around_from_afar(surroundings, &sight));
+                    sight.around = model.around_from_afar(surroundings, &sight);
                 }
                 let shade = self.shade(surroundings, &sight);
                 for light in [shade.interference, shade.diffuse, shade.mirror] {

@@ -35,6 +35,16 @@ const LEAST_LEFT: f64 = 1e-6;
 /// Steps of [`Surface::entering`] in the cosine, of which the nearest is taken.
 pub(crate) const COSINES: usize = 8 * STEPS;
 
+/// Cosines of tables that have so many steps.
+pub(crate) fn cosines() -> impl Iterator<Item = f64> {
+    (0..=COSINES).map(|step| step as f64 / COSINES as f64)
+}
+
+/// Their row for a cosine.
+pub(crate) fn row(cosine: f64) -> usize {
+    (cosine.clamp(0.0, 1.0) * COSINES as f64 + 0.5) as usize
+}
+
 impl Passage {
     /// `entering` is the share that enters `surface`, at [`COSINES`] steps of the cosine.
     pub(crate) fn new(
@@ -77,7 +87,7 @@ impl Passage {
 
     /// RGB, channel by channel, of what leaves at a cosine to the normal, for light in each band.
     pub(crate) fn leaving(&self, cos_view: f64) -> &[[f32; BANDS]; 3] {
-        &self.leaving[(cos_view.clamp(0.0, 1.0) * COSINES as f64 + 0.5) as usize]
+        &self.leaving[row(cos_view)]
     }
 
     /// The same through a film without colour, at any cosine.

@@ -11,7 +11,7 @@ use crate::{
     parallel,
     rgb::{self, Rgb},
     shape::ball::{Ball, Hit},
-    surface::{microfacets::Microfacets, sampling::FacetSample},
+    surface::{facets::Facets, sampling::FacetSample},
     view::camera::Camera,
 };
 
@@ -40,6 +40,9 @@ pub struct Around {
     pub rest: Rgb,
 }
 
+/// What each lobe shows, where that is known: the surface's, and the layers'.
+pub type Arounds = [Option<Around>; 2];
+
 /// Knots beyond the edge on each side, for the cubics.
 const BORDER: usize = 2;
 
@@ -58,7 +61,7 @@ impl ReflectionCache {
     pub(crate) fn new(
         ball: &Ball,
         camera: &Camera,
-        microfacets: &Microfacets,
+        lobe: &Facets<'_>,
         facets: f64,
         gather: impl Fn(Hit, DVec3, &[FacetSample]) -> Around + Sync,
     ) -> Option<Self> {
@@ -67,14 +70,14 @@ impl ReflectionCache {
             return None;
         }
         let reach_rad = libm::acos(ball.radius_mm / far_mm);
-        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / microfacets.spread_rad()) as usize;
+        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / lobe.spread_rad()) as usize;
         let side = 2 * (half + BORDER) + 1;
         // The knots lie in the disc; those beside it cost nothing.
         let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
         if each < FEWEST {
             return None;
         }
-        let samples = microfacets.lattice((each as usize).min(MOST));
+        let samples = lobe.lattice((each as usize).min(MOST));
         let (u, v) = axis.any_orthonormal_pair();
         let mut cache = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
         let knot = |i: usize| {
@@ -138,7 +141,7 @@ fn cubic(t: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::camera::Projection;
+    use crate::{surface::microfacets::Microfacets, view::camera::Projection};
 
     fn wave(hit: Hit) -> Rgb {
         [0, 1, 2].map(|i| 1.0 + libm::sin(8.0 * hit.normal[i]))
@@ -151,7 +154,7 @@ mod tests {
         ReflectionCache::new(
             &Ball::alone(4.0),
             &camera,
-            &Microfacets::grooves(spread_rad),
+            &Facets::new(Microfacets::grooves(spread_rad), None),
             1e7,
             gather,
         )

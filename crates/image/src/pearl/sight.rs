@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::{pearl::reflection_cache::Around, shape::ball::Hit, view::cone::Cone};
+use crate::{pearl::reflection_cache::Arounds, shape::ball::Hit, view::cone::Cone};
 
 /// A point of a pearl under the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +23,7 @@ pub struct Sight {
     /// Which part of the light around this sample looks at, of how many: a pixel's samples share it out.
     pub part: (usize, usize),
     /// What all facets show of the surroundings, where that is known.
-    pub around: Option<Around>,
+    pub around: Arounds,
 }
 
 /// A cone whose solid angles, as wide and as narrow as it, differ by less than this ratio is round; by eye **(ours)**.

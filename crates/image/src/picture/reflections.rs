@@ -3,8 +3,13 @@
 //! By `pearl/reflection_cache.rs`, for pearls that are satin.
 //! Left out: pearls whose pixels are coarser than a cache.
 
+use glam::DVec3;
+
 use crate::{
-    pearl::{model::Pearl, reflection_cache::ReflectionCache},
+    pearl::{
+        model::Pearl,
+        reflection_cache::{Arounds, ReflectionCache},
+    },
     surroundings::lit::Lit,
     view::camera::Camera,
 };
@@ -12,16 +17,30 @@ use crate::{
 /// What satin pearls show a camera of their surroundings, each in its place; they have no detail that would
 /// have to be worked out at every pixel.
 #[derive(Debug)]
-pub struct Reflections(pub(super) Vec<Option<ReflectionCache>>);
+pub struct Reflections(Vec<Vec<Option<ReflectionCache>>>);
 
 impl Reflections {
     /// Of `pearls[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
     pub fn new(pearls: &[Pearl], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
         let pixel_mm = pixels_mm(surroundings, camera, size_px);
         let of = |(i, pearl): (usize, &Pearl)| {
-            pearl.model.reflection_cache(surroundings, i, camera, pixel_mm[i])
+            pearl.model.reflection_caches(surroundings, i, camera, pixel_mm[i])
         };
         Self(pearls.iter().enumerate().map(of).collect())
+    }
+
+    /// Whether all that a ball mirrors is cached.
+    pub(super) fn are_cached(&self, ball: usize) -> bool {
+        !self.0[ball].is_empty() && self.0[ball].iter().all(Option::is_some)
+    }
+
+    /// What is cached of the surroundings that a ball's facets show at a point.
+    pub(super) fn around(&self, ball: usize, normal: DVec3) -> Arounds {
+        let mut around = Arounds::default();
+        for (known, cache) in around.iter_mut().zip(&self.0[ball]) {
+            *known = cache.as_ref().map(|cache| cache.at(normal));
+        }
+        around
     }
 }
 

@@ -91,7 +91,7 @@ impl Sampler {
             ..Spread::of_square(width, hit.cos_view)
         };
         let weight = piece.share / lines as f64;
-        let around = self.around(ball, hit.normal);
+        let around = self.reflections.around(ball, hit.normal);
         let sight = Sight { ball, hit, view: -ray.along, pixel_mm, spread, part, around };
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);

@@ -5,13 +5,11 @@
 
 use std::{ops::Range, sync::Arc};
 
-use glam::DVec3;
-
 use crate::{
     parallel,
     pearl::{
         model::{Model, Pearl},
-        reflection_cache::Around,
+        reflection_cache::Arounds,
         sight::{Sight, Spread},
     },
     picture::{
@@ -46,7 +44,7 @@ pub struct Sampler {
     exposure: f64,
     /// Width of a pixel at each ball.
     pub(super) pixel_mm: Vec<f64>,
-    reflections: Arc<Reflections>,
+    pub(super) reflections: Arc<Reflections>,
 }
 
 /// Width of an even disc that spreads as a pixel's tent does.
@@ -256,7 +254,7 @@ impl Sampler {
         if rim_mm <= 3.0 * pixel_mm {
             return Detail::Rim;
         }
-        let cached = self.reflections.0[ball].is_some();
+        let cached = self.reflections.are_cached(ball);
         if !self.pearls[ball].model.is_smooth() {
             return if many { Detail::Unknown } else { Detail::Edges };
         }
@@ -279,7 +277,7 @@ impl Sampler {
         let (place, pixel_mm) = (&self.surroundings.balls[ball], self.pixel_mm[ball]);
         let hit = place.nearest(ray);
         let spread = Spread::of_square(PIXEL_PX * pixel_mm / place.radius_mm, hit.cos_view);
-        let (view, part, around) = (-ray.along, (0, 1), None);
+        let (view, part, around) = (-ray.along, (0, 1), Arounds::default());
         let sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
         something(&self.pearls[ball].model, &self.surroundings, &sight)
     }
@@ -293,7 +291,7 @@ impl Sampler {
         let pixel_mm = self.pixel_mm[ball];
         let width = self.width_px * pixel_mm / self.surroundings.balls[ball].radius_mm;
         let spread = Spread::of_square(width, hit.cos_view);
-        let around = self.around(ball, hit.normal);
+        let around = self.reflections.around(ball, hit.normal);
         let sight = Sight { ball, hit, view: -ray.along, pixel_mm, spread, part, around };
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);
@@ -306,11 +304,6 @@ impl Sampler {
         let light = self.surroundings.scenery(ray, width_px * pixel_rad);
         rgb::add(&mut view.behind, rgb::scaled(light, weight));
         light
-    }
-
-    /// What is cached of the surroundings that a ball's facets show.
-    pub(super) fn around(&self, ball: usize, normal: DVec3) -> Option<Around> {
-        self.reflections.0[ball].as_ref().map(|cache| cache.at(normal))
     }
 
     /// Where a line of sight meets the first ball of a view, by place in it.

@@ -7,7 +7,9 @@ use crate::{
     light::bands::{BANDS, Bands},
     surface::{
         film::{self, Film, STEPS},
+        lobe::{Lobe, lobes},
         microfacets::Microfacets,
+        waviness::Waviness,
     },
 };
 
@@ -17,10 +19,10 @@ use crate::{
 /// percent of a few percent, the model knows nothing else. Nothing is lost.
 #[derive(Debug, Clone)]
 pub struct Surface {
-    /// The layers.
-    pub film: Film,
-    /// The facets.
-    pub microfacets: Microfacets,
+    /// Modes of light in the nacre below, for each of the air's.
+    modes: Bands,
+    /// What mirrors, each in its own direction: the surface, and the layers where they wave against it.
+    lobes: Vec<Lobe>,
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
     entering: Vec<Bands>,
     entering_from_all_sides: Bands,
@@ -33,24 +35,27 @@ const FACETS: usize = 512;
 const FINE_STEPS: usize = 1024;
 
 impl Surface {
-    /// Puts the film on the facets.
-    pub fn new(film: Film, microfacets: Microfacets) -> Self {
-        let samples = microfacets.samples(FACETS);
-        let mut entering = Vec::new();
-        for cosine in film::cosines() {
-            let cos_view = cosine.max(0.25 / STEPS as f64);
-            let (mut mirrored, seen) = ([0.0; BANDS], microfacets.seen_at(cos_view));
-            for facet in samples.iter().filter_map(|sample| seen.facet(*sample)) {
-                for (sum, share) in mirrored.iter_mut().zip(film.reflectance(facet.cos_half)) {
-                    *sum += facet.weight * share;
-                }
+    /// Puts the film on the facets, its layers waving against them.
+    pub fn new(film: &Film, microfacets: Microfacets, waviness: Waviness) -> Self {
+        let mut lobes = lobes(film, microfacets, waviness);
+        let mut entering = vec![[1.0; BANDS]; STEPS + 1];
+        for lobe in &mut lobes {
+            lobe.find_albedo(FACETS);
+            for (left, albedo) in entering.iter_mut().zip(&lobe.albedo) {
+                *left = std::array::from_fn(|band| left[band] - albedo[band]);
             }
-            entering.push(mirrored.map(|sum| (1.0 - sum / FACETS as f64).clamp(0.0, 1.0)));
         }
+        let entering = entering.iter().map(|row| row.map(|share| share.clamp(0.0, 1.0))).collect();
         let entering_from_all_sides = [0.0; BANDS];
-        let mut surface = Self { film, microfacets, entering, entering_from_all_sides };
+        let modes = *film.modes();
+        let mut surface = Self { modes, lobes, entering, entering_from_all_sides };
         surface.entering_from_all_sides = surface.moments(0)[0];
         surface
+    }
+
+    /// What mirrors, the sharpest first: the surface, and the layers where they wave.
+    pub fn lobes(&self) -> &[Lobe] {
+        &self.lobes
     }
 
     /// Share that enters, or leaves from inside, by the cosine to the surface's normal.
@@ -89,7 +94,7 @@ impl Surface {
     /// in of the air's, of which the nacre has `modes` times as many; the rest is mirrored back, total
     /// reflection included.
     pub fn leaving(&self, body: &Bands) -> Bands {
-        let (enters, modes) = (self.entering_from_all_sides(), self.film.modes());
+        let (enters, modes) = (self.entering_from_all_sides(), &self.modes);
         std::array::from_fn(|band| {
             let kept = 1.0 - enters[band] / modes[band];
             body[band] / (modes[band] * (1.0 - body[band] * kept))
@@ -112,13 +117,17 @@ pub(crate) fn legendre(x: f64) -> impl Iterator<Item = f64> {
 mod tests {
     use super::*;
 
+    fn level(film: &Film, microfacets: Microfacets) -> Surface {
+        Surface::new(film, microfacets, Waviness::new(0.0))
+    }
+
     fn mean(bands: &Bands) -> f64 {
         bands.iter().sum::<f64>() / BANDS as f64
     }
 
     #[test]
     fn a_clear_surface_lets_in_like_a_matt_one() {
-        let surface = Surface::new(Film::even(0.0, 1.0), Microfacets::grooves(0.05));
+        let surface = level(&Film::even(0.0, 1.0), Microfacets::grooves(0.05));
         let moments = surface.moments(4);
         // Ramamoorthi and Hanrahan 2001, over pi: 1, 2/3, 1/4, 0, -1/24.
         for (moment, law) in moments.iter().zip([1.0, 2.0 / 3.0, 0.25, 0.0, -1.0 / 24.0]) {
@@ -130,7 +139,7 @@ mod tests {
     #[test]
     fn what_a_lossless_pearl_takes_in_it_gives_back() {
         for microfacets in [Microfacets::grooves(0.25), Microfacets::ggx(0.3)] {
-            let surface = Surface::new(Film::even(0.3, 1.6), microfacets);
+            let surface = level(&Film::even(0.3, 1.6), microfacets);
             let (enters, leaves) =
                 (surface.entering_from_all_sides(), surface.leaving(&[1.0; BANDS]));
             assert!((enters[9] * leaves[9] - 1.0).abs() < 1e-12);
@@ -140,7 +149,7 @@ mod tests {
     #[test]
     fn light_lost_inside_is_the_sum_over_all_its_ways() {
         // An independent count: each round the body keeps 1 - rho, the surface lets out a share e.
-        let surface = Surface::new(Film::even(0.2, 1.6), Microfacets::grooves(0.05));
+        let surface = level(&Film::even(0.2, 1.6), Microfacets::grooves(0.05));
         let (rho, n2) = (0.8, 1.6 * 1.6);
         let out = surface.entering_from_all_sides()[0] / n2;
         let (mut inside, mut left) = (1.0, 0.0);

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surface::microfacets::Microfacets,
+    surface::facets::Facets,
 };
 
 /// Where a lamp stands.
@@ -29,26 +29,33 @@ pub struct Lamp {
     pub brightness: Rgb,
     /// Points of equal weight over the unit disc that stand for the lamp in highlights.
     points: Vec<[f64; 2]>,
+    /// Whether facets' leans spread by the lamp's width, for which then one point stands.
+    blurs: bool,
 }
 
 impl Lamp {
     /// `angular_radius_rad` above 0, up to 0.6, seen from the pearl.
     pub fn new(place: Place, angular_radius_rad: f64, brightness: Rgb) -> Self {
-        Self { place, angular_radius_rad, brightness, points: vec![[0.0; 2]] }
+        Self { place, angular_radius_rad, brightness, points: vec![[0.0; 2]], blurs: false }
     }
 
     /// Chooses as many points as facets this even need for a smooth image of the lamp: mirrored, they
     /// lie half as far apart, and a lobe hides spacings up to two thirds of its standard deviation.
     #[must_use]
-    pub fn resolved_for(mut self, microfacets: &Microfacets) -> Self {
-        let rings =
-            (0.75 * self.angular_radius_rad / microfacets.spread_rad()).ceil().max(1.0) as usize;
-        self.points = disc(if self.angular_radius_rad > 0.2 * microfacets.spread_rad() {
-            rings + 1
-        } else {
-            1
-        });
+    pub fn resolved_for(mut self, facets: &Facets<'_>) -> Self {
+        let rings = (0.75 * self.angular_radius_rad / facets.spread_rad()).ceil().max(1.0) as usize;
+        self.points =
+            disc(if self.angular_radius_rad > 0.2 * facets.spread_rad() { rings + 1 } else { 1 });
         self
+    }
+
+    /// Lets facets whose lobe is nearly as wide as the lamp, or wider, take it for a point and lean by its width more.
+    #[must_use]
+    pub(crate) fn blurred_for(self, facets: &Facets<'_>) -> Self {
+        if self.angular_radius_rad > 1.3 * facets.spread_rad() {
+            return self.resolved_for(facets);
+        }
+        Self { points: vec![[0.0; 2]], blurs: true, ..self }
     }
 
     /// Angular radius of the disc.
@@ -82,7 +89,7 @@ impl Lamp {
     /// radiance 1, that is of irradiance pi. A facet mirrors `reflected` of the cosine of incidence.
     pub fn image(
         &self,
-        microfacets: &Microfacets,
+        facets: &Facets<'_>,
         point: DVec3,
         normal: DVec3,
         view: DVec3,
@@ -90,28 +97,30 @@ impl Lamp {
     ) -> Rgb {
         let mut sum = [0.0; 3];
         let middle = self.toward(point);
-        if self.misses(microfacets, normal, view, middle) {
+        let facets = if self.blurs {
+            facets.over(self.half_vectors_rad((view + middle).length()))
+        } else {
+            *facets
+        };
+        if facets.miss(normal, view, middle, self.angular_radius_rad) {
             return sum;
         }
         let (a, b) = middle.any_orthonormal_pair();
         let radius = libm::tan(self.angular_radius_rad);
         for [x, y] in &self.points {
             let light = (middle + (a * *x + b * *y) * radius).normalize();
-            if let Some(glint) = microfacets.mirrored(normal, view, light) {
+            if let Some(glint) = facets.mirrored(normal, view, light) {
                 rgb::add(&mut sum, rgb::scaled(reflected(glint.cos_half), glint.share));
             }
         }
         rgb::scaled(sum, std::f64::consts::PI / self.points.len() as f64)
     }
 
-    /// Whether no facet that leans little enough mirrors any part of the disc.
-    fn misses(&self, microfacets: &Microfacets, normal: DVec3, view: DVec3, middle: DVec3) -> bool {
-        let half = view + middle;
-        let length = half.length();
-        // Near the far side of the pearl the half vector turns faster than half the lamp's angle.
-        let disc_rad = self.angular_radius_rad / length.max(1e-3);
-        let reach = microfacets.reach_rad() + disc_rad;
-        reach < std::f64::consts::FRAC_PI_2 && normal.dot(half) < length * libm::cos(reach)
+    /// How far half vectors spread over the disc, the root of the mean square of two directions, where their sum has
+    /// a length: half as far as a disc's points, in the plane of light and view, and more across it.
+    fn half_vectors_rad(&self, length: f64) -> f64 {
+        let across = 2.0 / length.max(0.1);
+        0.25 * self.angular_radius_rad * (0.5 + 0.5 * across * across).sqrt()
     }
 }
 
@@ -138,6 +147,7 @@ fn disc(rings: usize) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::{clear::Clear, microfacets::Microfacets};
 
     #[test]
     fn points_have_the_second_moment_of_an_even_disc() {
@@ -168,11 +178,33 @@ mod tests {
     }
 
     #[test]
+    fn a_lamp_narrower_than_the_lobe_may_be_a_point_in_a_wider_one() {
+        let clear = Clear::new(1.683, vec![1.0; 129]);
+        for below in [None, Some(&clear)] {
+            let facets = Facets::new(Microfacets::grooves(0.1), below);
+            let lamp = Lamp::new(Place::Direction(DVec3::Y), 0.12, [1.0; 3]);
+            let mut brute = lamp.clone();
+            brute.points = disc(40);
+            let lamp = lamp.blurred_for(&facets);
+            let image = |lamp: &Lamp, normal| {
+                lamp.image(&facets, DVec3::ZERO, normal, DVec3::Z, |_| [1.0; 3])[0]
+            };
+            let peak = image(&brute, (DVec3::Z + DVec3::Y).normalize());
+            for step in -30..=30 {
+                let turn = std::f64::consts::FRAC_PI_4 + f64::from(step) * 0.02;
+                let normal = DVec3::new(0.02, turn.sin(), turn.cos()).normalize();
+                let (one, many) = (image(&lamp, normal), image(&brute, normal));
+                assert!((one - many).abs() < 0.025 * peak, "{turn}: {one} {many} of {peak}");
+            }
+        }
+    }
+
+    #[test]
     fn points_chosen_for_the_facets_agree_with_brute_force() {
-        let microfacets = Microfacets::grooves(0.03);
-        let lamp = Lamp::new(Place::Direction(DVec3::Y), 0.1, [1.0; 3]).resolved_for(&microfacets);
+        let facets = Facets::new(Microfacets::grooves(0.03), None);
+        let lamp = Lamp::new(Place::Direction(DVec3::Y), 0.1, [1.0; 3]).resolved_for(&facets);
         let image = |lamp: &Lamp, normal, view| {
-            lamp.image(&microfacets, DVec3::ZERO, normal, view, |_| [1.0; 3])[0]
+            lamp.image(&facets, DVec3::ZERO, normal, view, |_| [1.0; 3])[0]
         };
         let mut brute = lamp.clone();
         brute.points = disc(60);

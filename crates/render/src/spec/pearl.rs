@@ -126,6 +126,8 @@ pub struct TransportSurfaceSpec {
     pub facet_spread_rad: Option<f64>,
     /// How the facets lean.
     pub facets: FacetsSpec,
+    /// Spread of the tablets' lean against the surface.
+    pub waviness_rad: f64,
 }
 
 /// How microscopic facets lean.

@@ -88,7 +88,6 @@ impl Unlit<'_> {
                 falloff_mm: look.falloff_mm,
             })),
             Optics::Transport { response } => {
-                let response = Arc::clone(response);
                 Model::Transport(Box::new(Transport::new(response, lit, ball, self.samples_side)))
             }
         }

@@ -3,8 +3,8 @@
 use std::{cell::RefCell, sync::Arc};
 
 use nacreous_image::{
-    Film, FilmDraft, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface, TorranceSparrow,
-    grain::texture::Texture,
+    Film, FilmDraft, FilmParts, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface,
+    TorranceSparrow, Waviness, grain::texture::Texture,
 };
 use nacreous_optics::IlluminantModel;
 
@@ -57,6 +57,7 @@ struct FilmKey {
     nacre: NacreSpec,
     film: FilmSpec,
     outer_um: f64,
+    parts: FilmParts,
 }
 
 /// What a film on facets is made from.
@@ -65,6 +66,7 @@ struct SurfaceKey {
     film: FilmKey,
     facets: FacetsSpec,
     spread_rad: f64,
+    waviness: Waviness,
 }
 
 /// What a pearl's response to light is made from.
@@ -208,7 +210,7 @@ impl OpticsStage {
             let before = begun.take().filter(|(known, _)| known == key).map(|(_, draft)| draft);
             let mut draft = match before {
                 Some(draft) => draft,
-                None => FilmDraft::new(columns_of(&key.nacre, &key.film, key.outer_um)?),
+                None => FilmDraft::new(columns_of(&key.nacre, &key.film, key.outer_um)?, key.parts),
             };
             loop {
                 let add = |progress: &Progress| draft.add(work.film_angles, progress.stop_flag());
@@ -226,10 +228,11 @@ impl OpticsStage {
         let Some(films) = self.films.all(film_keys, film)? else { return Ok(None) };
         let film_of = |wanted: &SurfaceKey| {
             let place = keys.iter().position(|key| key.film == wanted.film);
-            place.map(|place| Film::clone(&films[place]))
+            place.map(|place| &films[place])
         };
         let surface = |key: &SurfaceKey| {
-            Ok(film_of(key).map(|film| Surface::new(film, microfacets(key.facets, key.spread_rad))))
+            let microfacets = microfacets(key.facets, key.spread_rad);
+            Ok(film_of(key).map(|film| Surface::new(film, microfacets, key.waviness)))
         };
         self.surfaces.all(keys.to_vec(), surface)
     }
@@ -253,10 +256,12 @@ fn microfacets(facets: FacetsSpec, spread_rad: f64) -> Microfacets {
 
 fn surface_key(pearl: &PearlSpec, spec: &TransportSpec) -> SurfaceKey {
     let (nacre, film) = (spec.nacre.clone(), spec.film.clone());
+    let waviness = Waviness::new(spec.surface.waviness_rad);
     SurfaceKey {
-        film: FilmKey { nacre, film, outer_um: outer_um_of(spec) },
+        film: FilmKey { nacre, film, outer_um: outer_um_of(spec), parts: waviness.parts() },
         facets: spec.surface.facets,
         spread_rad: facet_spread_rad_of(pearl),
+        waviness,
     }
 }
 

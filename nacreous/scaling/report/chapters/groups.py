@@ -39,6 +39,7 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     verdict = words.sentences(
         words(key, p=words.equals(chance(found.p_value))),
         words(f"groups.method.{found.tests[0].name}"),
+        *([words("groups.side_untold")] if analysis.groups.may_be_side(level) else []),
     )
     return Html(
         f"<p>{verdict}</p>\n"

@@ -205,4 +205,19 @@ def _covariates(analysis: Analysis, people: People, words: Words) -> Html:
         words("neighbours.p"),
     ]
     lead = words.paragraph("people.covariates")
-    return Html(lead + table(heads, rows, ["", "", "", "n", "n"]))
+    apart = table(heads, rows, ["", "", "", "n", "n"])
+    return Html(lead + apart + _sides(analysis, people, words))
+
+
+def _sides(analysis: Analysis, people: People, words: Words) -> Html:
+    """Columns of people whom the side draws differently, which is no other judging."""
+    said = [
+        words(
+            "people.side_by",
+            column=words.name(one.column),
+            p=words.equals(chance(one.side_p_adjusted)),
+        )
+        for one in people.covariates
+        if one.side_p_adjusted is not None and one.side_differs(analysis.settings.level)
+    ]
+    return Html(f"<p>{words.sentences(*said[:_MOST_COVARIATES])}</p>\n") if said else Html("")

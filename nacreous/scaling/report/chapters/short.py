@@ -39,6 +39,8 @@ def _groups(analysis: Analysis, words: Words) -> list[Html]:
         alike = "groups_places" if styles else "groups_alike"
         key = "groups_untold" if groups.differ(level) is None else alike
         said = [words(f"short.{key}", column=column), *said]
+    elif groups.may_be_side(level):
+        said.append(words("short.side_untold", column=column))
     return [words.sentences(*said)] if said else []
 
 

@@ -1,0 +1,85 @@
+//! What a pearl mirrors in one direction and about it: the surface's lobe, and that of the layers below.
+//!
+//! The surface's is sharp and nearly without colour, the layers' broad and coloured (docs/transport.md, Two lobes).
+//! Left out: polarisation of light that the layers turn out of its plane, which is weighed as if it stayed there.
+
+use crate::{
+    light::bands::{BANDS, Bands},
+    surface::{
+        clear::Clear,
+        facets::Facets,
+        film::{self, Film, LayersMirrored, STEPS, cosines},
+        microfacets::Microfacets,
+        waviness::Waviness,
+    },
+};
+
+/// Facets, in air or below a clear surface, and what they mirror.
+#[derive(Debug, Clone)]
+pub struct Lobe {
+    microfacets: Microfacets,
+    below: Option<Clear>,
+    /// What a facet mirrors, by the cosine of incidence in air.
+    mirrored: Vec<Bands>,
+    /// What all of them mirror, by the cosine of the view angle.
+    pub(crate) albedo: Vec<Bands>,
+}
+
+impl Lobe {
+    fn new(microfacets: Microfacets, below: Option<Clear>, mirrored: Vec<Bands>) -> Self {
+        Self { microfacets, below, mirrored, albedo: Vec::new() }
+    }
+
+    /// The facets as light meets them.
+    pub fn facets(&self) -> Facets<'_> {
+        Facets::new(self.microfacets, self.below.as_ref())
+    }
+
+    /// What lies above the facets, if not air.
+    pub(crate) fn below(&self) -> Option<&Clear> {
+        self.below.as_ref()
+    }
+
+    /// How the facets lean.
+    pub(crate) fn microfacets(&self) -> Microfacets {
+        self.microfacets
+    }
+
+    /// What a facet mirrors at a cosine of incidence in air.
+    pub fn mirrored(&self, cosine: f64) -> Bands {
+        film::at(&self.mirrored, cosine)
+    }
+
+    /// What all facets mirror, at a cosine of the view angle.
+    pub(crate) fn albedo(&self, cosine: f64) -> Bands {
+        film::at(&self.albedo, cosine)
+    }
+
+    /// Adds up what so many facets mirror.
+    pub(crate) fn find_albedo(&mut self, facets: usize) {
+        let samples = self.microfacets.samples(facets);
+        let albedo = |cosine: f64| {
+            let seen = self.facets().seen_at(cosine.max(0.25 / STEPS as f64));
+            let mut mirrored = [0.0; BANDS];
+            for facet in samples.iter().filter_map(|sample| seen.facet(*sample)) {
+                for (sum, share) in mirrored.iter_mut().zip(self.mirrored(facet.cos_half)) {
+                    *sum += facet.weight * share;
+                }
+            }
+            mirrored.map(|sum| sum / facets as f64)
+        };
+        self.albedo = cosines().map(albedo).collect();
+    }
+}
+
+/// The lobes of a film on microfacets whose layers wave: one where they do not.
+pub(crate) fn lobes(film: &Film, microfacets: Microfacets, waviness: Waviness) -> Vec<Lobe> {
+    let mirrored = film.mirrored(waviness);
+    let sharp = Lobe::new(microfacets, None, mirrored.sharp);
+    let Some(LayersMirrored { passing, through }) = mirrored.layers else { return vec![sharp] };
+    // Layers follow the surface and wave against it; seen from outside, their lean counts n times.
+    let followed_rad = microfacets.spread_rad() / film.index();
+    let slope_rad = (waviness.slope_rad().powi(2) + followed_rad.powi(2)).sqrt();
+    let clear = Clear::new(film.index(), passing);
+    vec![sharp, Lobe::new(Microfacets::grooves(slope_rad), Some(clear), through)]
+}
