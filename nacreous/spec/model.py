@@ -53,7 +53,7 @@ def own_keys(section: BaseModel, values: dict[str, Any], model: str) -> dict[str
     >>> from nacreous.spec.surface import Surface
     >>> surface = Surface()
     >>> sorted(own_keys(surface, surface.model_dump(), "transport"))
-    ['facet_spread_rad', 'facets']
+    ['facet_spread_rad', 'facets', 'waviness_rad']
     """
     fields = type(section).model_fields
     kept = {key: value for key, value in values.items() if only_with(fields[key]) in ("", model)}
