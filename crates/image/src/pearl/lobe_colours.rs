@@ -12,14 +12,13 @@ use crate::{
     },
     pearl::passage::{cosines, row},
     rgb::Rgb,
-    surface::{clear::Clear, coating::Surface, facets::Facets, microfacets::Microfacets},
+    surface::{coating::Surface, facets::Facets, lobe::Lobe},
 };
 
 /// One lobe of a pearl in one scene's colours and under its lamps.
 #[derive(Debug)]
 pub(crate) struct LobeColours {
-    microfacets: Microfacets,
-    below: Option<Clear>,
+    lobe: Lobe,
     /// What a facet mirrors of surroundings, from RGB to RGB, by the cosine of incidence.
     mirrored: Vec<Matrix>,
     /// What all facets together mirror of even surroundings, by the cosine of the view angle.
@@ -43,8 +42,7 @@ impl LobeColours {
             film.iter().map(|share| palette.rgb(&bands::times(share, power))).collect()
         };
         Self {
-            microfacets: lobe.microfacets(),
-            below: lobe.below().cloned(),
+            lobe: lobe.clone(),
             mirrored: film.iter().map(|share| palette.filtered(share)).collect(),
             mirrored_by_all: cosines().map(by_all).collect(),
             lamps_mirrored: lamps.iter().map(colours).collect(),
@@ -53,7 +51,7 @@ impl LobeColours {
 
     /// The facets.
     pub(crate) fn facets(&self) -> Facets<'_> {
-        Facets::new(self.microfacets, self.below.as_ref())
+        self.lobe.facets()
     }
 
     /// What a facet mirrors of surroundings, from RGB to RGB, at a cosine of incidence.

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::surface::{film::STEPS, microfacets::Glint, sampling::Facet};
+use crate::surface::{film, microfacets::Glint, sampling::Facet};
 
 /// The boundary between air and nacre, through which light comes to what lies below.
 ///
@@ -30,9 +30,8 @@ impl Clear {
 
     /// Share of light that gets through, at a cosine in air.
     pub(crate) fn passing(&self, cosine: f64) -> f64 {
-        let x = cosine.clamp(0.0, 1.0) * STEPS as f64;
-        let i = (x as usize).min(STEPS - 1);
-        self.passing[i] + (self.passing[i + 1] - self.passing[i]) * (x - i as f64)
+        let (i, share) = film::place(cosine);
+        self.passing[i] + (self.passing[i + 1] - self.passing[i]) * share
     }
 
     /// The cosine in nacre for one in air.
@@ -83,7 +82,7 @@ mod tests {
     use super::*;
 
     fn clear() -> Clear {
-        Clear::new(1.683, vec![1.0; STEPS + 1])
+        Clear::new(1.683, vec![1.0; film::STEPS + 1])
     }
 
     #[test]

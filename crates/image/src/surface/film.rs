@@ -65,7 +65,8 @@ impl Film {
     }
 
     /// The share mirrored at a cosine by level layers, or apart from their phase to the surface.
-    pub fn reflectance(&self, cosine: f64) -> Bands {
+    #[cfg(test)]
+    pub(crate) fn reflectance(&self, cosine: f64) -> Bands {
         match &self.mirrors {
             Mirrors::Together(mirrored) | Mirrors::Both(mirrored, _) => at(mirrored, cosine),
             Mirrors::Apart(Apart { surface, layers }) => {
@@ -94,6 +95,7 @@ impl Film {
         }
     }
 
+    /// Of what [`FilmDraft`](crate::FilmDraft) found.
     pub(crate) fn of(mirrors: Mirrors, modes: &Bands, index: f64) -> Self {
         Self { mirrors, modes: *modes, index }
     }
@@ -141,9 +143,15 @@ pub(crate) fn cosines() -> impl Iterator<Item = f64> {
     (0..=STEPS).map(|step| step as f64 / STEPS as f64)
 }
 
-/// A row between the table's rows.
-pub(crate) fn at(table: &[Bands], cosine: f64) -> Bands {
+/// Where a cosine lies in a table: the row before it, and how far on to the next.
+pub(crate) fn place(cosine: f64) -> (usize, f64) {
     let x = cosine.clamp(0.0, 1.0) * STEPS as f64;
     let i = (x as usize).min(STEPS - 1);
-    bands::mix(&table[i], &table[i + 1], x - i as f64)
+    (i, x - i as f64)
+}
+
+/// A row between the table's rows.
+pub(crate) fn at(table: &[Bands], cosine: f64) -> Bands {
+    let (i, share) = place(cosine);
+    bands::mix(&table[i], &table[i + 1], share)
 }
