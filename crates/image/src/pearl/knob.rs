@@ -46,8 +46,9 @@ impl Parameters {
             mixing: 0.5 * libm::pow(depth, 1.5),
             // From five layers to 150; the trade reports on the outer 50 um.
             outer_um: 2.0 + 58.0 * depth,
-            // From a body nearly as matt as chalk, to one that shines with a seventh of its contrast.
-            spread: geometric(0.02, 1.0, depth),
+            // From a body nearly as matt as chalk to one that keeps half of its contrast (0.02 to 0.3); how far light
+            // goes, the root of it, grows evenly.
+            spread: (0.141 + 0.407 * depth).powi(2),
             // From satin (14 degrees) to a mirror with a soft edge (0.7 degrees).
             facet_spread_rad: geometric(0.25, 0.012, shininess),
             mirror_weight: shininess.sqrt(),
