@@ -337,7 +337,7 @@ def test_names_of_columns_are_checked():
     assert lines(left="lefft")[0] == (
         "table: has no column lefft; did you mean left? (left='left')"
     )
-    assert lines(lefft="left")[0] == "lefft is no role of a column; did you mean left?"
+    assert lines(lefft="left")[0] == '"lefft" is no role of a column; did you mean left?'
     assert lines(left="right")[0] == "table: column right is used as left and as right; allowed: " \
         "one of them"  # fmt: skip
 
@@ -442,7 +442,7 @@ def test_groups_keep_the_stimuli_and_their_own_people():
 def test_a_group_that_is_not_there_is_refused():
     answers = Answers.of_table(TABLE)
     assert refusal(lambda: answers.split("sexx")) == [
-        "sexx is no group of these answers; did you mean sex?"
+        '"sexx" is no group of these answers; did you mean sex?'
     ]
     pairs = Answers.of_pairs([("a", "b")])
     assert (

@@ -14,7 +14,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.entrance import fields_of
-from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.fault import listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.label import check_visible
 from nacreous.scaling.data.pairs import codes_of_pairs
@@ -259,7 +259,7 @@ class Answers:
         near = nearest(column, self.groups)
         allowed = listed(self.groups) or "none, for the answers have no other columns"
         hint = f"did you mean {near}?" if near else f"allowed: {allowed}"
-        raise InputError(f"{column} is no group of these answers; {hint}")
+        raise InputError(f"{quoted(column)} is no group of these answers; {hint}")
 
     def _with_own_people(self) -> Answers:
         if self.person is None:

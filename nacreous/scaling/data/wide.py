@@ -10,7 +10,7 @@ import numpy as np
 from nacreous.scaling.data.choice import SIDES
 from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.count import count_column, counts_of
-from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.fault import Faults, in_one_line, listed, quoted
 from nacreous.scaling.data.likeness import number_of
 from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.pair_columns import pairs_of
@@ -142,7 +142,7 @@ def _refuse_questions(
             continue
         held = known.intersection(text_column(table, name).unique().to_pylist())
         if held:
-            asked = f" ({quoted(table.texts[name])})" if table.texts.get(name) else ""
+            asked = f" ({quoted(in_one_line(table.texts[name]))})" if table.texts.get(name) else ""
             faults.say(
                 f"column {name}{asked} holds {listed(sorted(held))} and names no pair; allowed: "
                 'a name or question such as "A vs B", or no such column (remove it)'
