@@ -45,9 +45,9 @@ _VALUE = (
 )
 _ARGUMENT = re.compile(rf"(?<![\w.\-])({'|'.join(_OPTIONS)})=({_VALUE})")
 _SUBJECT = re.compile(rf"({'|'.join((*_SAME, 'left_word', 'right_word'))})(?= is .*; )")
-#: A message is read once from left to right. What stands in quotes is what somebody wrote, and stays
-#: as it is, unless it is the value of an argument or part of a phrase. Python parts arguments by
-#: commas, and a command by spaces. `is True` is said of a switch that was given.
+#: A message is read once from left to right. What stands in quotes is what somebody wrote, and
+#: stays as it is, unless it is the value of an argument or part of a phrase. Python parts arguments
+#: by commas, and a command by spaces. `is True` is said of a switch that was given.
 _PIECE = re.compile(
     rf"(?P<phrase>{'|'.join(map(re.escape, _PHRASES))})"
     rf"|(?P<arguments>{_ARGUMENT.pattern}(?:, {_ARGUMENT.pattern})*)"

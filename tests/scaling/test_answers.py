@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -404,6 +406,13 @@ def test_files_that_are_no_answers_are_refused(tmp_path, monkeypatch):
     latin = "left,right,chosen\na,b,a\né,b,b\n".encode("latin-1")
     assert line("a.csv", latin).startswith("line 3 is not UTF-8 text; allowed: UTF-8 (save it as ")
     assert line("a.csv", b"\x89PNG\r\n\0\0").startswith("is no text; allowed: a table as CSV")
+    assert line("a.csv", gzip.compress(latin)).endswith("a table as text (unpack it first)")
+    assert line("a.csv.gz", b"").endswith(".parquet (unpack it first)")
+    assert line("a.xlsx", b"").endswith(".parquet (save it as CSV UTF-8)")
+    for inside, advice in (("a.csv", "unpack it first"), ("xl/a.xml", "save it as CSV UTF-8")):
+        with zipfile.ZipFile(tmp_path / "of.zip", "w") as made:
+            made.writestr(inside, latin)
+        assert line("a.csv", (tmp_path / "of.zip").read_bytes()).endswith(f"text ({advice})")
     assert line("a.csv", "").startswith("is empty; allowed: a line of column names, then answers")
     assert line("a.csv", " \n").startswith("is empty")
     assert line("a.csv", "left,right,chosen\n").startswith("has no rows; allowed: 1 to 100000000")

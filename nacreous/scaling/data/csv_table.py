@@ -17,6 +17,7 @@ from nacreous.scaling.data.comments import without_comments
 from nacreous.scaling.data.encoding import utf8_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.header import Header, find_header, titles_above
+from nacreous.scaling.data.pair_name import pairs_in
 from nacreous.scaling.data.quotation import check_escapes, check_quotes, has_corner_left_out
 from nacreous.scaling.data.spreadsheet import as_given, columns_as_given
 
@@ -78,6 +79,7 @@ def parse_csv(
         _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
     if wanted and not any({*map(str.casefold, names)} >= {*map(str.casefold, w)} for w in wanted):
         _check_headless(place, header.rows, names, [columns[at] for at in kept])
+        _check_label_twice(place, header.rows, names, twice, {"chosen"}.union(*wanted))
     if twice:
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
     texts = dict(zip(map(as_given, header.names), header.texts, strict=False))
@@ -278,6 +280,20 @@ def _check_headless(place: str, row: int, names: list[str], columns: list[Any]) 
         raise InputError(
             f"{place}: row {row} seems to be an answer, for {listed(again)} stand in rows below it "
             "too; allowed: a line of column names first, such as left,right,chosen"
+        )
+
+
+def _check_label_twice(
+    place: str, row: int, names: list[str], twice: list[str], known: Collection[str]
+) -> None:
+    """Refuse a line of names that has one twice and none that is known: an answer repeats one.
+
+    Names of pairs are names.
+    """
+    if twice and not any(name.casefold() in known or pairs_in(name) for name in names):
+        raise InputError(
+            f"{place}: row {row} holds {listed(twice)} more than once, as an answer does; allowed: "
+            "a line of column names first, such as left,right,chosen, each name once"
         )
 
 

@@ -130,3 +130,13 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
     by_lower = {choice.lower(): choice for choice in choices}
     close = get_close_matches(word.lower(), list(by_lower), n=1, cutoff=0.6)
     return by_lower[close[0]] if close else None
+
+
+def hint_of(word: str, choices: Collection[str]) -> str:
+    """What was probably meant by a word that is none of the choices; or all of these.
+
+    >>> hint_of("Deeper", ["deeper", "shinier"]), hint_of("x", ["deeper", "shinier"])
+    ('did you mean deeper?', 'allowed: deeper, shinier')
+    """
+    near = nearest(str(word), choices)
+    return f"did you mean {near}?" if near else f"allowed: {', '.join(choices)}"

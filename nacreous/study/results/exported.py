@@ -13,6 +13,7 @@ import numpy as np
 from nacreous.number import said, truth_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import group_column, text_column
+from nacreous.scaling.data.fault import hint_of
 from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.scaling.data.truth import says_true
@@ -68,7 +69,7 @@ def exported_answers(
             f'wanted: question="{asked[0]}" or another of {", ".join(asked)}'
         )
     elif question not in asked:
-        raise InputError(f"{path}: question is {question!a}; allowed: {', '.join(asked)}")
+        raise InputError(f"{path}: question is {said(question)}; {hint_of(question, asked)}")
     answered = [row["question"] == question for row in rows]
     which = np.array(
         [own and counts(row, simulated=simulated) for own, row in zip(answered, rows, strict=True)],
