@@ -139,6 +139,6 @@ def test_a_first_line_that_repeats_a_label_is_told_to_be_no_line_of_names(tmp_pa
     path = tmp_path / "a.csv"
     path.write_text(rows)
     with pytest.raises(
-        nc.InputError, match="row 1 .* an answer.*; allowed: a line of column names"
+        nc.InputError, match=r"row 1 .* an answer.*; allowed: a line of column names"
     ):
         nc.scaling.Answers.read(path)
