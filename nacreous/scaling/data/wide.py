@@ -16,6 +16,7 @@ from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.pair_columns import pairs_of
 from nacreous.scaling.data.pair_name import PairName
 from nacreous.scaling.data.program import is_response_id, names_people
+from nacreous.scaling.data.respondent import refuse_twice
 from nacreous.scaling.data.roles import Names, column_of
 from nacreous.scaling.data.table import Table
 
@@ -48,6 +49,8 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
     for name, cells in (("left", lefts), ("right", rights), ("chosen", chosen)):
         columns[name] = pa.array([cells[at] for at in order], pa.large_string())
     person = _person(table, names)
+    if "person" not in names:
+        refuse_twice(table, person, pairs)
     if person != "person":
         own = pa.array(people, pa.large_string()).take(pa.array(source))
         columns["person"] = columns.pop(person) if person else own

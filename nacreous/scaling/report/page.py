@@ -145,12 +145,13 @@ def _screens(marks: Mapping[str, int], words: Words) -> Html:
 
 
 def _left_out(analysis: Analysis, words: Words) -> list[Html]:
-    """How many rows of the table are no answers, and why."""
+    """How many rows of the table are left out, and why."""
     if analysis.answers is None:
         return []
     unanswered = analysis.answers.unanswered
     unpaired = analysis.answers.left_out - unanswered
     found = {"head.unpaired": unpaired, "head.unanswered": unanswered}
+    found |= {f"head.left_{reason}": rows for reason, rows in analysis.answers.uncounted.items()}
     return [words(key, rows=words.count("row", count)) for key, count in found.items() if count]
 
 
