@@ -141,8 +141,8 @@ def _is_export(path: str | PathLike[str]) -> bool:
     more = f" and {len(told) - 4} more" if len(told) > 4 else ""
     raise InputError(
         f"{path}: is an export of a study without the column{'s' if len(lacking) > 1 else ''} "
-        f"{', '.join(told[:4])}{more}; wanted: the file as `nacreous study export` wrote it, with its "
-        "names of columns in small letters"
+        f"{', '.join(told[:4])}{more}; wanted: the file as `nacreous study export` wrote "
+        "it, with its names of columns in small letters"
     )
 
 
