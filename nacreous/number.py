@@ -5,6 +5,7 @@ NumPy is loaded by the checks that need it: whoever asks for `said` alone may do
 
 from __future__ import annotations
 
+import re
 import reprlib
 from typing import TYPE_CHECKING, Any
 
@@ -127,6 +128,6 @@ def truth_of(name: str, value: object) -> bool:
 def said(value: object) -> str:
     """A value as Python writes it, on one line and never long."""
     try:
-        return " ".join(reprlib.repr(value).split())
+        return re.sub(r"\s*\n\s*", " ", reprlib.repr(value))
     except ValueError:  # a whole number of more digits than Python agrees to print
         return "a number of thousands of digits"

@@ -49,7 +49,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument(
         "--question",
         help="as it was put to people, for the report; of a "
-        "study's export with several, the id of one",
+        "study's export, or a column question, with several, one of them",
     )
     parser.add_argument("--language", choices=("en", "ja"), default="en", help="of the report (en)")
     _add_data(parser)

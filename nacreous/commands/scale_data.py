@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +32,7 @@ def data_of(args: argparse.Namespace) -> Any:
     """Answers or counts, as the options say they are to be read."""
     from nacreous.problem import InputError
     from nacreous.scaling import Answers, Comparisons, paper
+    from nacreous.scaling.data.question import SeveralQuestionsError
 
     if args.answers.casefold() == PAPER != args.answers and not Path(args.answers).exists():
         raise InputError(f"{args.answers}: does not exist; did you mean {PAPER}?")
@@ -50,15 +52,21 @@ def data_of(args: argparse.Namespace) -> Any:
         )
     if exported is not None:
         return exported
-    return Answers.read(
+    read = partial(
+        Answers.read,
         args.answers,
         repeats=args.repeats,
         sided=not args.no_sides,
         skip_unanswered=args.skip_unanswered,
         skip_rows=args.skip_rows or 0,
         encoding=args.encoding,
-        **names,
     )
+    try:
+        return read(**names)
+    except SeveralQuestionsError:
+        if args.question is None:
+            raise
+    return read(question=args.question, **names)
 
 
 def _exported(args: argparse.Namespace) -> Answers | None:
@@ -75,7 +83,8 @@ def _may_be_export(path: str) -> bool:
     from nacreous.scaling.data.table import column_names
     from nacreous.study.task.counting import HEEDED
 
-    return set(HEEDED) <= set(column_names(path, [HEEDED]))
+    names = {name.casefold() for name in column_names(path, [HEEDED])}
+    return len(names.intersection(HEEDED)) > 1  # of an export without one of them it is said
 
 
 def _is_given(args: argparse.Namespace, name: str) -> bool:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import shlex
 from typing import TYPE_CHECKING
 
+from nacreous.commands.scale_cautions import cautions
 from nacreous.scaling.data.fault import listed
+from nacreous.scaling.data.uncounted import REASONS
 
 if TYPE_CHECKING:
     from nacreous.scaling.check.population import Population
@@ -55,7 +57,7 @@ def told(found: Analysis, seconds: float) -> str:
         for one in found.consistency.always_tied[:_MOST_UNTESTED]
     ]
     lines += _groups_told(found) + _drawn_told(found) + _left_out_told(found) + _times_told(found)
-    lines += _read_told(found) + _untested_told(found)
+    lines += _read_told(found) + _untested_told(found) + cautions(found)
     return "\n".join([*lines, _fit_verdict(found)])
 
 
@@ -130,13 +132,19 @@ def _drawn_told(found: Analysis) -> list[str]:
 
 
 def _left_out_told(found: Analysis) -> list[str]:
-    """How many rows of the table are no answers, and why."""
-    if found.answers is None or not found.answers.left_out:
+    """How many rows of the table are left out, and why."""
+    if found.answers is None:
         return []
     unanswered = found.answers.unanswered
-    rows = {"no pair": found.answers.left_out - unanswered, "no answer": unanswered}
-    told = " and ".join(f"{count} with {what}" for what, count in rows.items() if count)
-    return [f"rows left out: {told}"]
+    rows = {"with no pair": found.answers.left_out - unanswered, "with no answer": unanswered}
+    rows |= {REASONS[reason]: count for reason, count in found.answers.uncounted.items()}
+    told = [f"{count} {what}" for what, count in rows.items() if count]
+    return [f"rows left out: {_joined(told)}"] if told else []
+
+
+def _joined(words: list[str]) -> str:
+    """Words with commas between them, and "and" before the last."""
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
 
 
 def _read_told(found: Analysis) -> list[str]:

@@ -44,13 +44,16 @@ _VALUE = (
     r"'(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"|[+-]?[0-9.]+(?:e[+-]?[0-9]+)?|True|False|None|[A-Z]+\b"
 )
 _ARGUMENT = re.compile(rf"(?<![\w.\-])({'|'.join(_OPTIONS)})=({_VALUE})")
-#: Python parts arguments by commas, and a command by spaces.
-_ARGUMENTS = re.compile(rf"{_ARGUMENT.pattern}(?:, {_ARGUMENT.pattern})*")
-_SUBJECT = re.compile(rf"({'|'.join((*_SAME, 'left_word', 'right_word'))}) is (?=.*; )")
-#: A label; in double quotes behind = Python writes a value that has an apostrophe in it.
-_QUOTED = re.compile(r'((?<!=)"[^"]*")')
-#: What is said of a switch that was given.
-_GIVEN = re.compile(r"is True(?=;)")
+_SUBJECT = re.compile(rf"({'|'.join((*_SAME, 'left_word', 'right_word'))})(?= is .*; )")
+#: A message is read once from left to right. What stands in quotes is what somebody wrote, and
+#: stays as it is, unless it is the value of an argument or part of a phrase. Python parts arguments
+#: by commas, and a command by spaces. `is True` is said of a switch that was given.
+_PIECE = re.compile(
+    rf"(?P<phrase>{'|'.join(map(re.escape, _PHRASES))})"
+    rf"|(?P<arguments>{_ARGUMENT.pattern}(?:, {_ARGUMENT.pattern})*)"
+    r"""|(?P<own>"[^"]*"|(?<!\w)'(?:[^'\\]|\\.)*'(?!\w))"""
+    r"|(?P<given>\bis True(?=;))|(?P<none>\bNone\b)"
+)
 
 
 @contextmanager
@@ -70,23 +73,23 @@ def spoken(place: str) -> Iterator[None]:
 
 
 def _line(line: str, place: str) -> str:
-    """One message; the file's name and labels in double quotes are what somebody else wrote."""
+    """One message; the file's name and what stands in quotes is what somebody else wrote."""
     above, said = (place, line[len(place) :]) if line.startswith(place) else ("", line)
-    for phrase, option in _PHRASES.items():
-        said = said.replace(phrase, option)
     subject = _SUBJECT.match(said)
-    parts = _QUOTED.split(said[subject.end() :] if subject else said)
-    parts[::2] = map(_with_options, parts[::2])
     if subject:
-        parts[::2] = map(_bare_words, parts[::2])
-        above += f"{_OPTIONS[subject[1]]} is "
-    return _GIVEN.sub("is given", above + "".join(parts))
+        above, said = f"{above}{_OPTIONS[subject[1]]}", said[subject.end() :]
+    return above + _PIECE.sub(lambda found: _piece(found, subject is not None), said)
 
 
-def _with_options(text: str) -> str:
-    return _ARGUMENTS.sub(
-        lambda found: " ".join(_option(*each) for each in _ARGUMENT.findall(found[0])), text
-    )
+def _piece(found: re.Match[str], of_option: bool) -> str:
+    """A part of a message in the command's words. of_option: the message is about an option."""
+    if found["phrase"]:
+        return _PHRASES[found["phrase"]]
+    if found["arguments"]:
+        return " ".join(_option(*each) for each in _ARGUMENT.findall(found["arguments"]))
+    if found["given"]:
+        return "is given"
+    return _bare(found[0]) if of_option else found[0]
 
 
 def _option(name: str, written: str) -> str:
@@ -109,6 +112,6 @@ def _value(written: str) -> str:
     return value if isinstance(value, str) else f"{value:g}"
 
 
-def _bare_words(text: str) -> str:
-    """Words without Python's quotes, and none for None."""
-    return re.sub(r"\bNone\b", "none", re.sub(r"(?<![\w=])'(\w[\w.\-]*)'", r"\1", text))
+def _bare(piece: str) -> str:
+    """A word without Python's quotes, and none for None."""
+    return "none" if piece == "None" else re.sub(r"'(\w[\w.\-]*)'", r"\1", piece)

@@ -160,9 +160,15 @@ def test_options_reach_the_fit(desk: Path) -> None:
         (["counts.csv", "--counts", "--group", "place"], "--group is place; allowed: none, for"),
         (["counts.csv", "--counts", "--column", "left=a"], "--column is given with counts"),
         (["paper", "--no-sides"], "--no-sides is given with counts"),
-        (["answers.csv", "--group", "plaec"], "plaec is no group of these answers; did you mean p"),
+        (
+            ["answers.csv", "--group", "plaec"],
+            '"plaec" is no group of these answers; did you',
+        ),
         (["answers.csv", "--column", "left"], '--column "left": wanted: role=name, such as'),
-        (["answers.csv", "--column", "lfet=a"], "lfet is no role of a column; did you mean left?"),
+        (
+            ["answers.csv", "--column", "lfet=a"],
+            '"lfet" is no role of a column; did you mean',
+        ),
         (["answers.csv", "--level", "95"], "--level is 95; allowed: 0.5 to 0.9999"),
         (["answers.csv", "--level", "nan"], "--level is nan; allowed: 0.5 to 0.9999"),
         (["answers.csv", "--prior", "wide"], "argument --prior: 'wide' is none of: none, hier"),

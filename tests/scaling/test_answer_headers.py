@@ -132,3 +132,13 @@ def test_the_second_line_of_names_counts_in_the_numbers_of_rows(tmp_path):
     text = f"{MONKEY}Which?,\n,,,A vs B,B vs C\n118,4,x,A,C\n119,4,y,D,B\n"
     with pytest.raises(nc.InputError, match=r'row 4: .*"D"; allowed: "A" or "B"'):
         read(tmp_path, text)
+
+
+@pytest.mark.parametrize("rows", ["A,B,A\nC,B,B\n", "mika,A,B,B\nyuki,C,D,D\n", "1,2,1\n3,4,3\n"])
+def test_a_first_line_that_repeats_a_label_is_told_to_be_no_line_of_names(tmp_path, rows):
+    path = tmp_path / "a.csv"
+    path.write_text(rows)
+    with pytest.raises(
+        nc.InputError, match=r"row 1 .* an answer.*; allowed: a line of column names"
+    ):
+        nc.scaling.Answers.read(path)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -337,7 +339,7 @@ def test_names_of_columns_are_checked():
     assert lines(left="lefft")[0] == (
         "table: has no column lefft; did you mean left? (left='left')"
     )
-    assert lines(lefft="left")[0] == "lefft is no role of a column; did you mean left?"
+    assert lines(lefft="left")[0] == '"lefft" is no role of a column; did you mean left?'
     assert lines(left="right")[0] == "table: column right is used as left and as right; allowed: " \
         "one of them"  # fmt: skip
 
@@ -404,6 +406,13 @@ def test_files_that_are_no_answers_are_refused(tmp_path, monkeypatch):
     latin = "left,right,chosen\na,b,a\né,b,b\n".encode("latin-1")
     assert line("a.csv", latin).startswith("line 3 is not UTF-8 text; allowed: UTF-8 (save it as ")
     assert line("a.csv", b"\x89PNG\r\n\0\0").startswith("is no text; allowed: a table as CSV")
+    assert line("a.csv", gzip.compress(latin)).endswith("a table as text (unpack it first)")
+    assert line("a.csv.gz", b"").endswith(".parquet (unpack it first)")
+    assert line("a.xlsx", b"").endswith(".parquet (save it as CSV UTF-8)")
+    for inside, advice in (("a.csv", "unpack it first"), ("xl/a.xml", "save it as CSV UTF-8")):
+        with zipfile.ZipFile(tmp_path / "of.zip", "w") as made:
+            made.writestr(inside, latin)
+        assert line("a.csv", (tmp_path / "of.zip").read_bytes()).endswith(f"text ({advice})")
     assert line("a.csv", "").startswith("is empty; allowed: a line of column names, then answers")
     assert line("a.csv", " \n").startswith("is empty")
     assert line("a.csv", "left,right,chosen\n").startswith("has no rows; allowed: 1 to 100000000")
@@ -411,7 +420,6 @@ def test_files_that_are_no_answers_are_refused(tmp_path, monkeypatch):
     assert line("a.csv", "left,left,chosen\na,b,a\n").startswith('has more than one column "left"')
     assert line("a.csv", CSV + "ren,9\n") == "row 6: has 2 cells; allowed: 7"
     assert line("a.parquet", CSV) == "is no whole Parquet file"
-    assert line("a.xlsx", CSV) == "the ending is .xlsx; allowed: .csv, .tsv, .txt, .parquet"
     assert line("answers", CSV) == "the ending is missing; allowed: .csv, .tsv, .txt, .parquet"
     monkeypatch.setattr(table_module, "MOST_BYTES", 2**20)
     assert line("a.csv", CSV * 20_000) == "is 2 MiB large; allowed: up to 1 MiB"
@@ -442,7 +450,7 @@ def test_groups_keep_the_stimuli_and_their_own_people():
 def test_a_group_that_is_not_there_is_refused():
     answers = Answers.of_table(TABLE)
     assert refusal(lambda: answers.split("sexx")) == [
-        "sexx is no group of these answers; did you mean sex?"
+        '"sexx" is no group of these answers; did you mean sex?'
     ]
     pairs = Answers.of_pairs([("a", "b")])
     assert (

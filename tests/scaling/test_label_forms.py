@@ -132,3 +132,20 @@ def test_kanji_beside_japanese_have_japanese_glyphs_on_an_english_page(
     answers = replace(answers, encoding_guessed=guessed)
     page = analyse(answers, bootstrap=0, question=question).text("report.html")
     assert ('<b class="name" lang="ja">真珠</b>' in page) == japanese
+
+
+@pytest.mark.parametrize(
+    ("label", "shown"),
+    [
+        ("A  B", r"A\u0020\u0020B"),
+        ("A\u00a0B", r"A\u00a0B"),
+        ("A\u3000B", r"A\u3000B"),
+    ],
+)
+def test_labels_that_differ_in_their_blanks_are_shown_so(tmp_path, label, shown):
+    place = tmp_path / "a.csv"
+    place.write_text(f'left,right,chosen\n"{label}",C,C\nA B,C,C\n')
+    with pytest.raises(InputError) as refusal:
+        Answers.read(place)
+    line = str(refusal.value)
+    assert shown in line

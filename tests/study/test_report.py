@@ -85,6 +85,7 @@ def test_the_page_says_what_fell_short_of_the_screens(
     [
         ([], "no answers to 'deeper' count yet"),
         (["--simulated", "--question", "duller"], "question is 'duller'; allowed: deeper"),
+        (["--simulated", "--question", "Deeper"], "question is 'Deeper'; did you mean deeper?"),
         (["--simulated", "--group", "age"], "group is 'age'; allowed: none"),
         (["-o", "report.pdf"], "report.pdf"),
     ],

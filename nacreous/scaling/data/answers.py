@@ -14,7 +14,7 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.column import Grouping
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.entrance import fields_of
-from nacreous.scaling.data.fault import listed, nearest
+from nacreous.scaling.data.fault import listed, nearest, quoted
 from nacreous.scaling.data.header import name_of
 from nacreous.scaling.data.label import check_visible
 from nacreous.scaling.data.pairs import codes_of_pairs
@@ -39,6 +39,8 @@ class Answers:
     - `sided`: left and right are places before the eye, and not only an order of listing
     - `left_out`: how many rows of the table are no answers, such as those of instructions;
       `unanswered`: how many of them show a pair
+    - `uncounted`: how many further rows are answers that do not count, by why: `question` (another
+      one), `practice`, `catch`, `excluded`, `simulated`, `people`
     - `encoding_guessed`: as which a file was read that does not say how its letters are written
 
     >>> answers = Answers.of_pairs([("a", "b"), ("a", "c"), ("c", "b")])
@@ -58,6 +60,7 @@ class Answers:
     sided: bool = True
     left_out: int = 0
     unanswered: int = 0
+    uncounted: Mapping[str, int] = field(default_factory=lambda: ReadOnlyMapping({}))
     encoding_guessed: str | None = None
 
     def __post_init__(self) -> None:
@@ -76,6 +79,7 @@ class Answers:
         skip_unanswered: bool = False,
         skip_rows: int = 0,
         encoding: str | None = None,
+        question: str | None = None,
         **names: Unpack[Names],
     ) -> Answers:
         r"""Read answers from a table as text (.csv, .tsv, .txt) or a .parquet file.
@@ -92,6 +96,9 @@ class Answers:
         A text file is UTF-8, UTF-16 or Shift-JIS, or in the `encoding` of that name; its first
         `skip_rows` rows are left out. So are rows without a pair, and with `skip_unanswered` those
         without an answer.
+
+        A table whose column `question` holds several is refused unless one is chosen by `question`.
+        Rows that are marked as practice or catch trials do not count (docs/answers.md).
 
         An answer given twice is refused: the same person, left and right, with the same time and
         trial where there are such columns; without people, rows that are the same in every column,
@@ -117,6 +124,7 @@ class Answers:
             repeats=repeats,
             sided=sided,
             skip_unanswered=skip_unanswered,
+            question=question,
         )
         return cls(**fields)
 
@@ -129,6 +137,7 @@ class Answers:
         repeats: bool = False,
         sided: bool = True,
         skip_unanswered: bool = False,
+        question: str | None = None,
         **names: Unpack[Names],
     ) -> Answers:
         """The answers in a pandas, Polars or pyarrow table, or in a dict of columns.
@@ -146,6 +155,7 @@ class Answers:
             repeats=repeats,
             sided=sided,
             skip_unanswered=skip_unanswered,
+            question=question,
         )
         return cls(**fields)
 
@@ -259,7 +269,7 @@ class Answers:
         near = nearest(column, self.groups)
         allowed = listed(self.groups) or "none, for the answers have no other columns"
         hint = f"did you mean {near}?" if near else f"allowed: {allowed}"
-        raise InputError(f"{column} is no group of these answers; {hint}")
+        raise InputError(f"{quoted(column)} is no group of these answers; {hint}")
 
     def _with_own_people(self) -> Answers:
         if self.person is None:

@@ -17,6 +17,11 @@ from nacreous.scaling.data.comments import without_comments
 from nacreous.scaling.data.encoding import utf8_of
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.header import Header, find_header, titles_above
+from nacreous.scaling.data.names_line import (
+    check_headless,
+    check_label_twice,
+    check_repeated_header,
+)
 from nacreous.scaling.data.quotation import check_escapes, check_quotes, has_corner_left_out
 from nacreous.scaling.data.spreadsheet import as_given, columns_as_given
 
@@ -75,9 +80,10 @@ def parse_csv(
     names = [as_given(header.names[at]) for at in kept]
     twice = sorted({name for name in names if names.count(name) > 1})
     if not twice:
-        _check_repeated_header(place, names, [columns[at] for at in kept], numbers)
+        check_repeated_header(place, names, [columns[at] for at in kept], numbers)
     if wanted and not any({*map(str.casefold, names)} >= {*map(str.casefold, w)} for w in wanted):
-        _check_headless(place, header.rows, names, [columns[at] for at in kept])
+        check_headless(place, header.rows, names, [columns[at] for at in kept])
+        check_label_twice(place, header.rows, names, twice, {"chosen"}.union(*wanted))
     if twice:
         raise InputError(f"{place}: has more than one column {listed(twice)}; allowed: one of each")
     texts = dict(zip(map(as_given, header.names), header.texts, strict=False))
@@ -263,36 +269,3 @@ def _are_row_names(column: Any) -> bool:
 
     numbers = pc.all(pc.match_substring_regex(column, "^[0-9]+$")).as_py()
     return bool(numbers) and column.null_count == 0 and len(column.unique()) == len(column)
-
-
-def _check_headless(place: str, row: int, names: list[str], columns: list[Any]) -> None:
-    """Refuse a line of names that is an answer: what it has, the rows below have there too."""
-    import pyarrow.compute as pc
-
-    again = [
-        name
-        for name, column in zip(names, columns, strict=True)
-        if pc.any(pc.equal(pc.utf8_trim_whitespace(column), name)).as_py()
-    ]
-    if len(again) > 1:
-        raise InputError(
-            f"{place}: row {row} seems to be an answer, for {listed(again)} stand in rows below it "
-            "too; allowed: a line of column names first, such as left,right,chosen"
-        )
-
-
-def _check_repeated_header(
-    place: str, names: list[str], columns: list[Any], numbers: NDArray[np.int64]
-) -> None:
-    """Refuse the line of names again further down, as where files were joined."""
-    import pyarrow.compute as pc
-
-    rows = np.arange(len(numbers))
-    for name, column in zip(names, columns, strict=True):
-        text = pc.fill_null(pc.utf8_trim_whitespace(column.take(rows)), "")
-        rows = rows[np.asarray(pc.equal(text, name))]
-    if len(rows):
-        raise InputError(
-            f"{place}: row {numbers[rows[0]]} is the line of column names again; allowed: once, at "
-            "the top (remove it)"
-        )

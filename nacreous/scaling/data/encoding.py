@@ -10,6 +10,7 @@ import re
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import nearest
+from nacreous.scaling.data.packed import packed
 
 #: Encodings that may be named, with Python's name of each.
 ENCODINGS = {
@@ -61,8 +62,6 @@ _MARKS = (
 )
 #: How ISO-2022-JP changes to kanji; its bytes are ASCII with escapes, which no table holds.
 _TO_KANJI = (b"\x1b$B", b"\x1b$@")
-_WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
-
 #: Texts that are no tables, by how they begin, in small letters.
 _OTHERS = {
     "a web page or XML": (b"<!doctype", b"<html", b"<?xml"),
@@ -83,10 +82,10 @@ def utf8_of(place: str, content: bytes, encoding: str | None = None) -> bytes:
 
     encoding: a key of `ENCODINGS`. Without, a byte order mark decides, then the zeros of UTF-16,
     then UTF-8, then Shift-JIS where Western European text would make no sense. Raises `InputError`
-    for everything else, for NUL characters, and for workbooks.
+    for everything else, for NUL characters, and for workbooks and packed files.
     """
-    if content.startswith(_WORKBOOKS):
-        raise InputError(f"{place}: is a workbook; allowed: a table as text (save it as CSV UTF-8)")
+    if other := packed(content):
+        raise InputError(f"{place}: is {other[0]}; allowed: a table as text {other[1]}")
     name, shown = _encoding(place, content, encoding)
     shown = shown.upper() if shown.startswith("utf") else shown
     # A line of names has commas in it, or tabs.

@@ -26,6 +26,8 @@ from nacreous.scaling.data.likeness import check_alike
 from nacreous.scaling.data.nothing import refuse_errors, refuse_nothing
 from nacreous.scaling.data.number_column import seconds_column
 from nacreous.scaling.data.pair_columns import has_pairs
+from nacreous.scaling.data.practice import marked
+from nacreous.scaling.data.question import of_question
 from nacreous.scaling.data.repeat import refuse_repeats
 from nacreous.scaling.data.roles import Names, columns_of, has_long, has_winners
 from nacreous.scaling.data.rounded import refuse_rounded
@@ -39,6 +41,7 @@ from nacreous.scaling.data.tie_column import (
 )
 from nacreous.scaling.data.time_column import time_column
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
+from nacreous.scaling.data.uncounted import counted_by_reason
 from nacreous.scaling.data.wide import long_of
 
 
@@ -57,6 +60,7 @@ class Fields(TypedDict):
     sided: bool
     left_out: int
     unanswered: int
+    uncounted: Mapping[str, int]
     encoding_guessed: str | None
 
 
@@ -68,6 +72,7 @@ def fields_of(
     repeats: bool,
     sided: bool,
     skip_unanswered: bool,
+    question: str | None = None,
 ) -> Fields:
     """Check a table's rows and return what `Answers` holds."""
     repeats, sided = truth_of("repeats", repeats), truth_of("sided", sided)
@@ -77,6 +82,7 @@ def fields_of(
     table = without_discarded(table, skip_unanswered)
     discarded = rows - table.rows
     table, column, unpaired = _trials(table, names)
+    table, uncounted = _counting(table, column, question)
     if "count" in column:
         table = table.take(counts_of(table, column["count"], table.faults()) > 0)
     won = "winner" in column
@@ -126,6 +132,7 @@ def fields_of(
         sided=sided and not won,
         left_out=unpaired + skipped,
         unanswered=skipped,
+        uncounted=uncounted,
         encoding_guessed=table.encoding_guessed,
     )
     return fields if counts is None else _counted(fields, counts)
@@ -185,6 +192,17 @@ def _trials(table: Table, names: Names) -> tuple[Table, dict[str, str], int]:
     faults.stop()
     paired = with_pairs(table, column)
     return paired, column, table.rows - paired.rows
+
+
+def _counting(
+    table: Table, column: dict[str, str], question: str | None
+) -> tuple[Table, dict[str, int]]:
+    """The rows that count, and how many others do not, by a key of `REASONS`."""
+    asked = of_question(table, question, list(column.values()))
+    other = {} if asked.all() else {"question": int((~asked).sum())}
+    table = table if asked.all() else table.take(asked)
+    kept, why = marked(table, column)
+    return (table if kept.all() else table.take(kept)), other | counted_by_reason(why)
 
 
 def _telling(

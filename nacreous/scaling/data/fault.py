@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import re
+from collections.abc import Callable, Collection, Iterable
 from difflib import get_close_matches
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.printable import printable
+from nacreous.printable import by_number, printable
 from nacreous.problem import InputError
 
 #: A column of a million bad cells is one mistake, not a million.
@@ -74,12 +75,38 @@ class Faults:
 
 
 def quoted(label: object) -> str:
-    """A label in quotes, on one line and never long.
+    r"""A label in quotes, on one line and never long.
 
-    >>> quoted("a pearl")
-    '"a pearl"'
+    Blanks are by number that would look like one plain blank, or be lost on a page: several of
+    them, tabs, no-break ones. A wide one stays, as Japanese has it.
+
+    >>> print(quoted("a pearl"), quoted("a  pearl"))
+    "a pearl" "a\u0020\u0020pearl"
     """
-    text = printable(" ".join(str(label).split()))
+    return _quoted(label, (" ", "\u3000"))
+
+
+def quoted_exactly(label: object) -> str:
+    r"""The same with every blank by number but single plain ones, beside a label that looks alike.
+
+    >>> print(quoted_exactly("crop\u30001"))
+    "crop\u30001"
+    """
+    return _quoted(label, (" ",))
+
+
+def in_one_line(text: str) -> str:
+    """What is no label, such as a question, with single blanks."""
+    return " ".join(text.split())
+
+
+def _quoted(label: object, plain: Collection[str]) -> str:
+    text = re.sub(
+        r"\s+",
+        lambda found: found[0] if found[0] in plain else "".join(map(by_number, found[0])),
+        str(label).strip(),
+    )
+    text = printable(text)
     return f'"{text}"' if len(text) <= 40 else f'"{text[:37]}..."'
 
 
@@ -103,3 +130,13 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
     by_lower = {choice.lower(): choice for choice in choices}
     close = get_close_matches(word.lower(), list(by_lower), n=1, cutoff=0.6)
     return by_lower[close[0]] if close else None
+
+
+def hint_of(word: str, choices: Collection[str]) -> str:
+    """What was probably meant by a word that is none of the choices; or all of these.
+
+    >>> hint_of("Deeper", ["deeper", "shinier"]), hint_of("x", ["deeper", "shinier"])
+    ('did you mean deeper?', 'allowed: deeper, shinier')
+    """
+    near = nearest(str(word), choices)
+    return f"did you mean {near}?" if near else f"allowed: {', '.join(choices)}"

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from unicodedata import decimal, decomposition, normalize, numeric
 
 from nacreous.problem import InputError
-from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.fault import quoted_exactly
 from nacreous.scaling.data.hidden import visible
 from nacreous.scaling.data.rewriting import check_rewritten
 
@@ -49,8 +49,8 @@ def check_alike(labels: Iterable[str], place: str) -> None:
         if other != label:
             differ = "look alike" if _drawn(other) == _drawn(label) else "are one number"
             raise InputError(
-                f"{place}: {quoted(other)} and {quoted(label)} {differ}; allowed: one way of "
-                "writing it"
+                f"{place}: {quoted_exactly(other)} and {quoted_exactly(label)} {differ}; "
+                "allowed: one way of writing it"
             )
     check_rewritten(labels, place)
 

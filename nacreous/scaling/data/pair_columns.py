@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from nacreous.scaling.data.column import text_column
-from nacreous.scaling.data.fault import Faults, quoted
+from nacreous.scaling.data.fault import Faults, in_one_line, quoted
 from nacreous.scaling.data.pair_name import PairName, is_numbered, pairs_in
 from nacreous.scaling.data.table import Table
 
@@ -61,7 +61,7 @@ def _text(table: Table, column: str) -> str:
 
 def _column(table: Table, name: str) -> str:
     text = table.texts.get(name)
-    return f"column {name} ({quoted(text)})" if text else f"column {quoted(name)}"
+    return f"column {name} ({quoted(in_one_line(text))})" if text else f"column {quoted(name)}"
 
 
 def _without_numbers(found: dict[str, PairName]) -> dict[str, PairName]:
@@ -111,7 +111,10 @@ def _refuse_two_questions(table: Table, found: Mapping[str, PairName], faults: F
     if len(asked) < 2:
         return
     one, other = (columns[0] for columns in list(asked.values())[:2])
-    said = [quoted(found[name].before or found[name].behind or "nothing") for name in (one, other)]
+    said = [
+        quoted(in_one_line(found[name].before or found[name].behind or "nothing"))
+        for name in (one, other)
+    ]
     faults.say(
         f"{_column(table, one)} and {_column(table, other)} ask different questions, {said[0]} and "
         f"{said[1]}; allowed: one question a table (remove the other's columns), or the same words "

@@ -44,7 +44,22 @@ GORILLA = Program(
 )
 SOSCI = Program("SoSci Survey", frozenset({"CASE", "QUESTNNR"}), {"person": "CASE"})
 LIMESURVEY = Program("LimeSurvey", frozenset({"id", "submitdate", "lastpage"}), {"person": "id"})
-PROGRAMS = (JSPSYCH_BUTTONS, JSPSYCH_KEYS, JSPSYCH, LABJS, GORILLA, SOSCI, LIMESURVEY)
+#: A row an event of a person's, or an instance of what is asked again.
+REDCAP, REDCAP_REPEATED = (
+    Program("REDCap", frozenset({"record_id", own}), {"person": "record_id"})
+    for own in ("redcap_event_name", "redcap_repeat_instance")
+)
+PROGRAMS = (
+    JSPSYCH_BUTTONS,
+    JSPSYCH_KEYS,
+    JSPSYCH,
+    LABJS,
+    GORILLA,
+    SOSCI,
+    LIMESURVEY,
+    REDCAP,
+    REDCAP_REPEATED,
+)
 
 #: Words for somebody who answers, each also with id, number and the like behind it.
 _SOMEBODY = (
@@ -61,6 +76,12 @@ _PEOPLE = frozenset(
 )
 #: What may say who answered, or something else: only a person can tell.
 _PERHAPS = frozenset({"id", "name", "email", "code", "case", "session", "sessionid", "sub", "名前"})
+
+#: What only one person has, wherever it stands.
+_ADDRESSES = frozenset(
+    {"email", "emailaddress", "mail", "mailaddress", "username", "recordid", "studentid"}
+    | {"courriel", "adressemail", "メールアドレス", "ユーザー名", "学籍番号"}
+)
 
 #: Words for how long an answer took, in an unknown unit.
 _TIMES = frozenset({"rt", "responsetime", "reactiontime", "duration", "latency"})
@@ -88,6 +109,15 @@ def may_name_people(column: str) -> bool:
     True
     """
     return _bare(column) in _PERHAPS
+
+
+def names_one_each(column: str) -> bool:
+    """Whether a column of that name has a value of its own for each person, as an address is.
+
+    >>> names_one_each("Email Address"), names_one_each("session")
+    (True, False)
+    """
+    return _bare(column) in _ADDRESSES
 
 
 def may_be_response_time(column: str) -> bool:

@@ -51,7 +51,7 @@ def check_names(names: Names) -> Names:
     if unknown:
         near = nearest(unknown[0], roles)
         hint = f"did you mean {near}?" if near else f"allowed: {', '.join(roles)}"
-        raise InputError(f"{unknown[0]} is no role of a column; {hint}")
+        raise InputError(f"{quoted(unknown[0])} is no role of a column; {hint}")
     given: Any = {role: name_of(name) for role, name in names.items() if name is not None}
     if set(given) & set(WINNERS) and set(given) & {*LONG, *WORDS}:
         raise InputError("winner and loser are given with left, right or chosen; allowed: either")

@@ -26,6 +26,7 @@ from nacreous.scaling.data.encoding import guessed_encoding, utf8_of
 from nacreous.scaling.data.fault import Faults, listed
 from nacreous.scaling.data.header import find_header, name_of
 from nacreous.scaling.data.kind import plain_array, plain_values
+from nacreous.scaling.data.packed import advice
 
 #: The largest file that is opened: about 30 million answers.
 MOST_BYTES = 2**30
@@ -88,7 +89,8 @@ def read_table(
         if not file.suffix and not file.exists():
             raise missing(file, ", ".join(ENDINGS))
         given = printable(file.suffix) or "missing"
-        raise InputError(f"{place}: the ending is {given}; allowed: {', '.join(ENDINGS)}")
+        allowed = f"{', '.join(ENDINGS)}{advice(file.suffix)}"
+        raise InputError(f"{place}: the ending is {given}; allowed: {allowed}")
     content = read_bytes(file)
     if file.suffix.lower() == ".parquet":
         if skip_rows or encoding is not None:

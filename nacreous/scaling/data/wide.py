@@ -10,12 +10,13 @@ import numpy as np
 from nacreous.scaling.data.choice import SIDES
 from nacreous.scaling.data.column import text_column
 from nacreous.scaling.data.count import count_column, counts_of
-from nacreous.scaling.data.fault import Faults, listed, quoted
+from nacreous.scaling.data.fault import Faults, in_one_line, listed, quoted
 from nacreous.scaling.data.likeness import number_of
 from nacreous.scaling.data.nothing import NOTHING
 from nacreous.scaling.data.pair_columns import pairs_of
 from nacreous.scaling.data.pair_name import PairName
 from nacreous.scaling.data.program import is_response_id, names_people
+from nacreous.scaling.data.respondent import refuse_twice
 from nacreous.scaling.data.roles import Names, column_of
 from nacreous.scaling.data.table import Table
 
@@ -48,6 +49,8 @@ def long_of(table: Table, names: Names, faults: Faults) -> Table:
     for name, cells in (("left", lefts), ("right", rights), ("chosen", chosen)):
         columns[name] = pa.array([cells[at] for at in order], pa.large_string())
     person = _person(table, names)
+    if "person" not in names:
+        refuse_twice(table, person, pairs)
     if person != "person":
         own = pa.array(people, pa.large_string()).take(pa.array(source))
         columns["person"] = columns.pop(person) if person else own
@@ -142,7 +145,7 @@ def _refuse_questions(
             continue
         held = known.intersection(text_column(table, name).unique().to_pylist())
         if held:
-            asked = f" ({quoted(table.texts[name])})" if table.texts.get(name) else ""
+            asked = f" ({quoted(in_one_line(table.texts[name]))})" if table.texts.get(name) else ""
             faults.say(
                 f"column {name}{asked} holds {listed(sorted(held))} and names no pair; allowed: "
                 'a name or question such as "A vs B", or no such column (remove it)'

@@ -144,13 +144,25 @@ def _screens(marks: Mapping[str, int], words: Words) -> Html:
     return words.paragraph("head.screens", marks=words.listed(found))
 
 
+#: What is said of rows that do not count, by a key of `REASONS`.
+_UNCOUNTED = {
+    "question": "head.left_question",
+    "practice": "head.left_practice",
+    "catch": "head.left_catch",
+    "simulated": "head.left_simulated",
+    "people": "head.left_people",
+    "excluded": "head.left_excluded",
+}
+
+
 def _left_out(analysis: Analysis, words: Words) -> list[Html]:
-    """How many rows of the table are no answers, and why."""
+    """How many rows of the table are left out, and why."""
     if analysis.answers is None:
         return []
     unanswered = analysis.answers.unanswered
     unpaired = analysis.answers.left_out - unanswered
     found = {"head.unpaired": unpaired, "head.unanswered": unanswered}
+    found |= {_UNCOUNTED[why]: rows for why, rows in analysis.answers.uncounted.items()}
     return [words(key, rows=words.count("row", count)) for key, count in found.items() if count]
 
 

@@ -18,6 +18,7 @@ from nacreous.scaling.check.triads import Triads
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.spreadsheet import as_written
+from nacreous.scaling.data.uncounted import REASONS
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.doubt import Pair
 
@@ -105,11 +106,12 @@ def _compared(pairs: tuple[Pair, ...]) -> list[Pair]:
 
 
 def _left_out(analysis: Analysis) -> dict[str, int] | None:
-    """Rows of the table that are no answers, by what they lack; None for counts."""
+    """Rows of the table that are left out, by what they lack or why; None for counts."""
     answers = analysis.answers
     if answers is None:
         return None
-    return {"pair": answers.left_out - answers.unanswered, "answer": answers.unanswered}
+    lacking = {"pair": answers.left_out - answers.unanswered, "answer": answers.unanswered}
+    return lacking | {reason: answers.uncounted.get(reason, 0) for reason in REASONS}
 
 
 def _pairs(analysis: Analysis) -> dict[str, Any]:

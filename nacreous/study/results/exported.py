@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
+from dataclasses import replace
 from itertools import compress
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
@@ -13,11 +15,14 @@ import numpy as np
 from nacreous.number import said, truth_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.column import group_column, text_column
+from nacreous.scaling.data.fault import hint_of, quoted
 from nacreous.scaling.data.nothing import is_nothing
+from nacreous.scaling.data.program import names_people
 from nacreous.scaling.data.table import Table, column_names, read_table
 from nacreous.scaling.data.truth import says_true
+from nacreous.scaling.data.uncounted import counted_by_reason
 from nacreous.study.results.scale import called_simulated
-from nacreous.study.results.uncounted import uncounted
+from nacreous.study.results.uncounted import uncounted, why_not
 from nacreous.study.store.codebook import BEFOREHAND, CHOSEN_BY, COLUMNS
 from nacreous.study.store.person_columns import IDENTIFYING, PERSON
 from nacreous.study.task.counting import KINDS, counts
@@ -55,7 +60,7 @@ def exported_answers(
     None
     """
     simulated = truth_of("simulated", simulated)
-    if not set(_NAMES) <= set(column_names(path, [_NAMES])):
+    if not _is_export(path):
         return None
     table = read_table(path, [_NAMES])
     rows = _rows(table, str(path))
@@ -68,12 +73,13 @@ def exported_answers(
             f'wanted: question="{asked[0]}" or another of {", ".join(asked)}'
         )
     elif question not in asked:
-        raise InputError(f"{path}: question is {question!a}; allowed: {', '.join(asked)}")
+        raise InputError(f"{path}: question is {said(question)}; {hint_of(question, asked)}")
     answered = [row["question"] == question for row in rows]
-    which = np.array(
-        [own and counts(row, simulated=simulated) for own, row in zip(answered, rows, strict=True)],
-        bool,
-    )
+    why = [
+        why_not(row, simulated=simulated) if own else "question"
+        for own, row in zip(answered, rows, strict=True)
+    ]
+    which = np.array([reason is None for reason in why], bool)
     if not which.any():
         own = list(compress(rows, answered))
         others = any(counts(row, simulated=not simulated) for row in own)
@@ -90,6 +96,7 @@ def exported_answers(
         {name: [cast("Any", row)[name] for row in kept] for name in _COUNTED},
         {name: group_column(counted, name) for name in table.columns if name not in _KNOWN},
     )
+    answers = replace(answers, uncounted=counted_by_reason(why))
     return called_simulated(answers) if simulated else answers
 
 
@@ -99,7 +106,7 @@ def exported_settings(path: str | PathLike[str]) -> Settings | None:
     Raises `InputError` for what cannot be read, for words that no export has, and where nothing is
     said of how pairs were chosen: by the answers so far, they stretch the most likely scale.
     """
-    if not set(_NAMES) <= set(column_names(path, [_NAMES])):
+    if not _is_export(path):
         return None
     table = read_table(path, [_NAMES])
     if CHOSEN_BY.name not in table.columns:
@@ -116,6 +123,39 @@ def exported_settings(path: str | PathLike[str]) -> Settings | None:
         raise InputError(f"{path}: {CHOSEN_BY.name} is {listed}; allowed: one of them")
     return found[0] if found else task_of({}).settings(None)
 
+
+def _is_export(path: str | PathLike[str]) -> bool:
+    """Whether a file has all columns of an export.
+
+    Raises `InputError` where one that says which rows count and most others are there, but not all.
+    """
+    here = column_names(path, [_NAMES])
+    lacking = [name for name in _NAMES if name not in here]
+    alike = {name.casefold() for name in here}
+    known = len(alike.intersection(_NAMES))
+    if not lacking or known < _MOST_OF_THEM or not alike.intersection(("kind", "simulated")):
+        return not lacking
+    called = {name: _called(name, here) for name in lacking}
+    told = [name for name, other in called.items() if not other]
+    told += [f"{name} (called {quoted(other)})" for name, other in called.items() if other]
+    more = f" and {len(told) - 4} more" if len(told) > 4 else ""
+    raise InputError(
+        f"{path}: is an export of a study without the column{'s' if len(lacking) > 1 else ''} "
+        f"{', '.join(told[:4])}{more}; wanted: the file as `nacreous study export` wrote "
+        "it, with its names of columns in small letters"
+    )
+
+
+def _called(name: str, here: Sequence[str]) -> str | None:
+    """What a column of an export that is not there is called in this file, where that is plain."""
+    others = [other for other in here if other not in _KNOWN]
+    alike = [other for other in others if other.strip().casefold() == name]
+    people = [other for other in others if name == "person" and names_people(other)]
+    return next(iter(alike or people), None)
+
+
+#: How many of an export's columns make a table likely one.
+_MOST_OF_THEM = 12
 
 _WHOLE = (
     "wanted: the file as `nacreous study export` wrote it; or say how it is to be fitted, as by "

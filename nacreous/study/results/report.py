@@ -7,7 +7,9 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING, get_args
 
+from nacreous.number import said
 from nacreous.problem import InputError
+from nacreous.scaling.data.fault import hint_of
 from nacreous.study.results.scale import counted, question_of, without_prior
 from nacreous.study.running.screening import ScreenFlag
 from nacreous.study.store.codebook import group_column
@@ -40,8 +42,8 @@ def report(
     asked = question_of(running, question)
     known = [factor.name for factor in running.frozen.design.groups]
     if group is not None and group not in known:
-        allowed = ", ".join(known) or "none, for the study has no groups"
-        raise InputError(f"group is {group!a}; allowed: {allowed}")
+        hint = hint_of(group, known) if known else "allowed: none, for the study has no groups"
+        raise InputError(f"group is {said(group)}; {hint}")
     answers = counted(running, question, simulated)
     text = asked.text.in_language(language) or asked.text.in_language(
         "en" if language == "ja" else "ja"

@@ -7,7 +7,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from nacreous.number import said
 from nacreous.problem import InputError
+from nacreous.scaling.data.fault import hint_of
 from nacreous.study.store import answers_of
 
 if TYPE_CHECKING:
@@ -139,5 +141,5 @@ def question_of(running: Running, question: str) -> Question:
     """A question of the study by its id; or one clear message."""
     asked = {one.id: one for one in running.frozen.design.questions}
     if question not in asked:
-        raise InputError(f"question is {question!a}; allowed: {', '.join(asked)}")
+        raise InputError(f"question is {said(question)}; {hint_of(question, asked)}")
     return asked[question]

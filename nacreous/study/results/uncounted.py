@@ -4,35 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from nacreous.scaling.data.uncounted import REASONS, counted_by_reason
 from nacreous.study.task.counting import is_data
 from nacreous.study.task.row import Row
 
-__all__ = ["uncounted"]
+__all__ = ["uncounted", "why_not"]
 
 
 def uncounted(rows: Iterable[Row], *, simulated: bool) -> str:
-    """How many of these answers do not count for which reason, in words; the first one counts.
+    """How many of these answers do not count for which reason, in words.
 
     simulated: those of simulated observers are wanted instead of people's.
 
     >>> row = {"kind": "pair", "excluded": "yes", "simulated": False}
     >>> uncounted([row, row, {**row, "kind": "training"}], simulated=False)
-    '2 of excluded people, 1 of practice'
+    '1 of practice, 2 of excluded people'
     """
-    found: dict[str, int] = {}
-    for row in rows:
-        why = _why(row, simulated)
-        if why is not None:
-            found[why] = found.get(why, 0) + 1
-    return ", ".join(f"{count} {why}" for why, count in found.items())
+    found = counted_by_reason(why_not(row, simulated=simulated) for row in rows)
+    return ", ".join(f"{count} {REASONS[reason]}" for reason, count in found.items())
 
 
-def _why(row: Row, simulated: bool) -> str | None:
+def why_not(row: Row, *, simulated: bool) -> str | None:
+    """Why an answer does not count, by a key of `REASONS`; None: it does.
+
+    >>> why_not({"kind": "catch", "excluded": None, "simulated": False}, simulated=False)
+    'catch'
+    """
     if not is_data(row):
-        return "of practice" if row["kind"] == "training" else "of catch trials"
+        return "practice" if row["kind"] == "training" else "catch"
     if bool(row["simulated"]) != simulated:
-        return "of people" if simulated else "of simulated observers"
-    return None if row["excluded"] is None else "of excluded people"
+        return "people" if simulated else "simulated"
+    return None if row["excluded"] is None else "excluded"
 
 
 def __dir__() -> list[str]:
