@@ -201,7 +201,10 @@ def compared(
 
 def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(groups, Mapping):
-        raise InputError(f"groups is {said(groups)}; allowed: a dict of name -> data")
+        raise InputError(
+            f"groups is {said(groups)}; allowed: a dict of name -> data, "
+            "such as Answers.split(column) makes"
+        )
     if len(groups) < 2:
         raise InputError(f"groups holds {listed(groups) or 'nothing'}; allowed: 2 groups or more")
     return {
