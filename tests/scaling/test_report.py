@@ -527,7 +527,7 @@ def test_values_are_escaped_and_html_is_not():
     [
         ({"level": 95}, "level is 95; allowed: 0.5 to 0.9999"),
         ({"bootstrap": 5}, "bootstrap is 5; allowed: 0, or 100 to 100000"),
-        ({"seed": -1}, "seed is -1; allowed: 0 to"),
+        ({"seed": -1}, "seed is -1; allowed: a whole number, 0 to"),
         ({"model": "cauchy"}, "model is 'cauchy'; allowed: probit, logit"),
         (
             {"method": "guess"},
