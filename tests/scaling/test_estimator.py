@@ -181,7 +181,7 @@ def test_parameters_of_another_model_are_refused_and_do_not_panic():
 
 def test_a_width_that_ties_cannot_have_is_refused_and_does_not_hang():
     counts = np.ones((3, 3)) - np.eye(3)
-    fit = thurstone(nc.scaling.Comparisons.of_counts(counts, ties=counts), ties=True)
+    fit = thurstone(Comparisons.of_counts(counts, ties=counts), ties=True)
     room, below = fit.pair_model, np.array([0.0, 0.0, 0.0, -0.1])
     for ask in (lambda p: room.information(p, True), room.log_likelihood):
         with pytest.raises(InputError, match=r"width of ties is -0\.1; allowed: 0 or more"):

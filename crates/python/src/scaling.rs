@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use nacreous_scaling::{
-    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, ScalingError, Source,
+    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, Source,
 };
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
