@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Literal, NamedTuple, TypeAlias, TypeVar
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import TypeAdapter
 
-from nacreous import _core, file
+from nacreous import _core, file, json_text
 from nacreous.named_files import FILES, absolute, check_unchanged
 from nacreous.problem import InputError
 from nacreous.recipe import PREFIX, recipe
@@ -133,6 +133,7 @@ def _numbered(found: Mapping[str, str]) -> list[str]:
 
 def _json(kind: type[Parsed], text: str, where: str) -> Parsed:
     try:
+        json_text.loads(text)
         return TypeAdapter(kind).validate_json(text)
-    except ValidationError:
+    except (ValueError, RecursionError):  # ValidationError is one
         raise InputError(f"{where}: its recipe is damaged: {shown(text, 60)}") from None

@@ -7,7 +7,6 @@ decode anything that is beyond the limits: 16384 pixels a side, 64 megapixels, 5
 from __future__ import annotations
 
 import os
-import reprlib
 import stat
 import unicodedata
 from collections.abc import Collection, Iterable, Iterator, Sequence
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from nacreous import _core
 from nacreous.missing import missing
+from nacreous.number import said
 from nacreous.problem import InputError
 
 if TYPE_CHECKING:
@@ -234,7 +234,7 @@ def named(path: object) -> Path:
     nacreous.problem.InputError: path is None; allowed: the path of a file
     """
     if not isinstance(path, str | PathLike) or "\0" in os.fspath(path):
-        raise InputError(f"path is {reprlib.repr(path)}; allowed: the path of a file")
+        raise InputError(f"path is {said(path)}; allowed: the path of a file")
     return Path(path)
 
 

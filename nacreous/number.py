@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 import reprlib
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from nacreous.problem import InputError
@@ -14,6 +15,11 @@ from nacreous.problem import InputError
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+
+#: The most characters of a value in a message **(ours)**.
+_LONGEST_SAID = 200
+#: What tables and their columns have.
+_FRAMES = ("__arrow_c_stream__", "__arrow_c_array__", "iloc")
 
 
 def row_of(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -126,8 +132,31 @@ def truth_of(name: str, value: object) -> bool:
 
 
 def said(value: object) -> str:
-    """A value as Python writes it, on one line and never long."""
+    """A value as Python writes it, on one line and never long; a table by how much it holds.
+
+    >>> said([{"left": "a", "right": "b"}] * 12)
+    'a list of 12 dicts'
+    """
+    if (size := _rows_said(value)) is not None:
+        return size
     try:
-        return re.sub(r"\s*\n\s*", " ", reprlib.repr(value))
+        text = re.sub(r"\s*\n\s*", " ", reprlib.repr(value))
     except ValueError:  # a whole number of more digits than Python agrees to print
         return "a number of thousands of digits"
+    return text if len(text) <= _LONGEST_SAID else f"{text[: _LONGEST_SAID - 3]}..."
+
+
+def _rows_said(value: Any) -> str | None:
+    """A frame or a column of pandas, Polars or pyarrow, or a list of rows; None of all else."""
+    if isinstance(value, list | tuple):
+        dicts = len(value) > 0 and isinstance(value[0], Mapping)
+        return f"a {type(value).__name__} of {_counted(len(value), 'dict')}" if dicts else None
+    framed = any(hasattr(value, name) for name in _FRAMES)
+    if isinstance(value, type) or not framed or not hasattr(value, "__len__"):
+        return None
+    kind = type(value).__name__
+    return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind} of {_counted(len(value), 'row')}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"

@@ -22,6 +22,7 @@ from nacreous._core import limited_grain, procedural_grain
 from nacreous.colour import hvc_from_rgb
 from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
+from nacreous.number import whole_of
 from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
 from nacreous.unchanging import Unchanging, keep, key_of, ordered
@@ -241,8 +242,7 @@ def synthesise(
     >>> texture.band_limit
     75
     """
-    if not 0 <= seed < 2**64:
-        raise InputError(f"texture: seed is {seed}; allowed: 0 to 2^64 - 1")
+    seed = whole_of("texture: seed", seed, 0, 2**64 - 1)
     if spectrum.cycles_per_mm.ndim != 1 or spectrum.density.ndim != 2:
         shapes = spectrum.cycles_per_mm.shape, spectrum.density.shape
         raise InputError(f"grain spectrum: shapes are {shapes}; allowed: (k,) and (3, k)")

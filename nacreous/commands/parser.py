@@ -27,6 +27,9 @@ COMMANDS = (
 #: What options with numbers are told to want.
 _NUMBERS: Mapping[type[int] | type[float], str] = {int: "a whole number", float: "a number"}
 
+#: Options that may stand more than once: those that make a list, and those that only say yes.
+_REPEATED = (argparse._AppendAction, argparse._StoreTrueAction)
+
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
@@ -45,6 +48,20 @@ Each command explains itself: nacreous COMMAND --help
 
 class _Parser(argparse.ArgumentParser):
     """argparse, with problems said as the rest of the command line says them."""
+
+    #: What each option was given in this call so far, other than those that make a list.
+    _given: dict[argparse.Action, Sequence[str]]
+
+    def _get_values(self, action: argparse.Action, arg_strings: list[str]) -> Any:
+        """What an option is given, once: argparse would let the last one win in silence."""
+        if action.option_strings and not isinstance(action, _REPEATED):
+            if action in self._given:
+                both = (self._given[action], arg_strings)
+                words = " and ".join(ascii(" ".join(each))[:60] for each in both if each)
+                said = f"is given twice{words and f', as {words}'}; allowed: once"
+                raise InputError(f"{'/'.join(action.option_strings)} {said}")
+            self._given[action] = tuple(arg_strings)
+        return super()._get_values(action, arg_strings)
 
     def _get_value(self, action: argparse.Action, arg_string: str) -> Any:
         """A number as its option takes it, or what it should have been in words."""
@@ -67,6 +84,7 @@ class _Parser(argparse.ArgumentParser):
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """What argparse would leave to the main parser, which knows no command's options."""
+        self._given = {}
         found, unknown = super().parse_known_args(args, namespace)
         if unknown:
             from difflib import get_close_matches

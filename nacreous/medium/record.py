@@ -8,15 +8,33 @@ import yaml
 from nacreous.medium.dispersion import COEFFICIENTS, FORMULAS, Dispersion, dispersion_of_rows
 from nacreous.medium.number_rows import NumberRow, Parts, numbers_of, row_of
 from nacreous.number import said
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 _KINDS = "formula 1 to formula 9, tabulated n, tabulated k, tabulated nk"
 
 
+class _Once(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
+    """A safe loader that refuses a key given twice, of which it would keep the last in silence."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[object, object]:
+        """A mapping of keys that differ."""
+        lines: dict[object, int] = {}
+        for key, _ in node.value:
+            line = key.start_mark.line + 1
+            if isinstance(key, yaml.ScalarNode) and lines.setdefault(key.value, line) != line:
+                both = f"lines {lines[key.value]} and {line}"
+                raise InputError(f"{printable(key.value)[:60]} is given in {both}; allowed: once")
+        made: dict[object, object] = super().construct_mapping(node, deep)
+        return made
+
+
 def parts_of_yaml(text: str) -> tuple[Parts, str]:
     """Dispersions, and where they were published."""
     try:
-        record = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506
+        record = yaml.load(text, Loader=_Once)  # noqa: S506
+    except InputError:
+        raise
     except (yaml.YAMLError, RecursionError, ValueError) as problem:
         line = getattr(getattr(problem, "problem_mark", None), "line", None)
         place = "" if line is None else f" in line {line + 1}"

@@ -7,6 +7,7 @@ import io
 import re
 from typing import NamedTuple
 
+from nacreous.medium.column_name import column_of
 from nacreous.medium.dispersion import dispersion_of_rows
 from nacreous.medium.number_rows import NumberRow, Parts, is_float, numbers_of
 from nacreous.medium.wavelength_name import is_wavelength, nm_per_unit
@@ -81,11 +82,12 @@ def _is_data(cells: list[str]) -> bool:
 
 def _header(row: NumberRow) -> tuple[list[str], float]:
     """Names of the columns behind the first, and the first one's unit in nm."""
-    columns = [cell.lower() for cell in row.cells[1:]]
+    names = row.cells[1:]
     try:
         unit = nm_per_unit(row.cells[0])
-        if not columns or any(name not in ("n", "k") for name in columns):
-            raise InputError(f"columns are {said(columns)}; allowed: wl, then n, k or both")
+        columns = [column for column in map(column_of, names) if column is not None]
+        if not columns or len(columns) < len(names):
+            raise InputError(f"columns are {said(names)}; allowed: wl, then n, k or both")
     except InputError as problem:
         raise InputError(f"row {row.number}: {problem}") from None
     return columns, unit

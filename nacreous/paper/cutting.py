@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous import _core, file, folder, named_files
+from nacreous import _core, file, folder, json_text, named_files
 from nacreous.paper.circle import Circle
 from nacreous.paper.crop import COUNT, Crop, cut, seven
 from nacreous.paper.outline import estimate
@@ -145,7 +145,7 @@ def _outline(
 def _recorded(shape: tuple[int, ...], texts: dict[str, str]) -> Circle | None:
     """The outline by the recipe's geometry; None where the picture was cut or scaled since."""
     try:
-        size = json.loads(texts["nacreous:settings"])["size"]
+        size = json_text.loads(texts["nacreous:settings"])["size"]
         pearl = Pearl.from_toml(texts["nacreous:pearl"])
         scene = Scene.from_toml(texts["nacreous:scene"])
         circle = Circle.of_view(pearl, scene, size)

@@ -97,6 +97,7 @@ def test_a_picture_without_a_whole_recipe_is_refused(
     codes = nc.render("paper", size=8, samples=1).develop()[0]
     for key, text, message in (
         ("settings", '{"size": "many"}', "a.png: its recipe is damaged"),
+        ("settings", '{"size": 8, "size": 9, "samples": 1}', "a.png: its recipe is damaged"),
         ("pearl", "depth = 9", "a.png: pearl: depth is 9"),
         ("scene", "depth =", "a.png: scene: line 1"),
     ):

@@ -13,6 +13,7 @@ import pytest
 from pydantic_core import SchemaValidator, core_schema
 
 from nacreous import cli
+from nacreous.commands.parser import build_parser
 from nacreous.problem import InputError
 from nacreous.spec import preset
 
@@ -93,6 +94,12 @@ def test_a_mistake_of_ours_is_not_hidden(monkeypatch: Any) -> None:
         (["scale", "paper", "--bootstrap", "1e3"], "--bootstrap: '1e3' is not a whole number;"),
         (["scale", "paper", "--seed", "1.0"], "--seed: '1.0' is not a whole number;"),
         (["scale", "paper", "--level", "most"], "--level: 'most' is not a number;"),
+        (
+            ["study", "report", "mine", "-o", "r.json", "--output=r.html"],
+            "-o/--output is given twice, as 'r.json' and 'r.html'; allowed: once",
+        ),
+        (["render", "paper", "--size", "64", "--size", "64"], "--size is given twice, as '64'"),
+        (["scale", "paper", "--ties", "--no-ties"], "--ties/--no-ties is given twice; allowed"),
     ],
 )
 def test_bad_arguments_end_with_code_2(capsys: Any, arguments: list[str], said: str) -> None:
@@ -102,6 +109,14 @@ def test_bad_arguments_end_with_code_2(capsys: Any, arguments: list[str], said: 
     assert said in captured.err
     (line,) = captured.err.splitlines()
     assert line.startswith("nacreous: ")
+
+
+def test_what_makes_a_list_or_only_says_yes_may_be_given_twice() -> None:
+    parser = build_parser(["scale"])
+    options = ["-o", "a.csv", "-o", "b.csv", "--counts", "--counts"]
+    assert parser.parse_args(["scale", "paper", *options]).output == ["a.csv", "b.csv"]
+    assert parser.parse_args(["scale", "paper", "--seed", "2"]).seed == 2
+    assert parser.parse_args(["scale", "paper", "--seed", "3"]).seed == 3
 
 
 def test_every_command_explains_itself_with_examples(capsys: Any) -> None:

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from nacreous import cli
+
 NACREOUS = (sys.executable, "-m", "nacreous")
 ANSWERS = "left,right,chosen\nテリ,光沢,テリ\n光沢,巻き,光沢\n巻き,テリ,巻き\n"
 SCALE = (*NACREOUS, "scale", "answers.csv", "--bootstrap", "0", "-o", "scale.csv")
@@ -180,8 +182,11 @@ def test_ctrl_c_at_any_moment_of_the_start_is_no_traceback() -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
-def test_a_shell_completes_commands_and_options(shell: str) -> None:
-    script = run("completion", shell).stdout.decode()
+def test_a_shell_completes_commands_and_options(
+    shell: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["completion", shell]) == 0
+    script = capsys.readouterr().out
     for word in ("render", "study", "--alpha"):
         assert word.lstrip("-") in script
 
@@ -223,10 +228,9 @@ def test_bash_completes_a_command_and_a_file() -> None:
     ],
 )
 def test_a_mistyped_command_action_file_or_choice_is_answered_with_the_one_meant(
-    arguments: tuple[str, ...], meant: str
+    arguments: tuple[str, ...], meant: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     Path("mine.toml").touch()
     Path("my-study").mkdir()
-    done = run(*arguments)
-    assert done.returncode == 2
-    assert meant in done.stderr.decode()
+    assert cli.main(arguments) == 2
+    assert meant in capsys.readouterr().err

@@ -299,6 +299,16 @@ def test_a_mediums_function_may_return_a_number() -> None:
     ("name", "text", "message"),
     [
         ("a.yml", "DATA: [\n", "no YAML in line 2; allowed: a file of refractiveindex.info"),
+        (
+            "a.yml",
+            "DATA:\n  - type: tabulated n\nDATA:\n  - type: formula 1",
+            "DATA is given in lines 1 and 3; allowed: once",
+        ),
+        (
+            "a.yml",
+            "DATA:\n  - type: formula 5\n    coefficients: 1.5\n    coefficients: 1.6",
+            "coefficients is given in lines 3 and 4; allowed: once",
+        ),
         ("a.yml", "- 1", "DATA is missing; allowed: a file of refractiveindex.info with DATA"),
         (
             "a.yml",
@@ -436,3 +446,31 @@ def test_older_copies_of_the_database_call_the_range_range(tmp_path: Path) -> No
         InputError, match=r"DATA\[0\]: wavelength_range is missing; allowed: two num"
     ):
         medium.read(written(tmp_path, lacking, "lacking.yml"))
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "wl,n,k",
+        "Wavelength [\u00b5m],Refractive index n,Extinction coefficient k",
+        "Wavelength (\u03bcm),Refractive index (n),Extinction coefficient (k)",
+        "\u03bb/\u00b5m,n (refractive index),k (extinction coefficient)",
+        "lambda (\u03bcm),Refractive index,Extinction coefficient",
+        "Wellenlänge in \u00b5m,Brechungsindex n,Extinktionskoeffizient k",
+        "波長 (\u00b5m),屈折率,消衰係数",
+    ],
+)
+def test_a_header_in_words_says_what_letters_say(tmp_path: Path, header: str) -> None:
+    rows = [(0.4, 1.5, 0.1), (0.7, 1.4, 0.0)]
+    lines = "".join("{},{},{}\n".format(*row) for row in rows)
+    read = medium.read(written(tmp_path, f"{header}\n{lines}", "words.csv"))
+    assert read(400.0) == 1.5 + 0.1j
+    if "\u00b5m" in header or "\u03bcm" in header:
+        in_nm = header.replace("\u00b5m", "nm").replace("\u03bcm", "nm")
+        lines = "".join(f"{1e3 * um:g},{n},{k}\n" for um, n, k in rows)
+        assert medium.read(written(tmp_path, f"{in_nm}\n{lines}", "nm.csv"))(400.0) == 1.5 + 0.1j
+
+
+def test_columns_in_another_order_are_taken_by_their_names(tmp_path: Path) -> None:
+    text = "Wavelength [nm],Extinction coefficient k,Refractive index n\n400,0.1,1.5\n700,0,1.4\n"
+    assert medium.read(written(tmp_path, text, "turned.csv"))(400.0) == 1.5 + 0.1j

@@ -308,14 +308,16 @@ def without(name: str) -> dict[str, Any]:
         (TABLE | {"time": ["noon"] * 4}, 'table: row 0: time is "noon"; allowed: a number'),
         (TABLE | {" left ": ["2"] * 4}, 'table: has more than one column "left"; allowed: one of'),
         ({name: [] for name in TABLE}, "table: has no rows; allowed: 1 to 100000000 answers"),
+        ([dict.fromkeys(TABLE, "a"), ["a"]], "table: row 1 is ['a']; allowed: a dict, as row 0 is"),
+        ([TABLE | {None: ["x"]}], "table: row 0 has more cells than columns; allowed: as many"),
         ({}, "table: has no rows; allowed: 1 to 100000000 answers"),
         (
             [1, 2],
-            "the table is [1, 2]; allowed: a pandas, Polars or pyarrow table, or a dict of co",
+            "the table is [1, 2]; allowed: a pandas, Polars or pyarrow table, a dict of co",
         ),
         (
             None,
-            "the table is None; allowed: a pandas, Polars or pyarrow table, or a dict of columns",
+            "the table is None; allowed: a pandas, Polars or pyarrow table, a dict of columns, or",
         ),
     ],
     ids=lambda case: str(case)[-50:],
@@ -431,7 +433,7 @@ def test_what_is_no_file_is_refused(tmp_path):
     assert refusal(lambda: Answers.read(folder)) == [f"{folder}: is a folder; a file is needed"]
     missing = tmp_path / "no.csv"
     assert refusal(lambda: Answers.read(missing)) == [f"{missing}: does not exist"]
-    assert refusal(lambda: Answers.read("a\0.csv"))[0].endswith(")")
+    assert refusal(lambda: Answers.read("a\0.csv"))[0].endswith("the path of a file")
 
 
 # --- parts

@@ -177,3 +177,14 @@ def test_parameters_of_another_model_are_refused_and_do_not_panic():
     for ask in (lambda p: room.information(p, True), room.log_likelihood):
         with pytest.raises(InputError, match="parameters has 3 rows; allowed: 7"):
             ask(np.zeros(3))
+
+
+def test_a_width_that_ties_cannot_have_is_refused_and_does_not_hang():
+    counts = np.ones((3, 3)) - np.eye(3)
+    fit = thurstone(Comparisons.of_counts(counts, ties=counts), ties=True)
+    room, below = fit.pair_model, np.array([0.0, 0.0, 0.0, -0.1])
+    for ask in (lambda p: room.information(p, True), room.log_likelihood):
+        with pytest.raises(InputError, match=r"width of ties is -0\.1; allowed: 0 or more"):
+            ask(below)
+    with pytest.raises(InputError, match=r"width of ties is -0\.1; allowed: 0 or more"):
+        room.probabilities(np.zeros(2), -0.1)

@@ -1,5 +1,6 @@
 """Whatever form answers come in, every function takes them, or says which form it wants."""
 
+import csv
 import inspect
 from collections.abc import Callable
 from pathlib import Path
@@ -7,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+import polars as pl
 import pytest
 
 import nacreous as nc
@@ -92,7 +94,9 @@ def test_a_table_and_a_file_say_what_their_answers_say(
     path = tmp_path / "answers.csv"
     frame.to_csv(path, index=False)
     wanted = fields(asked(Answers.of_table(frame)))
-    for given in (frame, frame.to_dict("list"), path, str(path)):
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    for given in (frame, frame.to_dict("list"), frame.to_dict("records"), rows, path, str(path)):
         assert fields(asked(given)) == wanted
 
 
@@ -110,6 +114,31 @@ def test_counts_are_refused_by_what_asks_for_each_answer(name: str, data: Any) -
 def test_what_holds_no_answers_is_refused_in_plain_words(name: str, data: Any) -> None:
     with pytest.raises(InputError):
         (COUNTED | ANSWERED)[name](data)
+
+
+@pytest.mark.parametrize("form", ["pandas", "polars", "pyarrow", "rows", "column"])
+def test_no_message_shows_what_a_table_holds(form: str, frame: pd.DataFrame) -> None:
+    table = {
+        "pandas": frame,
+        "polars": pl.DataFrame(frame.to_dict("list")),
+        "pyarrow": pl.DataFrame(frame.to_dict("list")).to_arrow(),
+        "rows": frame.to_dict("records"),
+        "column": frame["left"],
+    }[form]
+    held = f"a {type(table).__name__} of {len(table)} {'dicts' if form == 'rows' else 'rows'}; "
+    for begin, asked in (
+        ("groups is ", lambda: nc.scaling.compare_groups(table, "eye")),
+        ("groups is ", lambda: nc.scaling.compare_ratios(table, ["a"], ["b"])),
+        ("fit is ", lambda: nc.scaling.goodness(table)),
+        ("fits holds ", lambda: nc.scaling.scale_plot(table, "scale.svg")),
+        ("scale is ", lambda: nc.scaling.simulate(table, 4)),
+        ("path is ", lambda: nc.scaling.Answers.read(table)),
+        ("path is ", lambda: nc.scaling.Comparisons.read_counts(table)),
+    ):
+        with pytest.raises(InputError) as refused:
+            asked()
+        assert str(refused.value).startswith(begin + held)
+        assert len(str(refused.value)) < 150
 
 
 def test_people_of_a_table_of_winners_are_people(frame: pd.DataFrame) -> None:

@@ -30,16 +30,15 @@ def rejected(studies, **known):
     return np.mean([shared_scale(study, 99, **known).differ() for study in studies])
 
 
-@pytest.mark.parametrize("people", [20, 60])
-def test_people_who_share_one_scale_are_called_different_in_few_of_100_studies(people):
-    found = rejected(simulate(TRUTH, people, seed=seed) for seed in range(150))
-    assert found <= 0.11  # 5 % of 150 exceeds this once in 2000 runs
+def test_sixty_people_who_share_one_scale_are_called_different_in_few_of_100_studies():
+    found = rejected(simulate(TRUTH, 60, seed=seed) for seed in range(100))
+    assert found <= 0.11  # 5 % of 100 exceeds this once in 200 runs
 
 
-def test_p_values_of_people_who_share_one_scale_are_uniform():
-    p_values = np.array(
-        [shared_scale(simulate(TRUTH, 20, seed=seed), 99).p_value for seed in range(150)]
-    )
+def test_p_values_of_people_who_share_one_scale_are_uniform_and_few_are_small():
+    found = [shared_scale(simulate(TRUTH, 20, seed=seed), 99) for seed in range(150)]
+    assert np.mean([one.differ() for one in found]) <= 0.11  # exceeded once in 2000 runs
+    p_values = np.array([one.p_value for one in found])
     assert p_values.mean() == pytest.approx(0.505, abs=0.1)
     assert p_values.min() >= 0.01
 
@@ -59,7 +58,7 @@ def test_a_tenth_of_reversed_people_is_found_at_60():
 
 def test_repeats_that_people_remember_are_no_scale_of_their_own():
     studies = []
-    for seed in range(120):
+    for seed in range(80):
         study = simulate(TRUTH, 20, seed=seed)
         studies.append(study.take(np.tile(np.arange(len(study)), 2)))
     assert rejected(studies) <= 0.12
@@ -71,7 +70,7 @@ def test_pairs_of_ones_own_are_tested_too():
     def some(study):
         return study.take(random.random(len(study)) < 0.3 + 0.7 * (study.person % 2))
 
-    assert rejected(some(simulate(TRUTH, 30, seed=seed)) for seed in range(120)) <= 0.12
+    assert rejected(some(simulate(TRUTH, 30, seed=seed)) for seed in range(80)) <= 0.12
     differing = (some(simulate(TRUTH, 30, person_spread=0.8, seed=seed)) for seed in range(20))
     assert rejected(differing) >= 0.85
 

@@ -47,6 +47,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("answers SET kind = 'rest'", "answers, row 1: kind is 'rest'; allowed: training, pair"),
         ("answers SET chosen = 'up'", "answers, row 1: chosen is 'up'; allowed: left, right, tie"),
         ("answers SET flags = x'ff00fe'", "answers, row 1: flags is .*; allowed: a JSON object"),
+        ('answers SET flags = \'{"away":1,"away":2}\'', "flags is .*; allowed: a JSON object"),
         ("answers SET flags = '[]'", r"answers, row 1: flags is '\[\]'; allowed: a JSON object"),
         ("answers SET left = cast(x'ff41' AS text)", "row 1: left is .*, which is no text; allow"),
         ("answers SET trial = 2147483648", "answers, row 1: trial is 2147483648; allowed: a whole"),

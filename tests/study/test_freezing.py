@@ -168,6 +168,16 @@ def test_what_is_no_manifest_is_refused(tmp_path: Path, text: str) -> None:
         open_frozen(tmp_path)
 
 
+def test_a_manifest_with_a_key_twice_is_refused(desk: Path) -> None:
+    """The last one is as it was made; another program may keep the first."""
+    freeze(desk / "small.toml", "out")
+    record = Path("out/study.json")
+    text = record.read_text(encoding="utf-8").replace("{", '{"made_by": "me",', 1)
+    record.write_text(text, encoding="utf-8")
+    with pytest.raises(nc.InputError, match=r'study\.json: "made_by" is given twice; allowed: on'):
+        open_frozen("out")
+
+
 def test_a_manifest_of_another_version_is_refused(desk: Path) -> None:
     freeze(desk / "small.toml", "out")
     record = Path("out/study.json")

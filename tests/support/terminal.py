@@ -41,11 +41,16 @@ class Watched:
         return self.program.wait(PATIENCE_S), time.monotonic() - begin
 
 
+def _heeding() -> None:
+    """Heed Ctrl-C, though whoever started the tests may not, as a shell's jobs behind do not."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @contextmanager
 def at_terminal(command: Sequence[str], folder: Path) -> Iterator[Watched]:
     """Start a program, and end it whatever happens: one that nobody reads would wait for ever."""
     reader, writer = pty.openpty()
-    program = subprocess.Popen(command, cwd=folder, stderr=writer)
+    program = subprocess.Popen(command, cwd=folder, stderr=writer, preexec_fn=_heeding)
     try:
         yield Watched(program, reader)
     finally:

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use nacreous_scaling::{
-    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, ScalingError, Source,
+    Answers, Bootstrap, Counts, Design, Existence, Kind, Model, Outcome, Source,
 };
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
@@ -145,9 +145,9 @@ impl PairModel {
         width: f64,
     ) -> PyResult<Table<'py>> {
         let of = |&a: &f64| nacreous_scaling::probabilities(&self.model, a, width);
-        let rows: Vec<f64> = lead.as_array().iter().flat_map(of).collect();
-        let count = rows.len() / 3;
-        rows.into_pyarray(py).reshape([count, 3])
+        let rows: Result<Vec<_>, _> = lead.as_array().iter().map(of).collect();
+        let rows = rows.map_err(refused)?;
+        rows.as_flattened().to_vec().into_pyarray(py).reshape([rows.len(), 3])
     }
 
     /// The slopes of the log-likelihood of each person's answers, [person, parameter].
@@ -210,13 +210,11 @@ impl PairModel {
 }
 
 impl PairModel {
-    /// Parameters, as many as the model has.
+    /// Parameters that the model can have.
     fn checked(&self, parameters: &PyReadonlyArray1<'_, f64>) -> PyResult<Vec<f64>> {
-        let (found, expected) = (parameters.len(), self.model.parameters(self.counts.stimuli));
-        if found != expected {
-            return Err(refused(ScalingError::Length { table: "parameters", found, expected }));
-        }
-        Ok(parameters.as_array().to_vec())
+        let parameters = parameters.as_array().to_vec();
+        self.model.checked(&parameters, self.counts.stimuli).map_err(refused)?;
+        Ok(parameters)
     }
 }
 

@@ -86,6 +86,42 @@ impl Model {
         self.coefficients(stimuli) + usize::from(self.order) + usize::from(self.ties)
     }
 
+    /// Parameters as many as there are, with a width of ties that can be.
+    ///
+    /// # Errors
+    /// [`ScalingError::Length`] and [`ScalingError::OutOfRange`].
+    pub fn checked<'a>(
+        &self,
+        parameters: &'a [f64],
+        stimuli: usize,
+    ) -> Result<&'a [f64], ScalingError> {
+        let (found, expected) = (parameters.len(), self.parameters(stimuli));
+        if found != expected {
+            return Err(ScalingError::Length { table: "parameters", found, expected });
+        }
+        self.ties_at(stimuli).map_or(Ok(0.0), |i| self.checked_width(parameters[i]))?;
+        Ok(parameters)
+    }
+
+    /// A width of ties: of probit a threshold, of logit a logarithm; without ties anything is one.
+    ///
+    /// # Errors
+    /// [`ScalingError::OutOfRange`] for a threshold below 0, between whose ends nothing lies.
+    pub fn checked_width(&self, width: f64) -> Result<f64, ScalingError> {
+        let (fits, allowed) = match self.link {
+            Link::Probit => (width >= 0.0, "0 or more"),
+            Link::Logit => (width < f64::INFINITY, "a number"),
+        };
+        if self.ties && !fits {
+            return Err(ScalingError::OutOfRange {
+                quantity: "width of ties",
+                value: width,
+                allowed,
+            });
+        }
+        Ok(width)
+    }
+
     /// The values of the stimuli, with mean 0.
     pub fn values(&self, parameters: &[f64], stimuli: usize) -> Vec<f64> {
         let mut values: Vec<f64> = match &self.design {

@@ -8,7 +8,7 @@
 //! exp(-order / 2), the same family). Both log-likelihoods are concave in (a, s).
 
 use crate::{
-    Link, Model, Outcome,
+    Link, Model, Outcome, ScalingError,
     normal::{self, density, log_density, log_interval, mills, slope_and_bend},
 };
 
@@ -87,12 +87,16 @@ pub fn expected_bend(model: &Model, a: f64, s: f64, answers: f64) -> [f64; 3] {
 }
 
 /// How likely left, right and a tie are.
-pub fn probabilities(model: &Model, a: f64, s: f64) -> [f64; 3] {
-    match (model.link, model.ties) {
+///
+/// # Errors
+/// [`ScalingError::OutOfRange`] for a width that ties cannot have.
+pub fn probabilities(model: &Model, a: f64, s: f64) -> Result<[f64; 3], ScalingError> {
+    let s = model.checked_width(s)?;
+    Ok(match (model.link, model.ties) {
         (Link::Probit, false) => [normal::cdf(a), normal::cdf(-a), 0.0],
         (Link::Logit, false) => [logistic(a), logistic(-a), 0.0],
         _ => Outcome::ALL.map(|outcome| libm::exp(of_outcome(model, a, s, outcome).value)),
-    }
+    })
 }
 
 fn probit_without_ties(a: f64, &[left, right, _]: &[f64; 3]) -> Terms {
@@ -221,7 +225,7 @@ mod tests {
         fn probabilities_add_to_one_and_slopes_cancel(
             model in models(), a in -20.0..20.0_f64, s in 0.05..2.0_f64,
         ) {
-            let p = probabilities(&model, a, s);
+            let p = probabilities(&model, a, s).unwrap();
             prop_assert!((p.iter().sum::<f64>() - 1.0).abs() < 1e-14);
             for k in 0..2 {
                 let mean: f64 = (0..3)
@@ -233,10 +237,24 @@ mod tests {
         }
 
         #[test]
+        fn a_width_that_ties_cannot_have_is_refused(a in -9.0..9.0_f64, below in 1e-300..9.0_f64) {
+            let probit = Model { ties: true, ..Model::default() };
+            for width in [-below, f64::NAN] {
+                prop_assert!(probabilities(&probit, a, width).is_err());
+                prop_assert!(probit.checked(&[0.0, 0.0, width], 2).is_err());
+                prop_assert!(probabilities(&Model::default(), a, width).is_ok()); // it has no ties
+            }
+            let logit = Model { link: Link::Logit, ..probit.clone() };
+            prop_assert!(probabilities(&logit, a, -below).is_ok());
+            prop_assert!(probabilities(&logit, a, f64::NAN).is_err());
+            prop_assert!(probabilities(&probit, a, 0.0).unwrap()[2].abs() < 1e-15);
+        }
+
+        #[test]
         fn expected_information_is_the_mean_of_the_observed(
             model in models(), a in -3.0..3.0_f64, s in 0.1..2.0_f64,
         ) {
-            let mean = of_counts(&model, a, s, &probabilities(&model, a, s)).bend;
+            let mean = of_counts(&model, a, s, &probabilities(&model, a, s).unwrap()).bend;
             let expected = expected_bend(&model, a, s, 1.0);
             for (mean, expected) in mean.into_iter().zip(expected) {
                 prop_assert!((mean - expected).abs() < 1e-12);

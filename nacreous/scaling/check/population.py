@@ -110,17 +110,16 @@ def population(
     >>> population(spread).kind
     'spread'
     """
-    answers = answers_of(answers)
     check_model(model)
     whole_of("most", most, 2, 10)
     whole_of("starts", starts, 1, 1000)
+    seed = seed_of(seed)
+    answers = answers_of(answers)
     blocks = blocks_of(answers)
     _require_size(blocks)
     each = len(blocks.stimuli) - 1
     spread = fit_own_values(blocks, model)
-    mixtures = [
-        fit_classes(blocks, count, model, starts, seed_of(seed)) for count in range(1, most + 1)
-    ]
+    mixtures = [fit_classes(blocks, count, model, starts, seed) for count in range(1, most + 1)]
     found = [_candidate("spread", each + 1, spread.log_likelihood, blocks)]
     for count, mixture in enumerate(mixtures, 1):
         name = "one scale" if count == 1 else f"{count} classes"

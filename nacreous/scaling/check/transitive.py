@@ -64,9 +64,9 @@ def transitivity(data: Any, seed: int = 1) -> Transitivity:
     >>> cycle.weak, cycle.triads
     (1, 1)
     """
+    seed = seed_of(seed)
     comparisons = comparisons_of(data)
     shares = shares_of(comparisons)
-    seed = seed_of(seed)
     sampled = comb(shares.stimuli, 3) > MOST_TRIADS
     triads = _drawn(shares.stimuli, seed) if sampled else _all(shares.stimuli)
     first, second, third = triads.T

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from nacreous.number import seed_of
 from nacreous.scaling.compare.estimate import Estimate
 from nacreous.scaling.compare.permutation import permutation_test
 from nacreous.scaling.compare.restricted import Restriction, restricted
@@ -46,6 +45,6 @@ def group_tests(
     ]
     if all(one.people for one in found.values()):
         parts = {name: data for name, data in named.items() if isinstance(data, Answers)}
-        score, p_value = permutation_test(parts, alike, permutations, same_people, seed_of(seed))
+        score, p_value = permutation_test(parts, alike, permutations, same_people, seed)
         tests.insert(0, GroupTest("permutation", score, df, p_value))
     return tests

@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said, whole_of, within
+from nacreous.number import said, seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.scaling.compare.estimate import (
     Estimate,
@@ -163,6 +163,7 @@ def compare_groups(
     check_model(model)
     whole_of("permutations", permutations, 99, 1_000_000)
     within("level", level, 0.5, 0.9999)
+    seed = seed_of(seed)
     found = estimates(named, model, ties=ties, order=order)
     return compared(named, found, same_people, permutations, level, seed)
 
@@ -201,7 +202,10 @@ def compared(
 
 def _named(groups: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(groups, Mapping):
-        raise InputError(f"groups is {said(groups)}; allowed: a dict of name -> data")
+        raise InputError(
+            f"groups is {said(groups)}; allowed: a dict of name -> data, "
+            "such as Answers.split(column) makes"
+        )
     if len(groups) < 2:
         raise InputError(f"groups holds {listed(groups) or 'nothing'}; allowed: 2 groups or more")
     return {

@@ -140,7 +140,10 @@ def compare_ratios(
     """
     within("level", level, 0.5, 0.9999)
     if not isinstance(groups, Mapping) or len(groups) != 2:
-        raise InputError(f"groups is {said(groups)}; allowed: a dict of two names -> data")
+        raise InputError(
+            f"groups is {said(groups)}; allowed: a dict of two names -> data, "
+            "such as Answers.split(column) makes"
+        )
     named = dict(zip(group_names(groups), groups.values(), strict=True))
     found = estimates(named, model, ties=ties, order=order)
     same = shared_people(found, same_people)

@@ -139,6 +139,7 @@ def compare_sets(
     check_model(model)
     within("level", level, 0.5, 0.9999)
     whole_of("samples", samples, 100, 1_000_000)
+    seed = seed_of(seed)
     found = estimates({"first": first, "second": second}, model, ties=ties, order=order)
     same = shared_people(found, same_people)
     one, two = (each.fit for each in found.values())
@@ -153,7 +154,7 @@ def compare_sets(
     freedom = min(each.freedom for each in found.values())
     whole_set = align(one.scale, two.scale, joint, level)
     offsets = shifts(one.scale, two.scale, joint, whole_set.value, level, freedom)
-    draws = _draws(np.concatenate([one.scale, two.scale]), joint, samples, seed_of(seed))
+    draws = _draws(np.concatenate([one.scale, two.scale]), joint, samples, seed)
 
     def agreement(measure: Callable[[Array, Array], Array]) -> Coefficient:
         return _coefficient(measure, one.scale, two.scale, draws, level)

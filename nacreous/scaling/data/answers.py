@@ -140,9 +140,12 @@ class Answers:
         question: str | None = None,
         **names: Unpack[Names],
     ) -> Answers:
-        """The answers in a pandas, Polars or pyarrow table, or in a dict of columns.
+        """The answers in a pandas, Polars or pyarrow table, a dict of columns, or a list of rows.
 
-        As `read`; rows are counted from 0.
+        As `read`; rows are counted from 0. A row of a list is a dict, as `csv.DictReader` makes.
+
+        >>> Answers.of_table([{"winner": "a", "loser": "b"}, {"winner": "b", "loser": "c"}])
+        Answers(2 answers, 3 stimuli, people unknown)
 
         >>> Answers.of_table({"left": ["a"], "right": ["b"]})
         Traceback (most recent call last):

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.file import named
 from nacreous.printable import printable
 from nacreous.problem import InputError
 from nacreous.scaling.data.encoding import guessed_encoding
@@ -106,7 +107,7 @@ class Comparisons:
         Traceback (most recent call last):
         nacreous.problem.InputError: no such counts.csv: does not exist
         """
-        values, labels = read_matrix(Path(path))
+        values, labels = read_matrix(named(path))
         matrix = check_counts(printable(str(path)), values, labels or numbered(len(values)))
         found = cls._of_matrix(matrix, np.zeros_like(matrix), labels)
         return replace(found, encoding_guessed=guessed_encoding(read_bytes(Path(path))))

@@ -20,9 +20,9 @@ def comparisons_of(data: Any) -> Comparisons:
     """Whatever holds answers, counted by pair.
 
     `Comparisons`, `Answers`, a path to a file of answers, a table of answers (pandas, Polars,
-    pyarrow, dict of columns left, right, chosen), a square matrix of counts (nested lists, NumPy,
-    a DataFrame), or a list of tuples (winner, loser). An array [answer, 2] of other than 2 rows is
-    a list of pairs too.
+    pyarrow, dict of columns left, right, chosen, list of rows as dicts), a square matrix of counts
+    (nested lists, NumPy, a DataFrame), or a list of tuples (winner, loser). An array [answer, 2] of
+    other than 2 rows is a list of pairs too.
 
     >>> comparisons_of([("a", "b"), ("b", "c")])
     Comparisons(2 answers, 3 stimuli, 2 pairs)

@@ -38,6 +38,9 @@ def labelled_matrix(name: str, values: Any) -> tuple[NDArray[np.float64], list[o
         if index not in (columns, list(range(len(columns)))):
             raise InputError(f"{name}: rows and columns differ in their labels; allowed: the same")
         columns = [int(c) + 1 for c in columns] if columns == list(range(len(columns))) else columns
+    if not hasattr(values, "to_numpy"):  # pyarrow, which knows its columns' names alone
+        columns = list(values.column_names)
+        return _square(name, array_of(name, np.array(values.columns).T)), columns
     return _square(name, array_of(name, values.to_numpy())), columns
 
 

@@ -21,6 +21,7 @@ from nacreous.scaling.data.label import (
     natural,
 )
 from nacreous.scaling.data.likeness import check_alike
+from nacreous.scaling.data.table import is_table
 
 _ALLOWED = "allowed: (winner, loser), each text or a whole number"
 
@@ -59,6 +60,11 @@ def _found(pairs: Any) -> tuple[list[str], NDArray[np.int64]]:
         if pairs.dtype.kind in "iu":
             return _numbers(np.ascontiguousarray(pairs).ravel())
         pairs = pairs.tolist()
+    if is_table(pairs):
+        raise InputError(
+            f"pairs is {said(pairs)}; allowed: a list of (winner, loser), or a table with "
+            "Answers.of_table"
+        )
     if isinstance(pairs, str | bytes) or not isinstance(pairs, Iterable):
         raise InputError(f"pairs is {said(pairs)}; allowed: a list of (winner, loser)")
     rows = list(pairs)

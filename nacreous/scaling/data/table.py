@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.file import named
 from nacreous.missing import missing
 from nacreous.number import said
 from nacreous.printable import printable
@@ -34,7 +35,7 @@ MOST_BYTES = 2**30
 MOST_ROWS = 100_000_000
 ENDINGS = (".csv", ".tsv", ".txt", ".parquet")
 
-_FRAMES = "a pandas, Polars or pyarrow table, or a dict of columns"
+_FRAMES = "a pandas, Polars or pyarrow table, a dict of columns, or a list of dicts, one a row"
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ def read_table(
 
     wanted, skip_rows, encoding: of a text file, as `parse_csv` takes them.
     """
-    file = Path(path)
+    file = named(path)
     place = printable(str(file))
     if file.suffix.lower() not in ENDINGS and not file.is_dir():
         if not file.suffix and not file.exists():
@@ -151,14 +152,16 @@ def read_bytes(file: Path) -> bytes:
 
 
 def is_table(data: object) -> bool:
-    """Whether the data are a frame or a dict of columns."""
-    return isinstance(data, Mapping) or _is_frame(data)
+    """Whether the data are a frame, a dict of columns, or rows, each a dict."""
+    return isinstance(data, Mapping) or _is_frame(data) or _are_rows(data)
 
 
 def table_of(data: object) -> Table:
-    """The table in a frame of pandas, Polars or pyarrow, or in a dict of columns."""
+    """The table in a frame of pandas, Polars or pyarrow, in a dict of columns, or in rows."""
     if isinstance(data, Mapping):
         return _table("table", list(data.items()))
+    if isinstance(data, list | tuple) and _are_rows(data):
+        return _table("table", _columns_of_rows(data))
     if not _is_frame(data):
         raise InputError(f"the table is {said(data)}; allowed: {_FRAMES}")
     frame: Any = data
@@ -173,6 +176,21 @@ def table_of(data: object) -> Table:
 
 def _is_frame(data: object) -> bool:
     return hasattr(data, "__arrow_c_stream__") and hasattr(data, "columns")  # a Series has none
+
+
+def _are_rows(data: object) -> bool:
+    return isinstance(data, list | tuple) and len(data) > 0 and isinstance(data[0], Mapping)
+
+
+def _columns_of_rows(rows: Sequence[Any]) -> list[tuple[Any, Any]]:
+    """The columns of rows as `csv.DictReader` gives them; a key that a row lacks is empty there."""
+    for number, row in enumerate(rows):
+        if not isinstance(row, Mapping):
+            raise InputError(f"table: row {number} is {said(row)}; allowed: a dict, as row 0 is")
+        if None in row:  # where csv.DictReader keeps what is beyond the header
+            raise InputError(f"table: row {number} has more cells than columns; allowed: as many")
+    names = dict.fromkeys(name for row in rows for name in row)
+    return [(name, [row.get(name) for row in rows]) for name in names]
 
 
 def _table(place: str, columns: list[tuple[Any, Any]]) -> Table:

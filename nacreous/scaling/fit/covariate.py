@@ -127,8 +127,9 @@ def person_covariates(
     >>> person_covariates(nc.scaling.simulate([1.0, 0.0, -1.0], people=40))
     ()
     """
-    answers = answers_of(answers)
     whole_of("permutations", permutations, 99, 1_000_000)
+    seed = seed_of(seed)
+    answers = answers_of(answers)
     blocks = with_own_ties(blocks_of(answers))
     columns = dict(_columns(answers)) if len(blocks.stimuli) <= MOST_STIMULI else {}
     found = {name: each for name, each in columns.items() if isinstance(each, _Sorted)}
@@ -140,11 +141,11 @@ def person_covariates(
     for column in found.values():
         if sides is not None:
             slopes = _slopes(sides.held(column.parts(len(blocks.people))))
-        tested.append(_tested(slopes, column, permutations, seed_of(seed)))
+        tested.append(_tested(slopes, column, permutations, seed))
     adjusted = holm(np.array([p_value for _, p_value, _ in tested])).tolist()
     by_side: Iterable[tuple[float, float] | tuple[None, None]] = repeat((None, None))
     if sides is not None:
-        by_side = _by_side(drawn_by_side(blocks), list(found.values()), permutations, seed_of(seed))
+        by_side = _by_side(drawn_by_side(blocks), list(found.values()), permutations, seed)
     return tuple(
         Covariate(name, len(column.people), column.kind, split, statistic, p_value, both, *side)
         for (name, column), (statistic, p_value, split), both, side in zip(

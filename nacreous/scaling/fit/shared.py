@@ -121,8 +121,9 @@ def shared_scale(
     >>> nc.scaling.shared_scale(alike).differ()
     False
     """
-    answers = answers_of(answers)
     whole_of("permutations", permutations, 99, 1_000_000)
+    seed = seed_of(seed)
+    answers = answers_of(answers)
     choosers = choosing(answers)
     if len(choosers) == 0:
         raise InputError(
@@ -133,7 +134,7 @@ def shared_scale(
         raise InputError(f"{len(blocks.stimuli)} stimuli; allowed: at most {MOST_STIMULI}")
     leads = blocks.leads(thurstone(choosers, prior=1.0).scale)
     metric = _along_first(blocks, leads)
-    true, dealt, size = _dealt(blocks, metric, permutations, seed_of(seed), progress)
+    true, dealt, size = _dealt(blocks, metric, permutations, seed, progress)
     spread = float(dealt[:, 0].std())
     if spread <= _NOTHING * size:
         raise InputError(

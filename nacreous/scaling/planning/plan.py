@@ -195,12 +195,12 @@ class Plan:
         def tried(people: int, seed: int, done: float) -> Power:
             at = replace(self, people=people)
             report(done)
+            seed %= 2**63  # beyond the largest seed come the first ones
             return at.power(first, second, alpha=alpha, studies=studies, seed=seed)
 
-        people, low, high = people_for(
-            tried, self.people, power, alpha, _MOST_PEOPLE, seed_of(seed)
-        )
-        reached = tried(people, seed_of(seed) + 99, 0.85)
+        seed = seed_of(seed)
+        people, low, high = people_for(tried, self.people, power, alpha, _MOST_PEOPLE, seed)
+        reached = tried(people, seed + 99, 0.85)
         report(1.0)
         return Needed(people, low, high, power, reached)
 

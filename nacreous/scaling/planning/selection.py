@@ -102,12 +102,12 @@ def next_pairs(
     whole_of("batch", batch, 1, 1_000_000)
     if method not in ("greedy", "tree", "drawn"):
         raise InputError(f"method is {said(method)}; allowed: greedy, tree, drawn")
+    random = np.random.default_rng(seed_of(seed))
     labels, comparisons = _so_far(data, stimuli)
     most = len(labels) * (len(labels) - 1) // 2
     if truth_of("distinct", distinct) and batch > most:
         raise InputError(f"batch is {batch}; allowed: 1 to {most}, the distinct pairs there are")
     mean, covariance = _posterior(labels, comparisons, model, prior)
-    random = np.random.default_rng(seed_of(seed))
     if method == "tree":
         pairs = _trees(mean, covariance, batch, model, random, distinct)
     else:

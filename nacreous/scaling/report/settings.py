@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shlex
 
-from nacreous.number import number_of, said
+from nacreous.number import number_of, said, seed_of, whole_of
 from nacreous.problem import InputError
 from nacreous.scaling.fit.spread import Prior
 from nacreous.value import value_class
@@ -59,10 +59,9 @@ class Settings:
         if not LEVELS[0] <= level <= LEVELS[1]:
             raise InputError(f"level is {level:g}; allowed: {LEVELS[0]:g} to {LEVELS[1]:g}")
         least, most = BOOTSTRAP
-        if self.bootstrap != 0 and not least <= self.bootstrap <= most:
+        if whole_of("bootstrap", self.bootstrap, 0, most) in range(1, least):
             raise InputError(f"bootstrap is {self.bootstrap}; allowed: 0, or {least} to {most}")
-        if not 0 <= self.seed < 2**63:
-            raise InputError(f"seed is {self.seed}; allowed: 0 to {2**63 - 1}")
+        seed_of(self.seed)
 
     def options(self, language: str) -> str:
         """The options of `nacreous scale` that stand for these settings.

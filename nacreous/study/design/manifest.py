@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from nacreous import json_text
 from nacreous.missing import missing
 from nacreous.problem import InputError
 from nacreous.scaling.data.label import label_of
@@ -151,7 +152,7 @@ def _refuse_other(path: Path) -> None:
 def _read(folder: Path) -> dict[str, Any]:
     _refuse_other(folder / RECORD)
     try:
-        manifest = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+        manifest = json_text.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
         if not folder.exists():
             raise missing(folder, f"a folder that {MAKER} made") from None
@@ -160,6 +161,8 @@ def _read(folder: Path) -> dict[str, Any]:
         ) from None
     except OSError as problem:
         raise InputError(f"{folder / RECORD}: cannot be read ({problem.strerror})") from None
+    except json_text.TwiceError as problem:
+        raise InputError(f"{folder / RECORD}: {problem}") from None
     except (ValueError, RecursionError):
         manifest = None
     if not isinstance(manifest, dict) or manifest.get("made_by") != MAKER:

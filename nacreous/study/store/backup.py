@@ -8,7 +8,6 @@ logins are not, for whoever is logged in is logged in to one server.
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import sqlite3
 import tempfile
@@ -19,7 +18,7 @@ from pathlib import Path
 
 import sqlalchemy as sa
 
-from nacreous import file
+from nacreous import file, json_text
 from nacreous.problem import InputError
 from nacreous.study.store.belonging import check_belonging
 from nacreous.study.store.contents import check_contents
@@ -219,7 +218,7 @@ def _check_manifests(connection: sa.Connection, place: str) -> None:
     """What the answers are answers to has not been changed since it was frozen."""
     for row in connection.execute(sa.select(studies.c.hash, studies.c.manifest)):
         try:
-            intact = is_intact(row.hash, json.loads(row.manifest))
+            intact = is_intact(row.hash, json_text.loads(row.manifest))
         except (TypeError, ValueError, RecursionError):
             intact = False
         if not intact:

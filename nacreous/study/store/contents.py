@@ -7,7 +7,6 @@ into other tables are not looked at again, for `PRAGMA foreign_key_check` found 
 
 from __future__ import annotations
 
-import json
 import sqlite3
 from collections.abc import Callable, Mapping
 from datetime import datetime
@@ -15,6 +14,7 @@ from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 
+from nacreous import json_text
 from nacreous.problem import InputError
 from nacreous.study.store.passwords import is_hash
 from nacreous.study.store.schema import logins, metadata
@@ -171,7 +171,7 @@ def _is_text(text: bytes) -> bool:
 def _json(text: bytes) -> Any:
     """What JSON says; None, as of JSON's null, where it is none."""
     try:
-        return json.loads(text.decode())
+        return json_text.loads(text.decode())
     except (ValueError, RecursionError):
         return None
 
