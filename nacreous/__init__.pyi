@@ -10,6 +10,7 @@ from . import scaling as scaling
 from . import spec as spec
 from . import study as study
 from . import texture as texture
+from . import trade as trade
 from .image import Image as Image
 from .image import render as render
 from .nacre import LayerStack as LayerStack

@@ -26,6 +26,7 @@ MODULES = (
     "spec",
     "study",
     "texture",
+    "trade",
 )
 
 
