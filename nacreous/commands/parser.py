@@ -19,6 +19,7 @@ COMMANDS = (
     "crops",
     "scale",
     "study",
+    "strand",
     "words",
     "presets",
     "schema",
@@ -36,6 +37,7 @@ examples:
   nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous study new paper       the paper's experiment, ready for participants
   nacreous study demo            a whole study on this computer, to look at
+  nacreous strand draw           a lot of pearls, to sort into strands that match
   nacreous words luster          the trade's words and the numbers they stand for
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them

@@ -24,6 +24,7 @@ MODULES = (
     "paper",
     "scaling",
     "spec",
+    "strand",
     "study",
     "texture",
     "trade",

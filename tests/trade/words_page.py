@@ -1,4 +1,4 @@
-"""The table of docs/words.md, as the package has it; `python -m tests.trade.words_page` writes it."""
+"""The table of docs/words.md from the package; `python -m tests.trade.words_page` writes it."""
 
 from __future__ import annotations
 
