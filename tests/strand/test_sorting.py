@@ -55,7 +55,7 @@ def test_sizes_grow_from_both_ends_to_the_centre() -> None:
 def test_graduated_strands_that_were_mixed_are_found_again() -> None:
     form = Form(15, 0.7)
     values = np.tile([7.2, 94.0, 0.5, 4.0, 0.035], (30, 1))
-    values[:, 0] = np.concatenate([6.0 + form.above_ends_mm, 6.3 + form.above_ends_mm])
+    values[:, 0] = np.concatenate([6.0 + form.above_ends_mm, 6.1 + form.above_ends_mm])
     values[15:, 3] += 3.0
     mixed = np.random.default_rng(6).permutation(30)
     sorting = sort_lot(Lot(tuple(map(str, mixed)), values[mixed]), form)
