@@ -57,9 +57,13 @@ def _add_draw(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = _add(actions, "draw", "draw a lot of pearls from a population")
     parser.add_argument("--count", type=int, default=560, help="how many pearls (560)")
     parser.add_argument("--seed", type=int, default=1, help="another lot of the same kind (1)")
-    for name, what in (("mean", "mean"), ("spread", "standard deviation")):
+    for name, dest, what in (
+        ("mean", "mean", "mean"),
+        ("spread", "deviation", "standard deviation"),
+    ):
         parser.add_argument(
             f"--{name}",
+            dest=dest,
             action="append",
             default=[],
             metavar="KEY=VALUE",
@@ -113,7 +117,7 @@ def draw(args: argparse.Namespace) -> int:
     from nacreous.strand import AKOYA, write_lot
 
     standard.check_output(args.output, (".csv",))
-    changes = (_numbers("mean", args.mean), _numbers("spread", args.spread))
+    changes = (_numbers("mean", args.mean), _numbers("spread", args.deviation))
     lot = AKOYA.replace(*changes).draw(args.count, args.seed)
     with standard.writing(args.output, ".csv") as output, file.atomic(output) as temporary:
         write_lot(temporary, lot)

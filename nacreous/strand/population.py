@@ -27,7 +27,7 @@ class Population:
     """
 
     mean: Mapping[str, float]
-    spread: Mapping[str, float]
+    deviation: Mapping[str, float]
 
     def __post_init__(self) -> None:
         """Check everything."""
@@ -35,18 +35,18 @@ class Population:
             mean = number_of(f"mean {quantity.name}", self.mean[quantity.name])
             if not quantity.least <= mean <= quantity.most:
                 raise InputError(f"mean {quantity.name} is {mean:g}; allowed: {quantity.allowed}")
-            spread = number_of(f"spread {quantity.name}", self.spread[quantity.name])
+            spread = number_of(f"spread {quantity.name}", self.deviation[quantity.name])
             if not 0 <= spread <= 100:
                 raise InputError(f"spread {quantity.name} is {spread:g}; allowed: 0 to 100")
 
-    def replace(self, mean: Mapping[str, float], spread: Mapping[str, float]) -> Population:
-        """With some of the means and spreads changed; another name is refused."""
-        for name in (*mean, *spread):
+    def replace(self, mean: Mapping[str, float], deviation: Mapping[str, float]) -> Population:
+        """With some of the means and deviations changed; another name is refused."""
+        for name in (*mean, *deviation):
             if name not in _NAMES:
                 near = nearest(name, _NAMES)
                 hint = f"did you mean {near}?" if near else f"allowed: {', '.join(_NAMES)}"
                 raise InputError(f"{shown(name)} is no quantity of a lot; {hint}")
-        return Population({**self.mean, **mean}, {**self.spread, **spread})
+        return Population({**self.mean, **mean}, {**self.deviation, **deviation})
 
     def draw(self, count: int, seed: int = 1) -> Lot:
         """So many pearls. The first ones of a seed are the same, however many are drawn.
@@ -57,7 +57,9 @@ class Population:
         count = whole_of("count", count, 1, MOST_PEARLS)
         random = np.random.default_rng(seed_of(seed))
         drawn = random.standard_normal((count, len(QUANTITIES)))
-        mean, spread = (np.array([by[name] for name in _NAMES]) for by in (self.mean, self.spread))
+        mean, spread = (
+            np.array([by[name] for name in _NAMES]) for by in (self.mean, self.deviation)
+        )
         values = mean + spread * drawn
         values[:, -1] = mean[-1] * np.exp(spread[-1] * drawn[:, -1])
         ends = np.array([(one.least, one.most) for one in QUANTITIES])
