@@ -31,6 +31,11 @@ class Population:
 
     def __post_init__(self) -> None:
         """Check everything."""
+        for name, given in (("mean", self.mean), ("deviation", self.deviation)):
+            if set(given) != set(_NAMES):
+                raise InputError(
+                    f"{name} has {', '.join(given) or 'nothing'}; allowed: {', '.join(_NAMES)}"
+                )
         for quantity in QUANTITIES:
             mean = number_of(f"mean {quantity.name}", self.mean[quantity.name])
             if not quantity.least <= mean <= quantity.most:

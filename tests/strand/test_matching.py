@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import nacreous as nc
-from nacreous.strand import AKOYA, Form, Lot, Matching, matching
+from nacreous.strand import AKOYA, Form, Lot, Matching, Population, matching
 from nacreous.strand.matching import looks_apart
 from nacreous.strand.order import ordered
 
@@ -114,5 +114,7 @@ def test_a_population_has_its_means_and_spreads() -> None:
     assert lot == AKOYA.draw(5000, seed=2) != AKOYA.draw(5000, seed=3)
     with pytest.raises(nc.InputError, match='"sise_mm" is no quantity of a lot; did you mean size'):
         AKOYA.replace({"sise_mm": 7}, {})
+    with pytest.raises(nc.InputError, match="deviation has nothing; allowed: size_mm, L, a, b"):
+        Population(AKOYA.mean, {})
     with pytest.raises(nc.InputError, match="spread L is -1; allowed: 0 to 100"):
         AKOYA.replace({}, {"L": -1})

@@ -15,6 +15,7 @@ from nacreous.spec import Pearl
 from nacreous.spec.key import every_key
 from nacreous.trade import factors, overrides_of, range_of, word_of, words
 from tests.trade import words_page
+from tests.trade.lamp_image import measured
 
 RANGES = [(word, one) for factor in factors() for word in factor.words for one in word.ranges]
 GRADES = ["Excellent", "Very good", "Good", "Fair", "Poor"]
@@ -81,6 +82,16 @@ def test_luster_by_knob_by_facets_and_by_half_width_is_the_same_word() -> None:
             pearl = Pearl(shininess=knob).model_dump_json()
             found = _core.resolved_keys(pearl)["surface.facet_spread_rad"]
             assert found == pytest.approx(min(facets, 0.25), rel=0.01)
+
+
+@pytest.mark.parametrize("spread_rad", [0.05, 0.09])
+def test_a_lamps_image_is_as_wide_and_as_clear_as_the_bounds_say(spread_rad: float) -> None:
+    at_bound = {one.ranges[0].lower: one for one in words("luster")}[spread_rad]
+    sharp, clear = measured(spread_rad, 1.0), measured(spread_rad, 6.0)
+    half_width_deg = range_of("luster", at_bound.en, "half_width_deg").lower
+    contrast = range_of("luster", at_bound.en, "image_contrast").upper
+    assert sharp.half_width_deg == pytest.approx(half_width_deg, rel=0.08)
+    assert clear.contrast == pytest.approx(contrast, rel=0.05)
 
 
 def test_our_pigments_have_the_names_of_their_colours() -> None:
