@@ -8,8 +8,10 @@ from . import optics as optics
 from . import paper as paper
 from . import scaling as scaling
 from . import spec as spec
+from . import strand as strand
 from . import study as study
 from . import texture as texture
+from . import trade as trade
 from .exposure import metered_exposure as metered_exposure
 from .image import Image as Image
 from .image import render as render

@@ -19,6 +19,8 @@ COMMANDS = (
     "crops",
     "scale",
     "study",
+    "strand",
+    "words",
     "presets",
     "schema",
     "completion",
@@ -38,6 +40,8 @@ examples:
   nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous study new paper       the paper's experiment, ready for participants
   nacreous study demo            a whole study on this computer, to look at
+  nacreous strand draw           a lot of pearls, to sort into strands that match
+  nacreous words luster          the trade's words and the numbers they stand for
   nacreous presets               see the pearls and scenes that come along
   nacreous presets pearl paper   look at the file of one of them
   nacreous schema pearl          every key of a pearl file, for editors

@@ -24,6 +24,7 @@ examples:
   nacreous render paper                            the pearl of 1996, as pearl.png
   nacreous render paper --set depth=0.8            one knob turned
   nacreous render a.toml b.toml --scene tray.toml  two pearls in the rows of a scene
+  nacreous render akoya-rg --word luster=Fair      a word of the trade (nacreous words)
   nacreous render my.toml --scene booth --size 1024  your pearl in another scene
   nacreous render paper --set nacre.seed=9 --set camera.elevation_deg=30 -o out.exr
   nacreous render pearl.png --size 2048            a picture again, larger, as pearl-again.png
@@ -60,6 +61,14 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     )
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
+    )
+    parser.add_argument(
+        "--word",
+        action="append",
+        default=[],
+        metavar="FACTOR=WORD",
+        help="set the keys that a word of the trade stands for, such as luster=Excellent; --set "
+        "goes before it",
     )
     parser.add_argument("--bits", type=int, choices=(8, 16), help="a channel in PNG (8)")
     parser.add_argument(
@@ -119,17 +128,27 @@ def _first(args: argparse.Namespace) -> _Job:
     from nacreous.recipe import recipe
 
     pearls, scene = args.pearl, args.scene or "paper"
-    if args.set:
+    if settings := _settings(args):
         from nacreous.spec import Pearl, Scene
         from nacreous.spec.load import shared_out
 
-        of_pearl, of_scene = shared_out(args.set)
+        of_pearl, of_scene = shared_out(settings)
         pearls = [Pearl.load(pearl, of_pearl) for pearl in pearls]
         scene = Scene.load(scene, of_scene)
     size, samples = _either(args.size, 512), _either(args.samples, 16)
     made = recipe(pearls[0] if len(pearls) == 1 else pearls, scene, size, samples)
     bits: Literal[8, 16] = args.bits or 8
     return _Job(made, bits, args.space or "srgb", args.gamut or "soft", bool(args.alpha))
+
+
+def _settings(args: argparse.Namespace) -> list[str]:
+    """What --word and --set say, as key=value; where both set a key, the latter counts."""
+    if not args.word:
+        return list(args.set)
+    from nacreous.trade import overrides_of
+
+    said = [f"{key}={value}" for word in args.word for key, value in overrides_of(word)]
+    return [*said, *args.set]
 
 
 def _again(args: argparse.Namespace, output: str) -> _Job:
@@ -140,7 +159,7 @@ def _again(args: argparse.Namespace, output: str) -> _Job:
     from nacreous.spec import Scene
     from nacreous.spec.load import shared_out
 
-    of_pearl, of_scene = shared_out(args.set)
+    of_pearl, of_scene = shared_out(_settings(args))
     scene = None if args.scene is None else Scene.load(args.scene, of_scene)
     kept = read_embedded(args.pearl[0], of_pearl, of_scene if scene is None else (), scene)
     size, samples = _either(args.size, kept.size), _either(args.samples, kept.samples)

@@ -25,6 +25,12 @@ def test_documents_show_what_happens(document, tmp_path, monkeypatch):
     run_document(document, tmp_path)
 
 
+@pytest.mark.parametrize("document", DOCUMENTS, ids=name)
+def test_no_python_on_a_page_goes_by_a_name_that_is_not_run(document):
+    languages = {block.language for block in documentation.blocks(document)}
+    assert not languages & {"pycon", "py", "python3", "doctest"}
+
+
 @pytest.mark.parametrize("example", EXAMPLES, ids=name)
 def test_examples_run(example, tmp_path):
     done = subprocess.run(

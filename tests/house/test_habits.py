@@ -24,8 +24,10 @@ MODULES = (
     "paper",
     "scaling",
     "spec",
+    "strand",
     "study",
     "texture",
+    "trade",
 )
 
 

@@ -1,0 +1,18 @@
+"""What the trade says of a pearl, bound to numbers: one table, `words.csv`, in two languages.
+
+>>> word_of("luster", 0.03).en, word_of("luster", 0.03).ja
+('Very good', '上')
+>>> range_of("shape", "near-round")
+Range(2 to 5 %)
+"""
+
+from nacreous.trade.setting import overrides_of
+from nacreous.trade.table import factors, range_of, word_of, words
+from nacreous.trade.word import Factor, Range, Word
+
+__all__ = ["Factor", "Range", "Word", "factors", "overrides_of", "range_of", "word_of", "words"]
+
+
+def __dir__() -> list[str]:
+    """The public names, for completion."""
+    return __all__

@@ -1,0 +1,39 @@
+"""Words that set keys of a pearl file, as in `--word luster=Excellent`."""
+
+from __future__ import annotations
+
+from nacreous.problem import InputError
+from nacreous.spec.complaint import shown
+from nacreous.trade.table import factor_of, factors, word_named
+from nacreous.trade.word import Factor
+
+__all__ = ["overrides_of"]
+
+
+def overrides_of(setting: str) -> list[tuple[str, str]]:
+    """The keys that `factor=word` sets, with their values as `--set` takes them.
+
+    Raises `InputError` for a factor or a word that is not in the table, with what was probably
+    meant, and for a factor that no key of a pearl file has yet.
+
+    >>> overrides_of("luster=excellent")
+    [('surface.facet_spread_rad', '0.018'), ('shininess', '0.866')]
+    >>> overrides_of("size=7.0-7.5 mm")
+    [('diameter_mm', '7.25')]
+    """
+    name, equals, word = setting.partition("=")
+    if not (name.strip() and equals):
+        raise InputError(f"--word {shown(setting)}: wanted: factor=word, such as luster=Excellent")
+    try:
+        factor = factor_of(name.strip())
+        if not _sets(factor):
+            settable = ", ".join(one.name for one in factors() if _sets(one))
+            raise InputError(f"{factor.name} sets no key of a pearl file; allowed: {settable}")
+        ranges = word_named(factor.name, word).ranges
+    except InputError as problem:
+        raise InputError(f"--word {shown(setting)}: {problem}") from None
+    return [(one.key, f"{one.sets:g}") for one in ranges if one.key]
+
+
+def _sets(factor: Factor) -> bool:
+    return any(one.key for word in factor.words for one in word.ranges)

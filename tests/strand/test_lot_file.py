@@ -1,0 +1,133 @@
+"""Lots as tables, and the command line."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nacreous as nc
+from nacreous import cli
+from nacreous.spec import Scene
+from nacreous.strand import AKOYA, Form, Lot, read_lot, read_sorted, sort_lot, write_lot
+from nacreous.strand.lot_file import write_sorted
+from nacreous.strand.picture import hung, laid_out
+
+HEAD = "name,size_mm,L,a,b,facet_spread_rad\n"
+
+
+def test_a_lot_is_read_as_it_was_written(tmp_path: Path) -> None:
+    lot = AKOYA.draw(50, seed=1)
+    names = ("=1+1", "'a", "真珠", *lot.names[3:])
+    lot = Lot(names, np.round(lot.values, 5))
+    write_lot(tmp_path / "lot.csv", lot)
+    assert read_lot(tmp_path / "lot.csv") == lot
+
+
+def test_sorted_strands_are_read_as_they_were_written(tmp_path: Path) -> None:
+    lot = AKOYA.draw(50, seed=1)
+    sorting = sort_lot(lot, Form(16, 0.3))
+    write_sorted(tmp_path / "sorted.csv", lot, sorting)
+    again, found = read_sorted(tmp_path / "sorted.csv")
+    for one, other in zip(sorting.strands, found.strands, strict=True):
+        assert lot.take(one.pearls).names == again.take(other.pearls).names
+        assert other.matching.score == pytest.approx(one.matching.score, abs=1e-3)
+    assert len(found.spare) == 2
+    write_lot(tmp_path / "lot.csv", lot)
+    assert len(read_sorted(tmp_path / "lot.csv")[1].strands) == 1
+
+
+def test_instruments_columns_and_the_trades_words_are_understood(tmp_path: Path) -> None:
+    path = tmp_path / "lot.csv"
+    path.write_text("size_mm;L*;a*;b*;luster\n7,25;94;0,5;4;最上\n7,3;93,5;0;4;fair\n", "utf-8")
+    assert read_lot(path).values.tolist() == [[7.25, 94, 0.5, 4, 0.018], [7.3, 93.5, 0, 4, 0.116]]
+    assert read_lot(path).names == ("1", "2")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("size_mm,L,a\n7,94,1\n", "has no column b; .*no column facet_spread_rad or luster"),
+        (HEAD + "a,77,94,1,2,.03\n", 'row 2: size_mm is "77"; allowed: 1 to 30'),
+        (HEAD + "a,7,,1,2,.03\n", "row 2: L is empty; allowed: 0 to 100"),
+        (HEAD + "a,7,x,1,2,3\n", 'L is "x"; allowed: a number.*facet_spread_rad is "3"'),
+        (HEAD + "a,7,94,1,2,.03\na,7,94,1,2,.03\n", 'row 3: name is "a"; allowed: a name for'),
+        ("size_mm,L,a,b,luster\n7,94,1,2,Excelent\n", 'row 2: luster is "Excelent"; did you mean'),
+        ("strand,place," + HEAD + "1,1,a,7,94,1,2,.03\n", "has no column target_mm"),
+        ("strand,place,target_mm," + HEAD + "1,,7,a,7,94,1,2,.03\n", "place or target_mm is empty"),
+        ("strand,place,target_mm," + HEAD + ",,,a,7,94,1,2,.03\n", "no pearl is in a strand"),
+    ],
+)
+def test_a_bad_table_is_told_with_its_row(tmp_path: Path, text: str, said: str) -> None:
+    path = tmp_path / "lot.csv"
+    path.write_text(text)
+    with pytest.raises(nc.InputError, match=f"(?s)lot.csv: .*{said}"):
+        read_sorted(path)
+
+
+def test_draw_sort_and_show_go_together(tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["strand", "draw", "--count", "60", "--mean", "size_mm=8"]) == 0
+    assert cli.main(["strand", "sort", "lot.csv", "--length", "20", "-o", "sorted.csv"]) == 0
+    said = capsys.readouterr().out
+    assert "sorted.csv: 3 strands of 20 pearls, 0 left over" in said
+    assert cli.main(["strand", "show", "sorted.csv", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert [one["strand"] for one in record["strands"]] == [1, 2, 3]
+    scores = [one["score"] for one in record["strands"]]
+    assert scores == sorted(scores)
+    before = Path("sorted.csv").read_bytes()
+    assert cli.main(["strand", "sort", "lot.csv", "--length", "20"]) == 0
+    assert Path("sorted.csv").read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["draw", "--mean", "size=7"], "did you mean size_mm?"),
+        (["draw", "--spread", "L"], '--spread "L": wanted: key=number'),
+        (["draw", "--mean", "size_mm=nan"], "mean size_mm is nan; allowed: 1 to 30"),
+        (["draw", "--count", "0"], "count is 0; allowed: a whole number, 1 to 5000"),
+        (["sort", "lot.csv", "--length", "90"], "length is 90; allowed: up to 4, the lot's pearls"),
+        (["sort", "lot.csv", "-o", "lot.csv"], "lot.csv"),
+        (["show", "lot.csv", "--strand", "2"], "--strand 2; allowed: 1 to 1"),
+        (["show", "lot.csv", "-o", "a.png", "--pearl", "paper"], "allowed: model = "),
+        (["show", "lot.csv", "-o", "a.png", "--scene", "two-tier"], "has rows of its own"),
+    ],
+)
+def test_mistakes_end_with_one_line_and_no_file(
+    tmp_path: Path, capsys, monkeypatch, arguments: list[str], said: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write_lot(Path("lot.csv"), AKOYA.draw(4))
+    assert cli.main(["strand", *arguments]) == 2
+    err = capsys.readouterr().err
+    assert said in err
+    assert err.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["lot.csv"]
+
+
+def test_hung_pearls_have_their_sizes_lusters_and_nearest_colours() -> None:
+    lot = Lot(("a", "b"), [[7.2, 97.3, -0.3, 0.8, 0.03], [7.4, 91.0, 0.9, 25.0, 0.05]])
+    found = hung(lot, nc.Pearl.load("akoya-rg"), seed=5)
+    assert [pearl.diameter_mm for pearl in found.pearls] == [7.2, 7.4]
+    assert [pearl.surface.facet_spread_rad for pearl in found.pearls] == [0.03, 0.05]
+    assert [pearl.body.pigment for pearl in found.pearls] == ["white", "gold"]
+    assert [pearl.nacre.seed for pearl in found.pearls] == [5, 6]
+    assert found.colour_off < 0.5
+
+
+def test_neighbours_lie_side_by_side_in_rows_that_turn() -> None:
+    rows = laid_out(7, Scene.load("north-window-black")).rows
+    numbers = [[int(name[1:]) for name in row.pearls] for row in rows]
+    assert numbers == [[0, 1, 2], [5, 4, 3], [6]]
+
+
+def test_a_strand_becomes_a_picture(tmp_path: Path) -> None:
+    write_lot(tmp_path / "lot.csv", AKOYA.draw(4))
+    output = tmp_path / "strand.png"
+    options = ["--size", "24", "--samples", "1", "-o", str(output)]
+    assert cli.main(["strand", "show", str(tmp_path / "lot.csv"), *options]) == 0
+    assert output.read_bytes().startswith(b"\x89PNG")
