@@ -130,7 +130,7 @@ fn scene() -> (Surroundings, Palette) {
 
 fn response(surface: &Surface, palette: &Palette) -> Arc<Response> {
     let body = Body::new(&[0.8; SAMPLES], INSIDE_SPREAD);
-    Arc::new(Response::new(surface, &body, palette, &[]))
+    Arc::new(Response::new((std::slice::from_ref(surface), 1.0), &body, palette, &[]))
 }
 
 fn pearl(response: &Arc<Response>, around: &Lit) -> Model {

@@ -5,8 +5,10 @@ pearl.py, nacre.py, body.py, scene.py or lamp.py, with its unit, range and sourc
 and schema follow from that.
 """
 
+from nacreous.spec.blemishes import Blemishes
 from nacreous.spec.body import Body
 from nacreous.spec.camera import Camera
+from nacreous.spec.coat import Coat
 from nacreous.spec.film import Film
 from nacreous.spec.growth import Growth
 from nacreous.spec.inside import Inside
@@ -16,6 +18,7 @@ from nacreous.spec.load import load
 from nacreous.spec.medium import Uniaxial
 from nacreous.spec.nacre import Layers, Nacre
 from nacreous.spec.pearl import Pearl
+from nacreous.spec.pose import Pose
 from nacreous.spec.row import Row
 from nacreous.spec.scene import Scene, Sky, Table, Walls
 from nacreous.spec.schema import json_schema
@@ -24,8 +27,10 @@ from nacreous.spec.texture import Texture
 from nacreous.spec.window import Window
 
 __all__ = [
+    "Blemishes",
     "Body",
     "Camera",
+    "Coat",
     "Film",
     "Growth",
     "Inside",
@@ -34,6 +39,7 @@ __all__ = [
     "Layers",
     "Nacre",
     "Pearl",
+    "Pose",
     "Row",
     "Scene",
     "Sky",

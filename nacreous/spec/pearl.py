@@ -7,7 +7,9 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, SerializerFunctionWrapHandler, Tag, model_serializer
 
+from nacreous.spec.blemishes import Blemishes
 from nacreous.spec.body import Body
+from nacreous.spec.coat import Coat
 from nacreous.spec.complaint import Contradiction, shown
 from nacreous.spec.film import Film
 from nacreous.spec.growth import Growth
@@ -17,6 +19,7 @@ from nacreous.spec.key import key, quantity, section
 from nacreous.spec.medium import is_isotropic, loss
 from nacreous.spec.model import own_keys, strangers
 from nacreous.spec.nacre import Layers
+from nacreous.spec.pose import Pose
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.surface import Surface
 from nacreous.spec.texts import COLOUR, NAME, Colour, Name
@@ -91,6 +94,9 @@ class Pearl(SpecFile):
     interference: Interference = section("The sum of the interfering light.", model="illuminant")
     surface: Surface = section("The mirroring surface.")
     texture: Texture = section("The grain of the surface.")
+    coat: Coat = section("What differs from place to place.", model="transport")
+    blemishes: Blemishes = section("Pits, bumps and the like.", model="transport")
+    pose: Pose = section("How the pearl is turned.", model="transport")
 
     def contradictions(self) -> Iterator[Contradiction]:
         """Keys and media that the model has not, and nacre thicker than the pearl."""

@@ -1,5 +1,6 @@
 //! Grain over the whole sphere: a spectrum drawn as a random field by spherical harmonics.
 
-mod level;
+pub(crate) mod level;
+pub(crate) mod normal;
 pub mod spectrum;
 pub mod texture;

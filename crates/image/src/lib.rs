@@ -9,6 +9,7 @@
 //! white. The radiance of a lamp, sky or surface is stated as that of a white matt surface, so no factor
 //! pi appears.
 
+mod coat;
 pub mod grain;
 pub mod harmonics;
 mod iridescence;
@@ -23,6 +24,10 @@ mod surface;
 mod surroundings;
 mod view;
 
+pub use coat::blemish::{Blemishes, Kind as BlemishKind};
+pub use coat::local::Local;
+pub use coat::outer::{Coat, CoatParameters};
+pub use coat::pose::Pose;
 pub use iridescence::by_angle::ByAngle;
 pub use iridescence::colours::{Iridescence, Weights, interference_colours};
 pub use iridescence::rings::Rings;

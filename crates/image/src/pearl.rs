@@ -1,6 +1,7 @@
 //! What a pearl does with light, by either model, point by point.
 
 pub(crate) mod body;
+pub(crate) mod films;
 pub(crate) mod gathered;
 pub(crate) mod glint;
 pub(crate) mod illuminant;

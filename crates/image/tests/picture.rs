@@ -84,8 +84,13 @@ impl Set {
     }
 
     fn with(model: IlluminantPearl) -> Pearl {
-        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        Pearl { model: Arc::new(Model::Illuminant(Box::new(model))), texture: None, grain }
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
+        Pearl {
+            model: Arc::new(Model::Illuminant(Box::new(model))),
+            texture: None,
+            grain,
+            coat: None,
+        }
     }
 
     fn model(&self) -> IlluminantPearl {

@@ -9,8 +9,8 @@ use std::{
 use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
-    Arounds, BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Microfacets, Model,
-    Panorama, Pearl, Place, Projection, Response, Sight, Sky, Source, Spread, Surface,
+    Arounds, BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Local, Microfacets,
+    Model, Panorama, Pearl, Place, Projection, Response, Sight, Sky, Source, Spread, Surface,
     Surroundings, Transport, Waviness,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
@@ -69,10 +69,20 @@ fn under(sky: Sky, lamps: Vec<Lamp>) -> Lit {
 impl Scene {
     fn pearl(&self, surface: &Surface, body: &Body) -> Pearl {
         let (palette, around) = (self.light.palette(), &self.surroundings);
-        let response = Arc::new(Response::new(surface, body, &palette, &self.lamps));
+        let response = Arc::new(Response::new(
+            (std::slice::from_ref(surface), 1.0),
+            body,
+            &palette,
+            &self.lamps,
+        ));
         let transport = Transport::new(&response, around, 0, SIDE);
-        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        Pearl { model: Arc::new(Model::Transport(Box::new(transport))), texture: None, grain }
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
+        Pearl {
+            model: Arc::new(Model::Transport(Box::new(transport))),
+            texture: None,
+            grain,
+            coat: None,
+        }
     }
 
     /// Light from inside and light mirrored, mean over a pixel's samples, where lines of sight along -z
@@ -91,7 +101,8 @@ impl Scene {
         for part in 0..side {
             let view = -ray.along;
             let (ball, pixel_mm, part, around) = (0, 0.01, (part, side), Arounds::default());
-            let sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
+            let (outward, local) = (hit.normal, Local::EVEN);
+            let sight = Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
                 inside[i] += (parts.interference[i] + parts.diffuse[i]) / side as f64;
@@ -360,11 +371,20 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
     for microfacets in [Microfacets::grooves(0.1), Microfacets::ggx(0.15)] {
         let surface = level(microfacets);
         let (palette, around) = (scene.light.palette(), &scene.surroundings);
-        let response = Arc::new(Response::new(&surface, &white(0.0), &palette, &[]));
+        let response = Arc::new(Response::new(
+            (std::slice::from_ref(&surface), 1.0),
+            &white(0.0),
+            &palette,
+            &[],
+        ));
         let many = Transport::new(&response, around, 0, 64);
-        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0 };
-        let pearl =
-            Pearl { model: Arc::new(Model::Transport(Box::new(many))), texture: None, grain };
+        let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
+        let pearl = Pearl {
+            model: Arc::new(Model::Transport(Box::new(many))),
+            texture: None,
+            grain,
+            coat: None,
+        };
         for place in MIRRORING {
             let all = mirrored_by_all(&scene, &surface, normal_at(place), None);
             let (_, mirror) = scene.seen_with(&pearl, place, 64);

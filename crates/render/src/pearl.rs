@@ -3,6 +3,7 @@
 
 pub mod body;
 pub mod calendar;
+pub(crate) mod coat;
 pub mod columns;
 pub mod grain;
 pub mod knobs;

@@ -1,7 +1,48 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 46c16bc7c072701019ae23d6d01a40acf79fa68c8fd6eb13dd0596312d123a42
+ * a6ecaa801a179b2356edb10f6ad01fa6025939d60631a7a11fff2d045e1745a7
  */
 
+/**
+ * How many blemishes a pearl has, and how large they are (the transport model).
+ */
+export interface Blemishes {
+  /**
+   * Seed of their places. Allowed: 0 to 9223372036854775807. Left out: nacre.seed. Source: **(ours)**.
+   */
+  seed?: number;
+  /**
+   * Round hollows, all over the pearl. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   */
+  pits?: number;
+  /**
+   * Round rises. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   */
+  bumps?: number;
+  /**
+   * Narrow grooves, 6 times size_mm long and 0.15 wide. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   */
+  scratches?: number;
+  /**
+   * Long rises, 4 times size_mm long and 0.6 wide. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   */
+  wrinkles?: number;
+  /**
+   * Matt white spots without layers. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   */
+  chalky_spots?: number;
+  /**
+   * Mean diameter of what is round; what is long goes by it. Allowed: 0.02 to 5 mm. Source: **(ours)**; pin pricks are 0.1 mm.
+   */
+  size_mm?: number;
+  /**
+   * Mean depth or height. Allowed: 0 to 200 um. Source: **(ours)**.
+   */
+  depth_um?: number;
+  /**
+   * Share of the pearl that all of them cover together: sizes are multiplied until they do, if there are any. Allowed: 0 to 0.25. Left out: what size_mm gives. Source: trade, words for the surface.
+   */
+  area?: number;
+}
 /**
  * What gives the pearl its body colour (the transport model).
  */
@@ -67,6 +108,47 @@ export interface Camera {
    * The light shown as white; auto is the lamps' own. Allowed: "auto", "A", "C", "D50", "D55", "D65", "D75", "E", "FL1" to "FL12", "LED-B1" to "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", or a colour temperature from 1000K to 25000K. Source: CIE illuminants.
    */
   white?: string;
+}
+/**
+ * The outer layers from place to place (the transport model): their thickness and relief.
+ */
+export interface Coat {
+  /**
+   * Seed of what differs from place to place. Allowed: 0 to 9223372036854775807. Left out: nacre.seed. Source: **(ours)**.
+   */
+  seed?: number;
+  /**
+   * Spread (standard deviation) of the layers' thickness over the pearl, as a share of it: patches of other colours. Allowed: 0 to 0.12. Source: **(ours)**; mabe pearls show patches some 5 % apart (docs/coat.md).
+   */
+  thickness_spread?: number;
+  /**
+   * Size of the patches: thickness is alike within it. Allowed: 0.3 to 30 mm. Source: **(ours)**.
+   */
+  patch_mm?: number;
+  /**
+   * Share of what differs that lies in bands about the axis of growth. Allowed: 0 to 1. Source: trade, circled pearls; the share is **(ours)**.
+   */
+  banding?: number;
+  /**
+   * Spread of the lean of a hammered surface: shallow dents that break the lamp's image. Allowed: 0 to 0.2 rad. Source: trade, hammered pearls; the number is **(ours)**.
+   */
+  hammering_rad?: number;
+  /**
+   * Size of the dents. Allowed: 0.3 to 10 mm. Source: **(ours)**.
+   */
+  dent_mm?: number;
+  /**
+   * Spread of the slopes of the grain, which tilts the surface where it is brighter or darker. Allowed: 0 to 0.2 rad. Left out: from the knob grain. Source: **(ours)**.
+   */
+  grain_relief_rad?: number;
+  /**
+   * Spacing of the growth front's terraces, which look like fingerprints; 0 for none. Allowed: 0 to 1000 um. Source: nacre's growth spirals; the spacing is **(ours)**.
+   */
+  terrace_um?: number;
+  /**
+   * Height of a terrace: a tablet's thickness. Allowed: 50 to 2000 nm. Source: paper 3.2.3, tablets of 300 to 500 nm.
+   */
+  terrace_step_nm?: number;
 }
 /**
  * The outer nacre as a film of many columns of tablets (the transport model).
@@ -330,6 +412,18 @@ export interface Pearl {
    * The grain of the surface.
    */
   texture?: Texture;
+  /**
+   * What differs from place to place. Only with model = "transport".
+   */
+  coat?: Coat;
+  /**
+   * Pits, bumps and the like. Only with model = "transport".
+   */
+  blemishes?: Blemishes;
+  /**
+   * How the pearl is turned. Only with model = "transport".
+   */
+  pose?: Pose;
 }
 /**
  * How the surface mirrors lamps and surroundings (paper 4.2).
@@ -400,6 +494,23 @@ export interface Texture {
    * Weight of the lightness texture on the mirrored component. Allowed: 0 to 10. Left out: from the knob grain. Source: paper 4.4, weights found by trial.
    */
   value_weight?: number;
+}
+/**
+ * How the pearl is turned: grain, coat and blemishes turn with it (the transport model).
+ */
+export interface Pose {
+  /**
+   * Turn about the upright, as on a turntable. Allowed: -3600 to 3600 degrees. Source: **(ours)**.
+   */
+  turn_deg?: number;
+  /**
+   * Lean of the axis of growth from the upright towards azimuth 0. Allowed: -3600 to 3600 degrees. Source: **(ours)**.
+   */
+  tilt_deg?: number;
+  /**
+   * Turn about the axis of growth, before both. Allowed: -3600 to 3600 degrees. Source: **(ours)**.
+   */
+  spin_deg?: number;
 }
 /**
  * A row of pearls from left to right; the first row is the farthest from a camera at azimuth 0.

@@ -8,14 +8,18 @@
 //! the stripes of terraces come out as short as their spectrum leaves them.
 
 use crate::grain::level::Level;
+use crate::grain::normal::normal_pair;
 use crate::grain::spectrum::{GrainError, GrainSpectrum};
 use crate::harmonics::{CHANNELS, Coefficients, Place};
 use crate::parallel;
 use glam::{DVec3, Vec3A};
 use rand_chacha::ChaCha8Rng;
-use rand_core::{Rng, SeedableRng};
+use rand_core::SeedableRng;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
+
+/// The channel that is a surface's brightness, and its relief.
+const VALUE: usize = 1;
 
 /// The highest degree drawn: 20 cycles per mm on a pearl of 8 mm. What lies above is left out, and
 /// [`Texture::lost_variance`] says how much that is.
@@ -37,6 +41,8 @@ pub struct Texture {
     levels: Arc<[Level]>,
     band_limit: usize,
     lost_variance: [f64; CHANNELS],
+    /// Sum of the squares of the value's slopes in degrees up to each, per radian.
+    steepness2: Vec<f64>,
 }
 
 impl Texture {
@@ -75,7 +81,13 @@ impl Texture {
             .skip_while(|&top| top / 2 >= lowest && (top / 2) as f64 * footprint_rad > PI)
             .map(|top| Level::synthesise(&coefficients, top))
             .collect();
-        Ok(Self { levels, band_limit, lost_variance })
+        let mut sum = 0.0;
+        let steep = |(i, share): (usize, &[f64; CHANNELS])| {
+            sum += share[VALUE] * ((i + 1) * (i + 2)) as f64;
+            sum
+        };
+        let steepness2 = shares.iter().enumerate().map(steep).collect();
+        Ok(Self { levels, band_limit, lost_variance, steepness2 })
     }
 
     /// The deviations of hue, value and chroma at `direction`, seen with samples `footprint_rad` apart.
@@ -91,6 +103,25 @@ impl Texture {
             return self.levels[0].at(place).to_array();
         }
         self.filtered(place, (PI / footprint_rad) as f32).to_array()
+    }
+
+    /// The gradient of the value at `direction`, of mean square 1 in any one direction over all places and detail; and the
+    /// share of that mean square that samples `footprint_rad` apart see.
+    pub fn relief(&self, direction: DVec3, footprint_rad: f64) -> (DVec3, f64) {
+        let whole = self.steepness2.last().copied().unwrap_or(0.0);
+        if whole <= 0.0 {
+            return (DVec3::ZERO, 1.0);
+        }
+        // Closer than what is seen, farther than single precision tells.
+        let step = (0.5 * footprint_rad).max(0.5 * PI / self.levels[0].rows() as f64);
+        let (x, y) = direction.any_orthonormal_pair();
+        let along = |aside: DVec3| {
+            let value = |place: DVec3| f64::from(self.at(place, footprint_rad)[VALUE]);
+            (value(direction + aside * step) - value(direction - aside * step)) / (2.0 * step)
+        };
+        let seen = (PI / footprint_rad.max(1e-9)).min(self.band_limit as f64) as usize;
+        let share = self.steepness2[seen.clamp(1, self.band_limit) - 1] / whole;
+        ((x * along(x) + y * along(y)) * (2.0 / whole).sqrt(), share)
     }
 
     /// A mixture of the two levels whose highest degrees enclose `degree`.
@@ -171,14 +202,6 @@ const WORDS_A_PLACE: u128 = 4 * CHANNELS as u128;
 /// Orders 0 to k of all degrees k from 1 to below l.
 fn places_below(l: usize) -> usize {
     (l - 1) * (l + 2) / 2
-}
-
-/// Two independent normal deviates (Box and Muller 1958), with sines that are the same everywhere.
-fn normal_pair(random: &mut ChaCha8Rng) -> [f64; 2] {
-    let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-    let radius = (-2.0 * libm::log(1.0 - uniform())).sqrt();
-    let (sin, cos) = libm::sincos(TAU * uniform());
-    [radius * cos, radius * sin]
 }
 
 #[cfg(test)]

@@ -33,6 +33,8 @@ pub struct Parameters {
     pub chroma_weight: f64,
     /// Relative brightness of the mirrored light per unit of the grain's value texture.
     pub value_weight: f64,
+    /// Standard deviation of the grain's slopes, in any one direction.
+    pub relief_rad: f64,
 }
 
 impl Parameters {
@@ -56,6 +58,8 @@ impl Parameters {
             hue_weight: 3.0 * grain,
             chroma_weight: 5.0 * grain,
             value_weight: 4.0 * grain,
+            // At most a third of a usual pearl's facets' lean: the grain breaks a lamp's image and does not blur it.
+            relief_rad: 0.016 * grain,
         }
     }
 }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
+    coat::{local::Local, outer::Coat},
     grain::texture::Texture,
     light::glow::{self, DISC_POINTS, Glow},
     pearl::{
@@ -32,6 +33,8 @@ pub struct Grain {
     pub chroma: f64,
     /// Relative brightness of what is mirrored.
     pub value: f64,
+    /// Standard deviation of its slopes, in any one direction.
+    pub relief_rad: f64,
 }
 
 /// A pearl in its place and light, all of it known before the first pixel.
@@ -43,6 +46,8 @@ pub struct Pearl {
     pub texture: Option<Arc<Texture>>,
     /// How strongly it acts.
     pub grain: Grain,
+    /// What differs from place to place, if anything does.
+    pub coat: Option<Arc<Coat>>,
 }
 
 /// The two models of a pearl's light.
@@ -129,7 +134,9 @@ impl Model {
                 let pixel_mm = 0.2 * radius_mm;
                 let spread = Spread::round(0.4 / cos_view);
                 let (view, around) = (towards, Arounds::default());
-                let mut sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
+                let (outward, local) = (normal, Local::EVEN);
+                let mut sight =
+                    Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
                 if let Self::Transport(model) = self {
                     sight.around = model.around_from_afar(surroundings, &sight);
                 }
@@ -144,11 +151,46 @@ impl Model {
 }
 
 impl Pearl {
+    /// Whether its outer layers differ from place to place.
+    pub(crate) fn has_relief(&self) -> bool {
+        self.grain.relief_rad > 0.0 || self.coat.as_ref().is_some_and(|coat| !coat.is_even())
+    }
+
+    /// Whether they may have edges as fine as a pixel.
+    pub(crate) fn has_fine_relief(&self) -> bool {
+        self.coat.as_ref().is_some_and(|coat| coat.has_edges())
+    }
+
+    /// What its outer layers are like in a direction from its middle, as wide as `footprint_mm`.
+    pub(crate) fn local(&self, outward: DVec3, radius_mm: f64, footprint_mm: f64) -> Local {
+        let coat = self.coat.as_ref().map_or(Local::EVEN, |coat| coat.at(outward, footprint_mm));
+        match &self.texture {
+            Some(texture) if self.grain.relief_rad > 0.0 => {
+                coat.and(self.grained(texture, outward, footprint_mm / radius_mm))
+            }
+            _ => coat,
+        }
+    }
+
+    /// The grain's relief: as steep as its brightness changes.
+    fn grained(&self, texture: &Texture, outward: DVec3, footprint_rad: f64) -> Local {
+        let (gradient, seen) = texture.relief(self.own(outward), footprint_rad);
+        let slope = gradient * self.grain.relief_rad;
+        let slope = self.coat.as_ref().map_or(slope, |coat| coat.scene(slope));
+        let fine_slope2 = 2.0 * self.grain.relief_rad.powi(2) * (1.0 - seen);
+        Local { slope, fine_slope2, ..Local::EVEN }
+    }
+
+    /// A direction of the scene, seen from the pearl.
+    fn own(&self, outward: DVec3) -> DVec3 {
+        self.coat.as_ref().map_or(outward, |coat| coat.own(outward))
+    }
+
     /// What goes from the point towards the eye.
     pub fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let radius_mm = surroundings.balls[sight.ball].radius_mm;
         let texture = self.texture.as_ref().map_or([0.0; 3], |texture| {
-            texture.at(sight.hit.normal, sight.pixel_mm / radius_mm).map(f64::from)
+            texture.at(self.own(sight.outward), sight.pixel_mm / radius_mm).map(f64::from)
         });
         Shade { texture, ..self.model.shade(surroundings, sight) }
     }

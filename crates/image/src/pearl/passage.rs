@@ -8,7 +8,8 @@ use crate::{
         bands::{BANDS, Bands},
         palette::Palette,
     },
-    pearl::body::Body,
+    parallel,
+    pearl::{body::Body, films::Films},
     rgb,
     surface::{coating::Surface, film::STEPS},
 };
@@ -20,9 +21,12 @@ pub(crate) struct Passage {
     palette: Palette,
     /// What is left of waves of light when they are about to leave, by degree.
     shares: Vec<Bands>,
-    /// RGB of what leaves, by band: by the cosine of the view angle, and through a film without colour.
-    leaving: Vec<[[f32; BANDS]; 3]>,
+    /// RGB of what leaves, by band: by the thickness of the layers and the cosine of the view angle, and through a film
+    /// without colour.
+    leaving: Films<Vec<[[f32; BANDS]; 3]>>,
     leaving_plain: [[f32; BANDS]; 3],
+    /// What such a film lets through.
+    plain: f64,
 }
 
 /// The highest degree of the waves; what a point lamp leaves out at its terminator is 0.3 % of its light.
@@ -46,13 +50,9 @@ pub(crate) fn row(cosine: f64) -> usize {
 }
 
 impl Passage {
-    /// `entering` is the share that enters `surface`, at [`COSINES`] steps of the cosine.
-    pub(crate) fn new(
-        surface: &Surface,
-        entering: &[Bands],
-        body: &Body,
-        palette: &Palette,
-    ) -> Self {
+    /// Through `surfaces` whose layers' thickness is `step` apart; the middle one stands for all of the pearl.
+    pub(crate) fn new((surfaces, step): (&[Surface], f64), body: &Body, palette: &Palette) -> Self {
+        let surface = &surfaces[surfaces.len() / 2];
         let leaving = surface.leaving(&body.reflectance);
         let moments = surface.moments(top(body.spread)).into_iter().enumerate();
         let share = |(l, enters): (usize, Bands)| {
@@ -60,12 +60,16 @@ impl Passage {
             std::array::from_fn(|band| fading * enters[band] * leaving[band])
         };
         let whole = surface.entering_from_all_sides();
-        let mean = rgb::luminance(palette.rgb(&palette.bands_of_white(&whole)));
-        let coloured = |share: &Bands| by_channel(palette, |band| share[band]);
+        let plain = rgb::luminance(palette.rgb(&palette.bands_of_white(&whole)));
+        let coloured = |share: Bands| by_channel(palette, |band| share[band]);
+        let through = |film: usize| {
+            cosines().map(|cosine| coloured(surfaces[film].entering(cosine))).collect()
+        };
         Self {
             shares: moments.map(share).collect(),
-            leaving: entering.iter().map(coloured).collect(),
-            leaving_plain: by_channel(palette, |_| mean),
+            leaving: Films::new(parallel::map(surfaces.len(), through), step),
+            leaving_plain: by_channel(palette, |_| plain),
+            plain,
             palette: palette.clone(),
         }
     }
@@ -85,9 +89,15 @@ impl Passage {
         &self.shares[l]
     }
 
-    /// RGB, channel by channel, of what leaves at a cosine to the normal, for light in each band.
-    pub(crate) fn leaving(&self, cos_view: f64) -> &[[f32; BANDS]; 3] {
-        &self.leaving[row(cos_view)]
+    /// What leaves, by the thickness of the layers: RGB, channel by channel, for light in each band, by the [`row`] of
+    /// the cosine to the normal.
+    pub(crate) fn leaving(&self) -> &Films<Vec<[[f32; BANDS]; 3]>> {
+        &self.leaving
+    }
+
+    /// What a film without colour lets through.
+    pub(crate) fn plain(&self) -> f64 {
+        self.plain
     }
 
     /// The same through a film without colour, at any cosine.

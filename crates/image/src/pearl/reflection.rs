@@ -9,8 +9,10 @@ use glam::DVec3;
 use nacreous_colour::matrix::apply;
 
 use crate::{
+    coat::local::Local,
     light::glow::DISC_POINTS,
     pearl::{
+        films::FilmAt,
         gathered::Gathered,
         glint::glint,
         lobe_colours::LobeColours,
@@ -50,7 +52,7 @@ impl Reflection {
         lamps: &[Lamp],
         samples_side: usize,
     ) -> Self {
-        let facets = response.lobes()[number].facets();
+        let facets = response.films().middle()[number].facets();
         let below = facets.are_below();
         let seen = |lamp: &Lamp| match lamp.clone() {
             lamp if below => lamp.blurred_for(&facets),
@@ -65,8 +67,9 @@ impl Reflection {
         Self { response, number, samples_side, samples, at_edges, far_samples, lamps }
     }
 
+    /// Its colours where the layers are as thick as on average.
     fn colours(&self) -> &LobeColours {
-        &self.response.lobes()[self.number]
+        &self.response.films().middle()[self.number]
     }
 
     fn facets(&self) -> Facets<'_> {
@@ -74,13 +77,19 @@ impl Reflection {
     }
 
     /// What the lobe mirrors towards the eye.
-    pub(crate) fn light(&self, surroundings: &Lit, sight: &Sight) -> Rgb {
+    pub(crate) fn light(&self, surroundings: &Lit, sight: &Sight, film: FilmAt) -> Rgb {
         let (hit, colours) = (&sight.hit, self.colours());
+        let films = self.response.films();
         let around = sight.around[self.number].unwrap_or_else(|| self.around(surroundings, sight));
-        let mut mirror = apply(colours.mirrored_by_all(hit.cos_view), around.light);
+        let mirrored = |lobes: &Vec<LobeColours>| {
+            apply(lobes[self.number].mirrored_by_all(hit.cos_view), around.light)
+        };
+        let mut mirror = films.between(film, mirrored);
         rgb::add(&mut mirror, around.rest);
         for (number, lamp) in self.lamps.iter().enumerate() {
-            let reflected = |cos_half| colours.lamp_mirrored(number, cos_half);
+            let reflected = |cos_half| {
+                films.between(film, |lobes| lobes[self.number].lamp_mirrored(number, cos_half))
+            };
             let image = glint(lamp, &colours.facets(), sight, reflected);
             if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
@@ -184,6 +193,8 @@ impl Reflection {
             let sight = Sight {
                 ball,
                 hit,
+                outward: hit.normal,
+                local: Local::EVEN,
                 view,
                 pixel_mm,
                 spread,

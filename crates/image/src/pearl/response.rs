@@ -7,11 +7,8 @@ use std::sync::Arc;
 
 use crate::{
     light::{bands::Bands, palette::Palette},
-    pearl::{
-        body::Body,
-        lobe_colours::LobeColours,
-        passage::{Passage, cosines},
-    },
+    parallel,
+    pearl::{body::Body, films::Films, lobe_colours::LobeColours, passage::Passage},
     surface::coating::Surface,
 };
 
@@ -19,27 +16,35 @@ use crate::{
 /// for all places where such pearls lie, and for all that their neighbours and the table send them.
 #[derive(Debug)]
 pub struct Response {
-    lobes: Vec<LobeColours>,
+    /// What mirrors, by the thickness of the layers: the surface, and the layers where they wave.
+    films: Films<Vec<LobeColours>>,
     passage: Arc<Passage>,
     /// Power of each lamp, by band.
     powers: Vec<Bands>,
 }
 
 impl Response {
-    /// `lamps` holds the power by band of each lamp, as light of a white matt surface that faces it.
-    pub fn new(surface: &Surface, body: &Body, palette: &Palette, lamps: &[Bands]) -> Self {
-        let entering: Vec<Bands> = cosines().map(|cosine| surface.entering(cosine)).collect();
-        let colours = |number| LobeColours::new(surface, number, palette, lamps);
-        Self {
-            lobes: (0..surface.lobes().len()).map(colours).collect(),
-            passage: Arc::new(Passage::new(surface, &entering, body, palette)),
-            powers: lamps.to_vec(),
-        }
+    /// `surfaces` are those of films whose layers' thickness is `step` apart, as a share of the middle one's: an odd
+    /// number, thinnest first; `lamps` holds the power by band of each lamp, as light of a white matt surface that
+    /// faces it. What enters and what is thrown back inside goes by the middle one.
+    pub fn new(
+        (surfaces, step): (&[Surface], f64),
+        body: &Body,
+        palette: &Palette,
+        lamps: &[Bands],
+    ) -> Self {
+        let colours = |surface: &Surface| {
+            let lobe = |number| LobeColours::new(surface, number, palette, lamps);
+            (0..surface.lobes().len()).map(lobe).collect()
+        };
+        let all = parallel::map(surfaces.len(), |film| colours(&surfaces[film]));
+        let passage = Passage::new((surfaces, step), body, palette);
+        Self { films: Films::new(all, step), passage: Arc::new(passage), powers: lamps.to_vec() }
     }
 
-    /// What mirrors, each in its own direction, the sharpest first.
-    pub(crate) fn lobes(&self) -> &[LobeColours] {
-        &self.lobes
+    /// What mirrors, each in its own direction, the sharpest first, by the thickness of the layers.
+    pub(crate) fn films(&self) -> &Films<Vec<LobeColours>> {
+        &self.films
     }
 
     /// What becomes of light that enters.

@@ -5,15 +5,21 @@
 
 use glam::DVec3;
 
-use crate::{pearl::reflection_cache::Arounds, shape::ball::Hit, view::cone::Cone};
+use crate::{
+    coat::local::Local, pearl::reflection_cache::Arounds, shape::ball::Hit, view::cone::Cone,
+};
 
 /// A point of a pearl under the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sight {
     /// The pearl's number among the balls.
     pub ball: usize,
-    /// The point.
+    /// The point, with the normal of its relief.
     pub hit: Hit,
+    /// The direction from the pearl's middle to the point.
+    pub outward: DVec3,
+    /// What the outer layers are like there.
+    pub local: Local,
     /// Towards the eye.
     pub view: DVec3,
     /// The width on the pearl that a pixel stands for.
@@ -28,6 +34,9 @@ pub struct Sight {
 
 /// A cone whose solid angles, as wide and as narrow as it, differ by less than this ratio is round; by eye **(ours)**.
 const ROUND: f64 = 1.3;
+
+/// Full angle of a cone, over the standard deviation of the normals that mirror it.
+const FULL_ANGLE: f64 = 8.0;
 
 /// Full angles of the directions that an even pearl mirrors to some width of the picture.
 ///
@@ -57,6 +66,14 @@ impl Spread {
         Self { outward_rad: spread_rad, around_rad: spread_rad }
     }
 
+    /// Wider by unresolved slopes of a mean square, which turn normals as directions of half the angle do.
+    pub(crate) fn over_slopes(self, slope2: f64) -> Self {
+        // Half of them in either direction; a cone's full angle is eight standard deviations of its normals.
+        let more = 0.5 * slope2 * FULL_ANGLE * FULL_ANGLE;
+        let wider = |rad: f64| (rad * rad + more).sqrt();
+        Self { outward_rad: wider(self.outward_rad), around_rad: wider(self.around_rad) }
+    }
+
     /// The cone around a mirrored ray, made wider by a round one of `share_rad2`, its angle squared, all around; `level` is
     /// the unit vector across the plane of view and normal.
     #[inline]
@@ -72,7 +89,7 @@ impl Spread {
 
     /// Standard deviation of the normals that mirror it, each by half of what the ray turns.
     pub(crate) fn normals_rad(self) -> f64 {
-        0.125 * self.mean_rad()
+        self.mean_rad() / FULL_ANGLE
     }
 
     /// The angle of a round cone of the same solid angle.

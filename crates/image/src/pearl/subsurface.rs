@@ -12,7 +12,10 @@ use crate::{
     harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
     light::bands::{BANDS, Bands},
     parallel,
-    pearl::passage::Passage,
+    pearl::{
+        films::FilmAt,
+        passage::{Passage, row},
+    },
     rgb::Rgb,
     surface::coating::legendre,
     surroundings::lit::Lit,
@@ -86,12 +89,14 @@ impl Subsurface {
         Self { places, rows, passage }
     }
 
-    /// Linear RGB of the light that leaves where the normal is `normal`, at an angle to it, and what it
+    /// Linear RGB of the light that leaves at a place, at an angle to its normal, through a film, and what it
     /// would be if the film let through the same everywhere.
-    pub(crate) fn radiance(&self, normal: DVec3, cos_view: f64) -> (Rgb, Rgb) {
-        let light = self.light(Place::towards(to_grid(normal)));
-        let leaving = self.passage.leaving(cos_view);
-        let whole = leaving.each_ref().map(|weights| f64::from(dot(weights, &light)));
+    pub(crate) fn radiance(&self, outward: DVec3, cos_view: f64, film: FilmAt) -> (Rgb, Rgb) {
+        let light = self.light(Place::towards(to_grid(outward)));
+        let at = row(cos_view);
+        let whole = self.passage.leaving().between(film, |leaving| {
+            leaving[at].each_ref().map(|weights| f64::from(dot(weights, &light)))
+        });
         (whole, [0, 1, 2].map(|channel| f64::from(light[BANDS + channel])))
     }
 

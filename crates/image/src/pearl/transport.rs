@@ -26,6 +26,7 @@ use crate::{
 pub struct Transport {
     /// The surface's, and the layers' where they wave.
     reflections: Vec<Reflection>,
+    response: Arc<Response>,
     subsurface: Subsurface,
 }
 
@@ -50,20 +51,33 @@ impl Transport {
         let reflection = |number| {
             Reflection::new(Arc::clone(response), number, &surroundings.lamps, samples_side)
         };
-        let reflections = (0..response.lobes().len()).map(reflection).collect();
-        Self { reflections, subsurface }
+        let reflections = (0..response.films().middle().len()).map(reflection).collect();
+        Self { reflections, response: Arc::clone(response), subsurface }
     }
 
     /// What goes from the point towards the eye, without the grain.
     pub(crate) fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
-        let hit = &sight.hit;
-        let (whole, plain) = self.subsurface.radiance(hit.normal, hit.cos_view);
+        let film = self.response.films().place(sight.local.thickness);
+        let (whole, plain) = self.subsurface.radiance(sight.outward, sight.hit.cos_view, film);
         let mut mirror = [0.0; 3];
         for reflection in &self.reflections {
-            rgb::add(&mut mirror, reflection.light(surroundings, sight));
+            rgb::add(&mut mirror, reflection.light(surroundings, sight, film));
         }
         let interference = std::array::from_fn(|i| whole[i] - plain[i]);
-        Shade { interference, diffuse: plain, mirror, ..Shade::default() }
+        let shade = Shade { interference, diffuse: plain, mirror, ..Shade::default() };
+        if sight.local.chalk > 0.0 { self.chalked(&shade, sight.local.chalk) } else { shade }
+    }
+
+    /// With a share of chalk, which mirrors nothing and lets out all that there is.
+    fn chalked(&self, shade: &Shade, chalk: f64) -> Shade {
+        let nacre = 1.0 - chalk;
+        let plain = nacre + chalk / self.response.passage().plain();
+        Shade {
+            interference: rgb::scaled(shade.interference, nacre),
+            diffuse: rgb::scaled(shade.diffuse, plain),
+            mirror: rgb::scaled(shade.mirror, nacre),
+            ..*shade
+        }
     }
 
     /// Whether a pixel, for which `sight` stands as a whole, shows edges of mirrored windows or lamps that the surface's

@@ -4,10 +4,7 @@
 //! Left out: edges that are no pearl's, which are seen as sharply as samples lie.
 
 use crate::{
-    pearl::{
-        model::Model,
-        sight::{Sight, Spread},
-    },
+    pearl::{model::Model, sight::Spread},
     picture::{
         chord::{Chord, Piece},
         sampler::Sampler,
@@ -91,8 +88,7 @@ impl Sampler {
             ..Spread::of_square(width, hit.cos_view)
         };
         let weight = piece.share / lines as f64;
-        let around = self.reflections.around(ball, hit.normal);
-        let sight = Sight { ball, hit, view: -ray.along, pixel_mm, spread, part, around };
+        let sight = self.sight((ball, hit), -ray.along, spread, part);
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);
     }

@@ -5,7 +5,10 @@
 
 use std::{ops::Range, sync::Arc};
 
+use glam::DVec3;
+
 use crate::{
+    coat::local::Local,
     parallel,
     pearl::{
         model::{Model, Pearl},
@@ -258,6 +261,9 @@ impl Sampler {
         if !self.pearls[ball].model.is_smooth() {
             return if many { Detail::Unknown } else { Detail::Edges };
         }
+        if self.pearls[ball].has_fine_relief() {
+            return if cached { Detail::BelowPixel } else { Detail::Edges };
+        }
         if cached && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm {
             Detail::None
         } else if !cached && self.shows(ball, &ray, Model::has_edges) {
@@ -278,7 +284,8 @@ impl Sampler {
         let hit = place.nearest(ray);
         let spread = Spread::of_square(PIXEL_PX * pixel_mm / place.radius_mm, hit.cos_view);
         let (view, part, around) = (-ray.along, (0, 1), Arounds::default());
-        let sight = Sight { ball, hit, view, pixel_mm, spread, part, around };
+        let (outward, local) = (hit.normal, Local::EVEN);
+        let sight = Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
         something(&self.pearls[ball].model, &self.surroundings, &sight)
     }
 
@@ -291,11 +298,31 @@ impl Sampler {
         let pixel_mm = self.pixel_mm[ball];
         let width = self.width_px * pixel_mm / self.surroundings.balls[ball].radius_mm;
         let spread = Spread::of_square(width, hit.cos_view);
-        let around = self.reflections.around(ball, hit.normal);
-        let sight = Sight { ball, hit, view: -ray.along, pixel_mm, spread, part, around };
+        let sight = self.sight((ball, hit), -ray.along, spread, part);
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);
         shade.light()
+    }
+
+    /// A point of a ball under the eye, with the relief of its coat.
+    pub(super) fn sight(
+        &self,
+        (ball, hit): (usize, Hit),
+        view: DVec3,
+        spread: Spread,
+        part: (usize, usize),
+    ) -> Sight {
+        let (pearl, pixel_mm, outward) = (&self.pearls[ball], self.pixel_mm[ball], hit.normal);
+        if !pearl.has_relief() {
+            let (local, around) = (Local::EVEN, self.reflections.around(ball, outward));
+            return Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+        }
+        let local = pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
+        let normal = local.normal(outward, view);
+        let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
+        let spread = spread.over_slopes(local.fine_slope2);
+        let around = self.reflections.around(ball, normal);
+        Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around }
     }
 
     /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.

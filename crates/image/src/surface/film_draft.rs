@@ -96,9 +96,25 @@ impl FilmDraft {
     /// # Errors
     /// As [`FilmDraft::add`].
     pub fn film(&self) -> Result<Film, OpticsError> {
-        let together = self.together.as_deref().map(in_bands);
-        let layers =
-            self.layers.as_ref().map(|spectra| apart(&self.columns, spectra)).transpose()?;
+        self.film_of(1.0)
+    }
+
+    /// The film with all layers so many times as thick, once it is complete: its spectra at wavelengths so many times as
+    /// long. Dispersion between both is left out, and beyond 380 and 780 nm spectra are as they are there.
+    ///
+    /// # Errors
+    /// As [`FilmDraft::add`].
+    pub fn film_of(&self, thickness: f64) -> Result<Film, OpticsError> {
+        let bands = |spectra: &[[f64; SAMPLES]]| match thickness {
+            1.0 => in_bands(spectra),
+            _ => in_bands(&stretched(spectra, thickness)),
+        };
+        let together = self.together.as_deref().map(bands);
+        let layers = self
+            .layers
+            .as_ref()
+            .map(|spectra| apart(&self.columns, &spectra.each_ref().map(|plane| bands(plane))))
+            .transpose()?;
         let mirrors = match (together, layers) {
             (Some(together), Some(apart)) => Mirrors::Both(together, apart),
             (None, Some(apart)) => Mirrors::Apart(apart),
@@ -132,17 +148,29 @@ impl Film {
     }
 }
 
+/// Spectra of layers so many times as thick: each wavelength takes what one so many times shorter had.
+fn stretched(spectra: &[[f64; SAMPLES]], thickness: f64) -> Spectra {
+    let (first, last) = (WAVELENGTH_NM[0], (SAMPLES - 1) as f64);
+    let row = |row: &[f64; SAMPLES]| {
+        std::array::from_fn(|i| {
+            let at = (WAVELENGTH_NM[i] / thickness - first).clamp(0.0, last);
+            let below = (at as usize).min(SAMPLES - 2);
+            row[below] + (row[below + 1] - row[below]) * (at - below as f64)
+        })
+    };
+    spectra.iter().map(row).collect()
+}
+
 fn in_bands(spectra: &[[f64; SAMPLES]]) -> Vec<Bands> {
     spectra.iter().map(|row| bands::means(row).map(|share| share.clamp(0.0, 1.0))).collect()
 }
 
 /// Surface and layers without a phase between them, of what the `layers` mirror in s and p: light goes to and
 /// fro between both (Airy's sum, the mean over all phases).
-fn apart(columns: &[LayerStack], layers: &[Spectra; 2]) -> Result<Apart, OpticsError> {
+fn apart(columns: &[LayerStack], layers: &[Vec<Bands>; 2]) -> Result<Apart, OpticsError> {
     let mut apart = Apart { surface: Vec::new(), layers: Vec::new() };
     let Some(first) = columns.first() else { return Ok(apart) };
     let surface = [boundary(first, Polarisation::S)?, boundary(first, Polarisation::P)?];
-    let layers = layers.each_ref().map(|spectra| in_bands(spectra));
     for row in 0..=STEPS {
         let mean = |of: &dyn Fn(f64, f64) -> f64| -> Bands {
             std::array::from_fn(|band| {

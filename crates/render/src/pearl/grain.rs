@@ -59,5 +59,5 @@ impl GrainKey {
 
 /// Whether a grain shows at all.
 pub(crate) fn is_seen(grain: &Grain) -> bool {
-    grain.hue_rad != 0.0 || grain.chroma != 0.0 || grain.value != 0.0
+    [grain.hue_rad, grain.chroma, grain.value, grain.relief_rad].iter().any(|part| *part != 0.0)
 }

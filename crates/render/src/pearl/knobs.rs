@@ -25,6 +25,7 @@ pub fn resolved_of(pearl: &PearlSpec) -> Vec<(&'static str, f64)> {
     match pearl {
         PearlSpec::Transport(pearl) => {
             keys.push(("film.outer_um", outer_um_of(pearl)));
+            keys.push(("coat.grain_relief_rad", grain.relief_rad));
             keys.push(("inside.spread", spread_of(pearl)));
         }
         PearlSpec::Illuminant(pearl) => {
@@ -57,6 +58,10 @@ pub(crate) fn grain_of(pearl: &PearlSpec) -> Grain {
         hue_rad: texture.hue_weight.unwrap_or(knobs.hue_weight),
         chroma: texture.chroma_weight.unwrap_or(knobs.chroma_weight),
         value: texture.value_weight.unwrap_or(knobs.value_weight),
+        relief_rad: match pearl {
+            PearlSpec::Transport(pearl) => pearl.coat.grain_relief_rad.unwrap_or(knobs.relief_rad),
+            PearlSpec::Illuminant(_) => 0.0,
+        },
     }
 }
 

@@ -40,6 +40,12 @@ pub struct TransportSpec {
     pub surface: TransportSurfaceSpec,
     /// The grain of the surface.
     pub texture: TextureSpec,
+    /// What differs from place to place.
+    pub coat: CoatSpec,
+    /// Pits, bumps and the like.
+    pub blemishes: BlemishesSpec,
+    /// How the pearl is turned.
+    pub pose: PoseSpec,
 }
 
 /// A pearl of the illuminant model.
@@ -181,6 +187,66 @@ pub struct TextureSpec {
     pub value_weight: Option<f64>,
 }
 
+/// What differs from place to place on a pearl.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoatSpec {
+    /// Seed of its fields; the growth's where left out.
+    pub seed: Option<u64>,
+    /// Standard deviation of the layers' thickness, as a share of it.
+    pub thickness_spread: f64,
+    /// Within this length the thickness is alike.
+    pub patch_mm: f64,
+    /// Share of all that in bands about the axis of growth.
+    pub banding: f64,
+    /// Standard deviation of the lean of a hammered surface.
+    pub hammering_rad: f64,
+    /// Size of its dents.
+    pub dent_mm: f64,
+    /// Standard deviation of the grain's slopes; from the knob grain where left out.
+    pub grain_relief_rad: Option<f64>,
+    /// Spacing of growth terraces; none where it is 0.
+    pub terrace_um: f64,
+    /// Height of a terrace.
+    pub terrace_step_nm: f64,
+}
+
+/// Pits, bumps and the like on a pearl.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BlemishesSpec {
+    /// Seed of their places; the growth's where left out.
+    pub seed: Option<u64>,
+    /// Round hollows.
+    pub pits: usize,
+    /// Round rises.
+    pub bumps: usize,
+    /// Narrow grooves.
+    pub scratches: usize,
+    /// Long rises.
+    pub wrinkles: usize,
+    /// Matt white spots.
+    pub chalky_spots: usize,
+    /// Mean diameter.
+    pub size_mm: f64,
+    /// Mean depth or height.
+    pub depth_um: f64,
+    /// Share of the pearl that they cover, by which sizes are multiplied, where given.
+    pub area: Option<f64>,
+}
+
+/// How a pearl is turned in its place.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PoseSpec {
+    /// About the upright.
+    pub turn_deg: f64,
+    /// Of the axis of growth from the upright towards the viewer.
+    pub tilt_deg: f64,
+    /// About the axis of growth.
+    pub spin_deg: f64,
+}
+
 /// What both models have of a pearl.
 #[derive(Debug, Clone, Copy)]
 pub struct Common<'a> {
@@ -217,11 +283,14 @@ impl PearlSpec {
         }
     }
 
-    /// The same pearl without its name and its grain, which change nothing about the light around it.
+    /// The same pearl without its name, its grain and its pose, which change nothing about the light around it.
     pub(crate) fn without_grain(&self) -> Self {
         let mut same = self.clone();
         let (name, grain, texture) = match &mut same {
-            Self::Transport(pearl) => (&mut pearl.name, &mut pearl.grain, &mut pearl.texture),
+            Self::Transport(pearl) => {
+                pearl.pose = PoseSpec::default();
+                (&mut pearl.name, &mut pearl.grain, &mut pearl.texture)
+            }
             Self::Illuminant(pearl) => (&mut pearl.name, &mut pearl.grain, &mut pearl.texture),
         };
         name.clear();

@@ -171,10 +171,12 @@ impl Job {
         let (recipe, pixel_mm) = (&self.recipe, self.arrangement.pixel_mm(self.recipe.size));
         let grains = self.optics.grains(&recipe.pearls, &self.resources, pixel_mm, work)?;
         let Some(grains) = grains else { return Ok(None) };
+        let Some(coats) = self.optics.coats(&recipe.pearls, work)? else { return Ok(None) };
         let pearl = |(model, place): (&Arc<Model>, &Place)| Pearl {
             model: Arc::clone(model),
             texture: grains[place.pearl].texture.clone(),
             grain: grains[place.pearl].grain,
+            coat: coats[place.pearl].clone(),
         };
         Ok(Some(scene.models.iter().zip(self.arrangement.places()).map(pearl).collect()))
     }

@@ -3,8 +3,8 @@
 use std::{cell::RefCell, sync::Arc};
 
 use nacreous_image::{
-    Film, FilmDraft, FilmParts, Grain, Microfacets, Progress, Response, Rgb, Rings, Surface,
-    TorranceSparrow, Waviness, grain::texture::Texture,
+    Coat, CoatParameters, Film, FilmDraft, FilmParts, Grain, Microfacets, Progress, Response, Rgb,
+    Rings, Surface, TorranceSparrow, Waviness, grain::texture::Texture, parallel,
 };
 use nacreous_optics::IlluminantModel;
 
@@ -14,6 +14,7 @@ use crate::{
     lights::{Lights, LightsKey},
     pearl::{
         body::body_of,
+        coat::{FILM_STEP, films_of, parameters_of as coat_parameters_of, thickness_of},
         columns::columns_of,
         grain::{GrainKey, is_seen},
         knobs::{facet_spread_rad_of, grain_of, outer_um_of, parameters_of, spread_of},
@@ -58,6 +59,8 @@ struct FilmKey {
     film: FilmSpec,
     outer_um: f64,
     parts: FilmParts,
+    /// For layers so many times as thick, by even steps.
+    count: usize,
 }
 
 /// What a film on facets is made from.
@@ -90,13 +93,14 @@ struct RingsKey {
 /// The optics of all pearls, kept.
 #[derive(Debug, Default)]
 pub(crate) struct OpticsStage {
-    films: Kept<FilmKey, Film>,
+    films: Kept<FilmKey, Vec<Film>>,
     /// The film that is being made, where work ended amid it.
     begun: RefCell<Option<(FilmKey, FilmDraft)>>,
-    surfaces: Kept<SurfaceKey, Surface>,
+    surfaces: Kept<SurfaceKey, Vec<Surface>>,
     responses: Kept<ResponseKey, Response>,
     rings: Kept<RingsKey, Rings>,
     textures: Kept<GrainKey, Texture>,
+    coats: Kept<CoatParameters, Coat>,
 }
 
 impl OpticsStage {
@@ -169,7 +173,8 @@ impl OpticsStage {
             };
             work.piece(|progress| {
                 let (surface, body) = (&surfaces[first], body_of(specs[first].1)?);
-                let response = Response::new(surface, &body, &lights.palette, &lights.lamp_bands);
+                let surfaces = (surface.as_slice(), FILM_STEP);
+                let response = Response::new(surfaces, &body, &lights.palette, &lights.lamp_bands);
                 Ok::<_, RenderError>((!progress.is_stopped()).then_some(response))
             })
         };
@@ -200,11 +205,27 @@ impl OpticsStage {
         Ok(Some(pearls.iter().zip(seen).map(grained).collect()))
     }
 
+    /// The coat of each pearl, where it differs from place to place. `None` where `work` ends before.
+    pub(crate) fn coats(
+        &mut self,
+        pearls: &[PearlSpec],
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<Option<Arc<Coat>>>>, RenderError> {
+        let made_from: Vec<_> = pearls.iter().map(coat_parameters_of).collect();
+        let keys = made_from.iter().flatten().cloned().collect();
+        let make = |key: &CoatParameters| {
+            work.piece(|_| Ok::<_, RenderError>(Some(Coat::new(key.clone()))))
+        };
+        let Some(coats) = self.coats.all(keys, make)? else { return Ok(None) };
+        let mut coats = coats.into_iter();
+        Ok(Some(made_from.iter().map(|key| key.as_ref().and_then(|_| coats.next())).collect()))
+    }
+
     fn surfaces(
         &mut self,
         keys: &[SurfaceKey],
         work: &Work<'_>,
-    ) -> Result<Option<Vec<Arc<Surface>>>, RenderError> {
+    ) -> Result<Option<Vec<Arc<Vec<Surface>>>>, RenderError> {
         let begun = &self.begun;
         let film = |key: &FilmKey| {
             let before = begun.take().filter(|(known, _)| known == key).map(|(_, draft)| draft);
@@ -215,7 +236,11 @@ impl OpticsStage {
             loop {
                 let add = |progress: &Progress| draft.add(work.film_angles, progress.stop_flag());
                 match work.piece(add)? {
-                    Some(true) => return Ok::<_, RenderError>(Some(draft.film()?)),
+                    Some(true) => {
+                        let films = thickness_of(key.count).map(|share| draft.film_of(share));
+                        let films = films.collect::<Result<Vec<_>, _>>()?;
+                        return Ok::<_, RenderError>(Some(films));
+                    }
                     Some(false) => {}
                     None => {
                         begun.replace(Some((key.clone(), draft)));
@@ -232,7 +257,8 @@ impl OpticsStage {
         };
         let surface = |key: &SurfaceKey| {
             let microfacets = microfacets(key.facets, key.spread_rad);
-            Ok(film_of(key).map(|film| Surface::new(film, microfacets, key.waviness)))
+            let surface = |film: &Film| Surface::new(film, microfacets, key.waviness);
+            Ok(film_of(key).map(|films| parallel::map(films.len(), |i| surface(&films[i]))))
         };
         self.surfaces.all(keys.to_vec(), surface)
     }
@@ -258,7 +284,13 @@ fn surface_key(pearl: &PearlSpec, spec: &TransportSpec) -> SurfaceKey {
     let (nacre, film) = (spec.nacre.clone(), spec.film.clone());
     let waviness = Waviness::new(spec.surface.waviness_rad);
     SurfaceKey {
-        film: FilmKey { nacre, film, outer_um: outer_um_of(spec), parts: waviness.parts() },
+        film: FilmKey {
+            nacre,
+            film,
+            outer_um: outer_um_of(spec),
+            parts: waviness.parts(),
+            count: films_of(spec),
+        },
         facets: spec.surface.facets,
         spread_rad: facet_spread_rad_of(pearl),
         waviness,

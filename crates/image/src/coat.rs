@@ -1,0 +1,10 @@
+//! What differs from place to place on a pearl: relief, terraces, blemishes, thickness of the layers.
+
+pub(crate) mod blemish;
+pub(crate) mod fields;
+pub(crate) mod layout;
+pub(crate) mod local;
+pub(crate) mod outer;
+pub(crate) mod pose;
+pub(crate) mod spots;
+pub(crate) mod terraces;

@@ -1,0 +1,155 @@
+//! A pearl's coat: what its outer layers are like at every place.
+//!
+//! Relief, terraces, blemishes and the layers' thickness, each by its own file, put together.
+//! Left out: cross terms; slopes add up.
+
+use glam::DVec3;
+
+use crate::coat::{
+    blemish::{Blemishes, THICKER},
+    fields::Fields,
+    layout::layout,
+    local::Local,
+    pose::Pose,
+    spots::Spots,
+    terraces::Terraces,
+};
+
+/// What a coat is made from. Zeros are an even pearl.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoatParameters {
+    /// Of the pearl.
+    pub radius_mm: f64,
+    /// How it is turned.
+    pub pose: Pose,
+    /// What draws the fields.
+    pub seed: u64,
+    /// Standard deviation of the layers' thickness from place to place, as a share of it.
+    pub thickness_spread: f64,
+    /// Within this length the thickness is alike.
+    pub patch_mm: f64,
+    /// Share of the fields' variance that lies in bands about the axis of growth, 0 to 1.
+    pub banding: f64,
+    /// Standard deviation of the lean of a hammered surface, in any one direction.
+    pub hammering_rad: f64,
+    /// Size of the dents.
+    pub dent_mm: f64,
+    /// Spacing of the growth front's terraces; none where it is 0.
+    pub terrace_mm: f64,
+    /// Height of a terrace.
+    pub step_mm: f64,
+    /// Pits, bumps and the like.
+    pub blemishes: Blemishes,
+}
+
+/// What a pearl's outer layers are like at every place.
+#[derive(Debug)]
+pub struct Coat {
+    made_from: CoatParameters,
+    fields: Option<Fields>,
+    terraces: Option<Terraces>,
+    spots: Option<Spots>,
+}
+
+/// The fields, by number.
+const THICKNESS: usize = 0;
+const FRONT: usize = 1;
+const DENTS: usize = 2;
+
+/// So many standard deviations of the thickness are told apart; what lies beyond counts as these.
+const MOST_SPREADS: f64 = 2.5;
+
+/// A growth front is alike within this share of the pearl's radius **(ours)**.
+const FRONT_RADII: f64 = 0.6;
+
+impl CoatParameters {
+    /// Whether it is the same everywhere.
+    pub fn is_even(&self) -> bool {
+        !self.has_fields() && self.blemishes.counts.iter().all(|(_, count)| *count == 0)
+    }
+
+    /// Whether the layers' thickness differs, and by how large a share at most.
+    pub fn thickness_range(&self) -> f64 {
+        let swollen = self.blemishes.counts.iter().any(|(_, count)| *count > 0);
+        MOST_SPREADS * self.thickness_spread + if swollen { THICKER } else { 0.0 }
+    }
+
+    fn has_fields(&self) -> bool {
+        self.thickness_spread > 0.0 || self.hammering_rad > 0.0 || self.terrace_mm > 0.0
+    }
+}
+
+impl Coat {
+    /// Draws the fields and places the blemishes: same parameters, same coat, on every machine.
+    pub fn new(made_from: CoatParameters) -> Self {
+        let radius_mm = made_from.radius_mm;
+        let fields = made_from.has_fields().then(|| {
+            let lengths =
+                [made_from.patch_mm / radius_mm, FRONT_RADII, made_from.dent_mm / radius_mm];
+            Fields::draw(lengths, made_from.banding, made_from.seed)
+        });
+        let terraces = fields.as_ref().filter(|_| made_from.terrace_mm > 0.0).map(|fields| {
+            let steepness = fields.steepness()[FRONT];
+            Terraces::new(made_from.step_mm, made_from.terrace_mm, steepness, radius_mm)
+        });
+        let placed = layout(&made_from.blemishes, radius_mm);
+        let spots = (!placed.is_empty()).then(|| Spots::new(placed, radius_mm));
+        Self { made_from, fields, terraces, spots }
+    }
+
+    /// Whether it is the same everywhere.
+    pub(crate) fn is_even(&self) -> bool {
+        self.fields.is_none() && self.spots.is_none()
+    }
+
+    /// Whether it may have edges as fine as a pixel.
+    pub(crate) fn has_edges(&self) -> bool {
+        self.terraces.is_some() || self.spots.is_some()
+    }
+
+    /// A direction of the scene, seen from the pearl.
+    pub(crate) fn own(&self, outward: DVec3) -> DVec3 {
+        self.made_from.pose.own(outward)
+    }
+
+    /// A direction of the pearl, in the scene.
+    pub(crate) fn scene(&self, own: DVec3) -> DVec3 {
+        self.made_from.pose.scene(own)
+    }
+
+    /// The place in a direction of the scene from the pearl's middle, as wide as `footprint_mm`.
+    pub(crate) fn at(&self, outward: DVec3, footprint_mm: f64) -> Local {
+        let own = self.own(outward);
+        let mut local = Local::EVEN;
+        if let Some(fields) = &self.fields {
+            local = local.and(self.smooth(fields, own, footprint_mm));
+        }
+        if let Some(spots) = &self.spots {
+            for blemish in spots.near(own) {
+                let here = blemish.at(own, self.made_from.radius_mm, footprint_mm);
+                local = here.map_or(local, |here| local.and(here));
+            }
+        }
+        Local { slope: self.scene(local.slope), ..local }
+    }
+
+    /// What the fields make of a place.
+    fn smooth(&self, fields: &Fields, own: DVec3, footprint_mm: f64) -> Local {
+        let CoatParameters { radius_mm, thickness_spread, hammering_rad, .. } = self.made_from;
+        let (values, mut local) = (fields.at(own), Local::EVEN);
+        let spreads = values[THICKNESS].clamp(-MOST_SPREADS, MOST_SPREADS);
+        local.thickness = 1.0 + thickness_spread * spreads;
+        if self.terraces.is_none() && hammering_rad <= 0.0 {
+            return local;
+        }
+        let gradients = fields.gradients(own);
+        if let Some(terraces) = &self.terraces {
+            let per_mm = gradients[FRONT] / radius_mm;
+            (local.slope, local.fine_slope2) = terraces.slope(values[FRONT], per_mm, footprint_mm);
+        }
+        // In one direction of the two a slope has half of the square.
+        let per_slope = hammering_rad * 2.0_f64.sqrt() / fields.steepness()[DENTS];
+        local.slope += gradients[DENTS] * per_slope;
+        local
+    }
+}
