@@ -212,7 +212,7 @@ def measure(
     >>> measure([[[0.2] * 3] * 64] * 64)
     Traceback (most recent call last):
     nacreous.problem.InputError: no pearl: no round outline stands out (an edge in 0 % of all \
-directions; wanted: 60 %)
+directions; wanted: 40 %)
     """
     found = _core.measure(
         linear_of(picture),
@@ -267,15 +267,11 @@ def _places(line: list[list[float]]) -> Places:
 def _colour(colour: _Record | None) -> Colour | None:
     if colour is None:
         return None
-    return Colour(
-        _known(colour["lightness"]), _known(colour["chroma"]), _number(colour["hue_deg"])
-    )
+    return Colour(_known(colour["lightness"]), _known(colour["chroma"]), _number(colour["hue_deg"]))
 
 
 def _ring(ring: _Record) -> Ring:
-    return Ring(
-        ring["from"], ring["to"], ring["view_deg"], ring["share"], _colour(ring["colour"])
-    )
+    return Ring(ring["from"], ring["to"], ring["view_deg"], ring["share"], _colour(ring["colour"]))
 
 
 def _interference(rings: _Record) -> Interference:

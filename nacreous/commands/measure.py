@@ -132,7 +132,7 @@ def _light(picture: str) -> NDArray[np.float32]:
 
 
 def _own(picture: str, shape: tuple[int, ...]) -> _Own:
-    """Scale and end of the codes; the scale of a picture of ours that is as large as it was made."""
+    """Scale of a picture of ours that is as large as it was made, and where its codes end."""
     from nacreous.embedded import read_embedded
     from nacreous.image import field_mm
 
@@ -164,7 +164,7 @@ def _white(given: str, linear: NDArray[np.float32]) -> tuple[float, float, float
             codes = b""
         if len(codes) != 3:
             raise InputError(f"--white is {given!r}; allowed: '#rrggbb', or X,Y,SIDE in pixels")
-        red, green, blue = colour.decode_rgb(np.array([*codes]) / 255).tolist()
+        red, green, blue = colour.decode(np.array([*codes]) / 255).tolist()
         return red, green, blue
     try:
         x, y, side = (float(part) for part in given.split(","))

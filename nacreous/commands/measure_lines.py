@@ -31,14 +31,12 @@ def table(picture: str, found: Measures) -> list[str]:
     ]
     rows = [*_shape(found), *_colours(found), *_lamp(found), *_blemishes(found)]
     lines += [f"{name:<22}{text}" for name, text in rows]
-    lines += [
-        f"{_WORDS[name]:<22}not measured: {reason}" for name, reason in found.refused.items()
-    ]
+    lines += [f"{_WORDS[name]:<22}not measured: {reason}" for name, reason in found.refused.items()]
     return lines
 
 
 def shown(number: Number, unit: str = "", least_digits: int = 0) -> str:
-    """A number to the second digit of its error, with it.
+    """A number to the second digit of its error, with it, three behind the point at most.
 
     >>> shown(Number(8.01234, 0.0123), "mm"), shown(Number(0.5), "%", 1)
     ('8.012 ± 0.012 mm', '0.5 %')
@@ -47,7 +45,7 @@ def shown(number: Number, unit: str = "", least_digits: int = 0) -> str:
     if number.error is None:
         return f"{number.value:.{max(1, least_digits)}f}{behind}"
     digits = 1 - math.floor(math.log10(number.error)) if number.error > 0 else 3
-    digits = min(max(digits, least_digits), 4)
+    digits = min(max(digits, least_digits), 3)
     return f"{number.value:.{digits}f} ± {number.error:.{digits}f}{behind}"
 
 
@@ -70,9 +68,7 @@ def _colours(found: Measures) -> Iterator[tuple[str, str]]:
         yield "mean chroma", shown(spread.chroma)
         yield "orient", shown(spread.orient)
         yield "interference score", f"{shown(spread.score, '%')} of the area saturated"
-        parts = (
-            f"{hue} {share:.1f}" for hue, share in zip(HUES, spread.by_hue, strict=True)
-        )
+        parts = (f"{hue} {share:.1f}" for hue, share in zip(HUES, spread.by_hue, strict=True))
         yield "by hue, in %", ", ".join(parts)
 
 

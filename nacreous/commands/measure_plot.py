@@ -22,7 +22,7 @@ _SHOWN = 1.25
 
 
 def plot(path: Path, linear: NDArray[np.float32], found: Measures) -> None:
-    """Draw outline, rings, lamp's image and spots over the picture, and colour by ring beside it."""
+    """Draw what was found over the picture, and colour by ring beside it."""
     with figure(path, 2, 10.0, 4.6) as (picture, rings):
         _overlay(picture, linear, found)
         _by_ring(rings, found)
@@ -56,9 +56,7 @@ def _line(axes: Any, places: Places, colour: str, label: str) -> None:
     axes.plot(x, y, color=colour, linewidth=1.2, label=label)
 
 
-def _round(
-    axes: Any, circle: tuple[float, float, float], colour: str, label: str | None
-) -> None:
+def _round(axes: Any, circle: tuple[float, float, float], colour: str, label: str | None) -> None:
     from matplotlib.patches import Circle as Drawn
 
     x, y, radius = circle
@@ -84,11 +82,17 @@ def _by_ring(axes: Any, found: Measures) -> None:
         capsize=2,
         label="chroma, with standard errors",
     )
-    axes.scatter(view, chroma, s=90, c=[_code(colour) for _, colour in held], edgecolors="#444444", zorder=3)
+    axes.scatter(
+        view, chroma, s=90, c=[_code(colour) for _, colour in held], edgecolors="#444444", zorder=3
+    )
     axes.set_ylim(bottom=0)
     lightness = axes.twinx()
     lightness.plot(
-        view, [colour.lightness.value for _, colour in held], "--", color="#444444", label="lightness"
+        view,
+        [colour.lightness.value for _, colour in held],
+        "--",
+        color="#444444",
+        label="lightness",
     )
     lightness.set_ylim(0, 100)
     lightness.set_ylabel("lightness L* (dashed)")
@@ -111,4 +115,4 @@ def _code(colour: Any) -> tuple[float, ...]:
         colour.chroma.value * math.sin(hue),
     ]
     rgb = colours.rgb_from_xyz(colours.xyz_from_lab(np.array(lab)))
-    return tuple(np.clip(colours.encode_rgb(rgb), 0, 1).tolist())
+    return tuple(np.clip(colours.encode(rgb), 0, 1).tolist())

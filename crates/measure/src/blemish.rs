@@ -1,11 +1,10 @@
 //! Blemishes: spots that differ from the pearl around them.
 
-use libm::{fabs, sqrt};
+use libm::{cos, fabs, sin, sqrt};
 use serde::Serialize;
 
 use crate::disc::{Disc, Pixel};
 use crate::lamp::Highlight;
-use crate::median::running;
 use crate::rings::ring_medians;
 use crate::value::median;
 use crate::{Circle, Value};
@@ -14,18 +13,19 @@ use crate::{Circle, Value};
 const FARTHEST: f64 = 0.9;
 /// What is left out around the lamp's image: half-widths, and degrees of the normal.
 const CLEAR: (f64, f64) = (1.6, 8.0);
-/// Half of the square whose median stands for the pearl around a spot, in radii: spots up to about a
-/// fifth of the radius across are seen whole **(ours)**.
-const REACH: f64 = 0.17;
-/// Difference from there, in CIELAB, from which a pixel belongs to a spot, and the same in robust
-/// standard deviations of the pearl's own texture **(ours)**.
+/// How far to both sides of a place the pearl around it is looked at, in radii: spots up to this across
+/// are seen whole **(ours)**.
+const REACH: f64 = 0.2;
+/// Directions in which that is done, and how many of them must lie on what is looked at.
+const DIRECTIONS: usize = 8;
+const LEAST_DIRECTIONS: usize = 5;
+/// Difference from there, in CIELAB, from which a pixel belongs to a spot, and the same in medians
+/// over the pearl, whose own texture differs too **(ours)**.
 const LEAST_DIFFERENCE: f64 = 3.0;
 const DEVIATIONS: f64 = 5.0;
 /// The smallest spot, in shares of the disc.
 const LEAST_SPOT: f64 = 2e-4;
 const RINGS: usize = 48;
-/// Steps of the codes in which medians are sought, in CIELAB units.
-const STEP: f64 = 0.25;
 
 /// Spots found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -62,8 +62,7 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
     let difference = differences(disc, &held, circle.radius_px);
     let mut sizes: Vec<f64> =
         difference.iter().zip(&held).filter(|(_, held)| **held).map(|(one, _)| *one).collect();
-    // Of a difference of three normal parts the median is 1.54 standard deviations of each.
-    let threshold = (DEVIATIONS * median(&mut sizes) / 1.54).max(LEAST_DIFFERENCE);
+    let threshold = (DEVIATIONS * median(&mut sizes)).max(LEAST_DIFFERENCE);
     let least = LEAST_SPOT * std::f64::consts::PI / (unit * unit);
     let at = |threshold: f64| {
         let mut spots = spots(disc, &difference, &held, threshold);
@@ -92,30 +91,41 @@ fn areas(disc: &Disc, circle: &Circle) -> Vec<f64> {
 
 /// How far each pixel's colour is from that of the pearl around it, in CIELAB.
 ///
-/// Rings are taken off first, then the running median of what is left: it keeps edges that pass through, such as
-/// a mirrored horizon, and leaves spots.
+/// A spot differs in the same way from the mean of its two neighbours in every direction: of all the least
+/// difference counts. Slopes have none, edges that pass through, such as a mirrored horizon, none along them,
+/// and a glow other signs along and across. The medians of rings are taken off before.
 fn differences(disc: &Disc, held: &[bool], radius_px: f64) -> Vec<f64> {
     let medians = ring_medians(disc, RINGS, held);
-    let reach = (REACH * radius_px / disc.factor as f64).round().max(2.0) as usize;
-    let mut squares = vec![0.0; held.len()];
-    for channel in 0..3 {
-        let codes: Vec<u8> = (0..held.len())
-            .map(|at| match disc.pixels[at] {
-                Some(pixel) if held[at] => {
-                    let ring = ((pixel.away * RINGS as f64) as usize).min(RINGS - 1);
-                    let left = pixel.lab[channel] - medians[ring][channel];
-                    (128.0 + left / STEP).round().clamp(0.0, 255.0) as u8
-                }
-                _ => 128,
-            })
-            .collect();
-        let smooth = running(&codes, held, disc.width, reach);
-        for at in 0..held.len() {
-            let left = STEP * (f64::from(codes[at]) - f64::from(smooth[at]));
-            squares[at] += left * left;
-        }
+    let left = |at: usize| {
+        let pixel = disc.pixels[at].as_ref().filter(|_| held[at])?;
+        let ring = ((pixel.away * RINGS as f64) as usize).min(RINGS - 1);
+        Some([0, 1, 2].map(|channel| pixel.lab[channel] - medians[ring][channel]))
+    };
+    let left: Vec<Option<[f64; 3]>> = (0..held.len()).map(left).collect();
+    let reach = REACH * radius_px / disc.factor as f64;
+    let steps: Vec<isize> = (0..DIRECTIONS)
+        .map(|at| std::f64::consts::PI * at as f64 / DIRECTIONS as f64)
+        .map(|turn| ((reach * cos(turn)).round() as isize, (reach * sin(turn)).round() as isize))
+        .map(|(right, down)| down * disc.width.cast_signed() + right)
+        .collect();
+    (0..held.len()).map(|at| least_difference(&left, at, &steps)).collect()
+}
+
+fn least_difference(left: &[Option<[f64; 3]>], at: usize, steps: &[isize]) -> f64 {
+    let Some(own) = left[at] else { return 0.0 };
+    let there = |step: isize| at.checked_add_signed(step).and_then(|near| *left.get(near)?);
+    let difference = |step: &isize| {
+        let (one, other) = (there(*step)?, there(-*step)?);
+        Some([0, 1, 2].map(|channel| own[channel] - 0.5 * (one[channel] + other[channel])))
+    };
+    let found: Vec<[f64; 3]> = steps.iter().filter_map(difference).collect();
+    if found.len() < LEAST_DIRECTIONS {
+        return 0.0;
     }
-    squares.into_iter().map(sqrt).collect()
+    let sum = [0, 1, 2].map(|channel| found.iter().map(|one| one[channel]).sum::<f64>());
+    let length = sqrt(sum.iter().map(|part| part * part).sum());
+    let along = |one: &[f64; 3]| one.iter().zip(&sum).map(|(part, of)| part * of).sum::<f64>();
+    found.iter().map(along).fold(f64::INFINITY, f64::min).max(0.0) / length.max(1e-12)
 }
 
 /// Pixels beyond a threshold that hang together.

@@ -8,8 +8,6 @@ use crate::{Circle, Picture};
 pub struct Disc {
     /// Pixels in a row of the copy.
     pub width: usize,
-    /// Rows of the copy.
-    pub height: usize,
     /// Original pixels to one of the copy, along a side.
     pub factor: usize,
     /// [row, column], None outside the pearl.
@@ -58,6 +56,6 @@ impl Disc {
             })
         };
         let pixels = (0..small.light.len()).map(pixel).collect();
-        Self { width: small.width, height: small.height, factor, pixels }
+        Self { width: small.width, factor, pixels }
     }
 }

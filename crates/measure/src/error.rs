@@ -63,7 +63,7 @@ pub enum MeasureError {
     },
     /// Nothing round to be seen.
     #[error(
-        "no pearl: no round outline stands out (an edge in {percent:.0} % of all directions; wanted: 60 %)"
+        "no pearl: no round outline stands out (an edge in {percent:.0} % of all directions; wanted: 40 %)"
     )]
     NoPearl {
         /// Share of directions with an edge, in percent.

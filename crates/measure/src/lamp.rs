@@ -86,7 +86,8 @@ pub struct Found {
 /// Finds the lamp's image on a ball and measures it.
 pub fn lamp_image(picture: &Picture<'_>, white: &White, disc: &Disc, circle: &Circle) -> Found {
     let refused = |reason: &str| Found { highlight: None, image: Err(reason.to_owned()) };
-    let light = smoothed(disc, circle.radius_px);
+    let reach = (SMOOTH * circle.radius_px / disc.factor as f64).round().max(1.0) as usize;
+    let light = smoothed(&luminance(disc), disc.width, reach);
     let mut all: Vec<f64> = light.iter().flatten().copied().collect();
     let around = median(&mut all);
     let brightest = (0..light.len()).filter(|&at| light[at].is_some());
@@ -95,7 +96,9 @@ pub fn lamp_image(picture: &Picture<'_>, white: &White, disc: &Disc, circle: &Ci
     }) else {
         return refused("the pearl is too small");
     };
-    let peak = light[top].unwrap_or(0.0);
+    // What the box takes off a peak, it takes off again when it is laid on twice.
+    let twice = smoothed(&light, disc.width, reach);
+    let peak = 2.0 * light[top].unwrap_or(0.0) - twice[top].unwrap_or(0.0);
     if !(peak > LEAST_CONTRAST * around.max(0.0) && peak > 0.0) {
         return refused("no lamp's image stands out from the light around it");
     }
@@ -118,42 +121,32 @@ pub fn lamp_image(picture: &Picture<'_>, white: &White, disc: &Disc, circle: &Ci
     Found { highlight: Some(highlight), image }
 }
 
-/// Luminance, averaged over a small box, where the lamp may be mirrored.
-fn smoothed(disc: &Disc, radius_px: f64) -> Vec<Option<f64>> {
-    let reach = (SMOOTH * radius_px / disc.factor as f64).round().max(1.0) as usize;
-    let allowed = |at: usize| disc.pixels[at].filter(|pixel| pixel.away < FARTHEST);
-    // Sums of light and of pixels along rows, then along columns.
-    let mut sums = vec![(0.0, 0.0); disc.pixels.len()];
-    for row in 0..disc.height {
-        for column in 0..disc.width {
-            let (first, last) =
-                (column.saturating_sub(reach), (column + reach).min(disc.width - 1));
-            let one = row * disc.width;
-            if allowed(one + column).is_none()
-                && allowed(one + first).is_none()
-                && allowed(one + last).is_none()
-            {
-                continue;
-            }
-            for at in first..=last {
-                if let Some(pixel) = allowed(one + at) {
-                    sums[one + column].0 += pixel.xyz[1];
-                    sums[one + column].1 += 1.0;
+/// Luminance where the lamp may be mirrored.
+fn luminance(disc: &Disc) -> Vec<Option<f64>> {
+    let light =
+        |pixel: &Option<Pixel>| pixel.filter(|one| one.away < FARTHEST).map(|one| one.xyz[1]);
+    disc.pixels.iter().map(light).collect()
+}
+
+/// Means over a box of `2 reach + 1` places a side, along rows and then along columns; holes stay.
+fn smoothed(light: &[Option<f64>], width: usize, reach: usize) -> Vec<Option<f64>> {
+    let along = |light: &[Option<f64>], step: usize| -> Vec<Option<f64>> {
+        let mean = |at: usize| {
+            light[at]?;
+            let (mut sum, mut count) = (0.0, 0.0);
+            // The disc lies clear of the picture's border by more than it is averaged over, or ends there.
+            for place in 0..=2 * reach {
+                let near = (at + place * step).checked_sub(reach * step);
+                if let Some(one) = near.and_then(|near| *light.get(near)?) {
+                    sum += one;
+                    count += 1.0;
                 }
             }
-        }
-    }
-    (0..disc.pixels.len())
-        .map(|at| {
-            allowed(at)?;
-            let (row, column) = (at / disc.width, at % disc.width);
-            let rows = row.saturating_sub(reach)..=(row + reach).min(disc.height - 1);
-            let (light, count) = rows
-                .map(|row| sums[row * disc.width + column])
-                .fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
-            Some(light / count)
-        })
-        .collect()
+            Some(sum / count)
+        };
+        (0..light.len()).map(mean).collect()
+    };
+    along(&along(light, 1), width)
 }
 
 /// The pixels around `top` that hang together and are brighter than `level`.

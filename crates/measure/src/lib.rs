@@ -33,7 +33,6 @@ mod edge;
 mod error;
 mod lamp;
 mod measures;
-mod median;
 mod outline;
 mod path;
 mod picture;

@@ -199,7 +199,7 @@ fn check(given: &Given) -> Result<(), MeasureError> {
     if let Some(mm) = given.mm_per_pixel.filter(|mm| !(1e-6..=100.0).contains(mm)) {
         return Err(number("mm_per_pixel", mm, "0.000001 to 100 mm"));
     }
-    if let Some(level) = given.clipped_at.filter(|level| !(*level > 0.0)) {
+    if let Some(level) = given.clipped_at.filter(|level| level.is_nan() || *level <= 0.0) {
         return Err(number("clipped_at", level, "above 0, linear light"));
     }
     match given.circle {

@@ -10,15 +10,22 @@ use crate::path::closed_line;
 use crate::search::Steepness;
 use crate::{Circle, MeasureError, Picture};
 
-/// An outline is believed when the steepest place lies on it in this share of directions **(ours)**.
-const LEAST_FOUND: f64 = 0.6;
+/// An outline is believed when the steepest place lies on it in this share of directions **(ours)**; chance
+/// alone gives a fifth. A second one must be seen more clearly, for a checkered table has many corners.
+const LEAST_FOUND: f64 = 0.4;
+const LEAST_SECOND: f64 = 0.7;
+/// A second pearl has at least this share of the first one's radius.
+const LEAST_BESIDE: f64 = 0.5;
 /// How far from the outline that place may lie, in radii; a pixel is always allowed.
 const NEAR: f64 = 0.02;
 /// How far about the last outline edges are looked for, in radii, and with how many waves.
-const ROUNDS: [(f64, usize); 5] = [(0.10, 1), (0.05, 1), (0.05, 2), (0.04, 4), (0.03, 6)];
+const FIRST_ROUNDS: [(f64, usize); 3] = [(0.10, 1), (0.05, 1), (0.05, 2)];
+const LAST_ROUNDS: [(f64, usize); 2] = [(0.04, 4), (0.03, 6)];
 const ROUNDS_OF_OVALS: [(f64, usize); 4] = [(0.12, 2), (0.08, 3), (0.05, 5), (0.04, 6)];
 /// What deviates by more than this from three waves is no pearl: corners, several things **(ours)**.
 const SMOOTH: f64 = 0.03;
+/// Most rays of a first look, and of the outline in the end.
+const RAYS: (usize, usize) = (240, 720);
 /// The smallest pearl that is measured, in pixels of radius.
 const LEAST_RADIUS_PX: f64 = 12.0;
 
@@ -35,35 +42,57 @@ impl Outline {
     pub fn is_seen(&self) -> bool {
         self.share >= LEAST_FOUND
     }
+
+    /// How much more it is than chance: of a long line a share is harder to come by.
+    fn weight(&self) -> f64 {
+        self.share * sqrt(self.contour.middle.radius_px)
+    }
 }
 
 /// The outline near a given circle; that circle itself where no edge stands out.
 pub fn near(picture: &Picture<'_>, given: Circle) -> Result<Outline, MeasureError> {
     require_inside(picture, given)?;
-    let traced = trace(picture, Contour::round(given), &ROUNDS);
-    Ok(match traced {
-        Some(outline) if outline.is_seen() => outline,
-        _ => Outline { contour: Contour::round(given), share: traced.map_or(0.0, |one| one.share) },
-    })
+    match trace(picture, Contour::round(given), &FIRST_ROUNDS, RAYS.0) {
+        Some(first) if first.is_seen() => Ok(refined(picture, first)),
+        other => Ok(Outline {
+            contour: Contour::round(given),
+            share: other.map_or(0.0, |one| one.share),
+        }),
+    }
 }
 
 /// The outline of the one pearl in a picture.
 ///
-/// Of all circles that lie within the picture, the one along which colour changes most, and what is seen
-/// near it; where that is not round, the closed line about its middle. A second one clear of the first is
-/// refused.
+/// Of circles that lie within the picture, those along which colour changes most are looked at more nearly, one
+/// of each size; the one is taken that is seen in the largest share of directions, large ones before small. Where
+/// none is seen so far, the closed line about the middle of one. A second one clear of the first is refused.
 pub fn find(picture: &Picture<'_>) -> Result<Outline, MeasureError> {
     let steepness = Steepness::of(picture);
-    let start = steepness.best(None).ok_or(MeasureError::NoPearl { percent: 0.0 })?;
-    let round = trace(picture, Contour::round(start), &ROUNDS);
-    let share = round.as_ref().map_or(0.0, |outline| outline.share);
-    let outline = match round {
-        Some(outline) if outline.is_seen() => outline,
-        _ => oval(picture, start).ok_or(MeasureError::NoPearl { percent: 100.0 * share })?,
+    let starts = steepness.best(None);
+    let seen = starts
+        .iter()
+        .filter_map(|start| trace(picture, Contour::round(*start), &FIRST_ROUNDS, RAYS.0));
+    let best = seen.max_by(|one, other| one.weight().total_cmp(&other.weight()));
+    let share = best.as_ref().map_or(0.0, |outline| outline.share);
+    let outline = match best {
+        Some(outline) if outline.is_seen() => refined(picture, outline),
+        _ => starts
+            .iter()
+            .filter_map(|start| oval(picture, *start))
+            .max_by(|one, other| one.weight().total_cmp(&other.weight()))
+            .ok_or(MeasureError::NoPearl { percent: 100.0 * share })?,
     };
     require_alone(picture, &steepness, &outline)?;
     require_inside(picture, outline.contour.middle)?;
     Ok(outline)
+}
+
+/// The same outline with all its waves; how clearly it is seen stays that of the simpler one.
+fn refined(picture: &Picture<'_>, first: Outline) -> Outline {
+    match trace(picture, first.contour.clone(), &LAST_ROUNDS, RAYS.1) {
+        Some(last) => Outline { contour: last.contour, share: first.share },
+        None => first,
+    }
 }
 
 /// Refuses a picture in which another outline is seen beside the first.
@@ -73,17 +102,18 @@ fn require_alone(
     outline: &Outline,
 ) -> Result<(), MeasureError> {
     let first = outline.contour.middle;
-    let Some(start) = steepness.best(Some(first)) else { return Ok(()) };
-    match trace(picture, Contour::round(start), &ROUNDS) {
-        Some(other)
-            if other.is_seen() && 3.0 * other.contour.middle.radius_px > first.radius_px =>
-        {
-            let [first, second] = [first, other.contour.middle]
-                .map(|circle| [circle.x_px, circle.y_px, circle.radius_px]);
-            Err(MeasureError::Several { first, second })
+    for start in steepness.best(Some(first)) {
+        // A circle alone: with more waves an outline would bend to what corners it meets.
+        let other = trace(picture, Contour::round(start), &FIRST_ROUNDS[..2], RAYS.0);
+        let Some(other) = other.filter(|other| other.share > LEAST_SECOND) else { continue };
+        let second = other.contour.middle;
+        if second.radius_px > LEAST_BESIDE * first.radius_px {
+            let [first, second] =
+                [first, second].map(|circle| [circle.x_px, circle.y_px, circle.radius_px]);
+            return Err(MeasureError::Several { first, second });
         }
-        _ => Ok(()),
     }
+    Ok(())
 }
 
 /// What is round in no sense, but smooth, and closed.
@@ -93,7 +123,7 @@ fn oval(picture: &Picture<'_>, start: Circle) -> Option<Outline> {
     let mut about = first.centre();
     about.radius_px = first.middle.radius_px;
     let second = Contour::fit(&closed_line(picture, about), about, 4)?;
-    let outline = trace(picture, second, &ROUNDS_OF_OVALS)?;
+    let outline = trace(picture, second, &ROUNDS_OF_OVALS, RAYS.1)?;
     let edges = edges(picture, &outline.contour, 180, 0.04);
     let smooth = Contour::fit(&edges, outline.contour.middle, 3)?;
     let off: f64 = (0..180)
@@ -106,10 +136,15 @@ fn oval(picture: &Picture<'_>, start: Circle) -> Option<Outline> {
 }
 
 /// Follows an outline, ever nearer and with more waves, and says in which share of directions it is seen.
-fn trace(picture: &Picture<'_>, start: Contour, rounds: &[(f64, usize)]) -> Option<Outline> {
+fn trace(
+    picture: &Picture<'_>,
+    start: Contour,
+    rounds: &[(f64, usize)],
+    most_rays: usize,
+) -> Option<Outline> {
     let mut contour = start;
     for &(reach, order) in rounds {
-        let rays = (TAU * contour.middle.radius_px).clamp(90.0, 720.0) as usize;
+        let rays = (TAU * contour.middle.radius_px).clamp(90.0, most_rays as f64) as usize;
         let found = edges(picture, &contour, rays, reach);
         let middle = contour.middle;
         contour = Contour::fit(&found, middle, order)?;
@@ -120,8 +155,7 @@ fn trace(picture: &Picture<'_>, start: Contour, rounds: &[(f64, usize)]) -> Opti
             contour = Contour::fit(&moved, centre, order)?;
         }
     }
-    let share = share_on(picture, &contour);
-    Some(Outline { contour, share })
+    Some(Outline { share: share_on(picture, &contour), contour })
 }
 
 /// The same outline seen from its centre, to the first order.

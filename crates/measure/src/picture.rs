@@ -27,7 +27,7 @@ impl<'a> Picture<'a> {
         if !SIDES.contains(&width) || !SIDES.contains(&height) || numbers != 3 * width * height {
             return Err(MeasureError::Size { width, height, numbers });
         }
-        if let Some(at) = light.iter().position(|value| !(value.abs() <= BRIGHTEST)) {
+        if let Some(at) = light.iter().position(|value| !(-BRIGHTEST..=BRIGHTEST).contains(value)) {
             let (row, column) = (at / 3 / width, at / 3 % width);
             return Err(MeasureError::Light { value: light[at], row, column });
         }
@@ -46,8 +46,8 @@ impl<'a> Picture<'a> {
 
     /// The light of a pixel; the border goes on for ever.
     pub(crate) fn pixel(&self, column: isize, row: isize) -> [f64; 3] {
-        let column = column.clamp(0, self.width as isize - 1) as usize;
-        let row = row.clamp(0, self.height as isize - 1) as usize;
+        let column = column.clamp(0, self.width.cast_signed() - 1) as usize;
+        let row = row.clamp(0, self.height.cast_signed() - 1) as usize;
         let first = 3 * (row * self.width + column);
         [0, 1, 2].map(|channel| f64::from(self.light[first + channel]))
     }

@@ -9,6 +9,8 @@ use crate::{Circle, Picture};
 /// Longest side of the small copy.
 const COARSE_PX: usize = 96;
 const DIRECTIONS: usize = 72;
+/// Circles up to this ratio count as of one size.
+const SIZE: (usize, usize) = (5, 4);
 
 /// How steeply colour changes along each direction, from 0 to 1: [direction][row, column].
 pub struct Steepness {
@@ -60,28 +62,33 @@ impl Steepness {
         Self { by_direction, width, height, factor }
     }
 
-    /// The circle with the greatest mean steepness, clear of another one.
-    pub fn best(&self, clear_of: Option<Circle>) -> Option<Circle> {
+    /// The circles with the greatest mean steepness, one of each size, clear of another one if given.
+    pub fn best(&self, clear_of: Option<Circle>) -> Vec<Circle> {
         let shorter = self.width.min(self.height);
-        let mut best = (0.0, None);
+        let mut best: Vec<(f32, Circle)> = Vec::new();
         let mut total = Vec::new();
+        let (mut sum_of_size, mut last_of_size) = (0.0, 0);
         for radius in (shorter / 8).max(3)..shorter.div_ceil(2) {
+            if radius > last_of_size {
+                (sum_of_size, last_of_size) = (0.0, radius * SIZE.0 / SIZE.1);
+            }
             let (across, down) = (self.width - 2 * radius, self.height - 2 * radius);
             self.add_up(radius, (across, down), &mut total);
-            for row in 0..down {
-                for column in 0..across {
-                    let sum = total[row * across + column];
-                    if sum <= best.0 {
-                        continue;
+            for (at, &sum) in total.iter().enumerate().filter(|(_, sum)| **sum > 0.0) {
+                if sum <= sum_of_size {
+                    continue;
+                }
+                let found = self.circle(at % across + radius, at / across + radius, radius);
+                if clear_of.is_none_or(|other| apart(&found, &other)) {
+                    if sum_of_size > 0.0 {
+                        best.pop();
                     }
-                    let found = self.circle(column + radius, row + radius, radius);
-                    if clear_of.is_none_or(|other| apart(&found, &other)) {
-                        best = (sum, Some(found));
-                    }
+                    sum_of_size = sum;
+                    best.push((sum, found));
                 }
             }
         }
-        best.1
+        best.into_iter().map(|(_, circle)| circle).collect()
     }
 
     /// Sums of steepness along circles of one radius around each centre.
