@@ -2,9 +2,9 @@
 
     python benchmarks/measures.py --settings 30
 
-Each knob is swept in five steps at random settings of the others; the numbers are medians, over the
-settings, of Spearman's rank correlation between knob and measure. docs/measure.md has the table. It
-takes about five minutes.
+Each knob is swept in five steps at random settings of the others. Each cell holds two medians over
+the settings: Spearman's rank correlation of knob and measure, and how far the measure goes over
+the sweep, in percent of its mean. docs/measure.md has the table. It takes about ten minutes.
 """
 
 from __future__ import annotations
@@ -106,8 +106,13 @@ def rank_correlation(knob: NDArray[np.float64], found: NDArray[np.float64]) -> f
     return float(np.corrcoef(knob.argsort().argsort(), ranks)[0, 1])
 
 
+def change(found: NDArray[np.float64]) -> float:
+    """How far a measure goes, in percent of its mean."""
+    return float(100 * np.ptp(found) / abs(found.mean())) if found.any() else 0.0
+
+
 def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
-    """Rank correlations of one knob with each measure, [setting, measure]."""
+    """Rank correlation of one knob with each measure, and its change, [setting, measure, 2]."""
     random = np.random.default_rng(list(KNOBS).index(knob))
     rows = []
     for _ in range(settings):
@@ -115,9 +120,8 @@ def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
         words = [str(random.choice(choices)) for choices in (SCENES, NACRE, PIGMENTS)]
         values = np.linspace(*KNOBS[knob], STEPS)
         found = [picture(setting | {knob: value}, *words, size) for value in values]
-        rows.append(
-            [rank_correlation(values, np.array([*map(of, found)])) for of in MEASURES.values()]
-        )
+        columns = [np.array([*map(of, found)]) for of in MEASURES.values()]
+        rows.append([(rank_correlation(values, column), change(column)) for column in columns])
     return np.array(rows)
 
 
@@ -133,8 +137,8 @@ def main() -> None:
     for knob in args.only or KNOBS:
         found = sweep(knob, args.settings, args.size)
         told = [
-            f"{np.nanmedian(column):.2f}" if np.isfinite(column).any() else "-"
-            for column in found.T
+            f"{rank:.2f} ({moved:.0f})" if np.isfinite(rank) else "-"
+            for rank, moved in (np.nanmedian(column, axis=0) for column in found.swapaxes(0, 1))
         ]
         print(f"| {knob} |", " | ".join(told), "|", flush=True)
     print(f"{args.settings} settings, {args.size} px, {time.monotonic() - begin:.0f} s")

@@ -36,7 +36,7 @@ def table(picture: str, found: Measures) -> list[str]:
 
 
 def shown(number: Number, unit: str = "", least_digits: int = 0) -> str:
-    """A number to the second digit of its error, with it, three behind the point at most.
+    """A number to the second digit of its error, with it, four behind the point at most.
 
     >>> shown(Number(8.01234, 0.0123), "mm"), shown(Number(0.5), "%", 1)
     ('8.012 ± 0.012 mm', '0.5 %')
@@ -44,8 +44,8 @@ def shown(number: Number, unit: str = "", least_digits: int = 0) -> str:
     behind = "°" if unit == "°" else f" {unit}" if unit else ""
     if number.error is None:
         return f"{number.value:.{max(1, least_digits)}f}{behind}"
-    digits = 1 - math.floor(math.log10(number.error)) if number.error > 0 else 3
-    digits = min(max(digits, least_digits), 3)
+    digits = 1 - math.floor(math.log10(number.error)) if number.error > 0 else 4
+    digits = min(max(digits, least_digits), 4)
     return f"{number.value:.{digits}f} ± {number.error:.{digits}f}{behind}"
 
 

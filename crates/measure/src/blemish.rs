@@ -5,7 +5,6 @@ use serde::Serialize;
 
 use crate::disc::{Disc, Pixel};
 use crate::lamp::Highlight;
-use crate::rings::ring_medians;
 use crate::value::median;
 use crate::{Circle, Value};
 
@@ -25,7 +24,6 @@ const LEAST_DIFFERENCE: f64 = 3.0;
 const DEVIATIONS: f64 = 5.0;
 /// The smallest spot, in shares of the disc.
 const LEAST_SPOT: f64 = 2e-4;
-const RINGS: usize = 48;
 
 /// Spots found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -70,7 +68,8 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
         spots
     };
     let percent = |spots: &[Vec<usize>]| {
-        100.0 * spots.iter().flatten().map(|&at| areas[at]).sum::<f64>() / whole
+        // The sum of nothing is -0.
+        100.0 * spots.iter().flatten().map(|&at| areas[at]).sum::<f64>() / whole + 0.0
     };
     let found = at(threshold);
     let doubt = 0.5 * (percent(&at(0.75 * threshold)) - percent(&at(1.25 * threshold)));
@@ -93,27 +92,22 @@ fn areas(disc: &Disc, circle: &Circle) -> Vec<f64> {
 ///
 /// A spot differs in the same way from the mean of its two neighbours in every direction: of all the least
 /// difference counts. Slopes have none, edges that pass through, such as a mirrored horizon, none along them,
-/// and a glow other signs along and across. The medians of rings are taken off before.
+/// and a glow other signs along and across.
 fn differences(disc: &Disc, held: &[bool], radius_px: f64) -> Vec<f64> {
-    let medians = ring_medians(disc, RINGS, held);
-    let left = |at: usize| {
-        let pixel = disc.pixels[at].as_ref().filter(|_| held[at])?;
-        let ring = ((pixel.away * RINGS as f64) as usize).min(RINGS - 1);
-        Some([0, 1, 2].map(|channel| pixel.lab[channel] - medians[ring][channel]))
-    };
-    let left: Vec<Option<[f64; 3]>> = (0..held.len()).map(left).collect();
+    let own = |at: usize| disc.pixels[at].as_ref().filter(|_| held[at]).map(|pixel| pixel.lab);
+    let colours: Vec<Option<[f64; 3]>> = (0..held.len()).map(own).collect();
     let reach = REACH * radius_px / disc.factor as f64;
     let steps: Vec<isize> = (0..DIRECTIONS)
         .map(|at| std::f64::consts::PI * at as f64 / DIRECTIONS as f64)
         .map(|turn| ((reach * cos(turn)).round() as isize, (reach * sin(turn)).round() as isize))
         .map(|(right, down)| down * disc.width.cast_signed() + right)
         .collect();
-    (0..held.len()).map(|at| least_difference(&left, at, &steps)).collect()
+    (0..held.len()).map(|at| least_difference(&colours, at, &steps)).collect()
 }
 
-fn least_difference(left: &[Option<[f64; 3]>], at: usize, steps: &[isize]) -> f64 {
-    let Some(own) = left[at] else { return 0.0 };
-    let there = |step: isize| at.checked_add_signed(step).and_then(|near| *left.get(near)?);
+fn least_difference(colours: &[Option<[f64; 3]>], at: usize, steps: &[isize]) -> f64 {
+    let Some(own) = colours[at] else { return 0.0 };
+    let there = |step: isize| at.checked_add_signed(step).and_then(|near| *colours.get(near)?);
     let difference = |step: &isize| {
         let (one, other) = (there(*step)?, there(-*step)?);
         Some([0, 1, 2].map(|channel| own[channel] - 0.5 * (one[channel] + other[channel])))

@@ -53,15 +53,17 @@ pub fn edge(picture: &Picture<'_>, middle: Circle, turn: f64, expected: f64, rea
 }
 
 /// The mean place of the change around a step of the line, in steps.
+///
+/// Changes count by their square: the slow ones of the pearl's own shading at its rim for little.
 fn middle_of_change(line: &[[f64; 3]], at: usize) -> f64 {
     let (first, last) = (at.saturating_sub(AROUND), (at + AROUND).min(line.len() - 1));
     let whole = difference(line[last], line[first]);
     let (mut sum, mut moment) = (0.0, 0.0);
     for step in first..last {
         let part = difference(line[step + 1], line[step]);
-        let weight = (part[0] * whole[0] + part[1] * whole[1] + part[2] * whole[2]).max(0.0);
-        sum += weight;
-        moment += weight * (step as f64 + 0.5);
+        let along = (part[0] * whole[0] + part[1] * whole[1] + part[2] * whole[2]).max(0.0);
+        sum += along * along;
+        moment += along * along * (step as f64 + 0.5);
     }
     if sum > 0.0 { moment / sum } else { at as f64 }
 }

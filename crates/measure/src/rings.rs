@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::disc::{Disc, Pixel};
 use crate::lamp::Highlight;
-use crate::value::{jackknife, median};
+use crate::value::jackknife;
 use crate::white::lab;
 use crate::{Circle, Value};
 
@@ -227,17 +227,4 @@ fn hue_parts(hue_deg: f64) -> [(usize, f64); 2] {
     let first = (place as usize).min(5);
     let part = place - first as f64;
     [(first, 1.0 - part), ((first + 1) % 6, part)]
-}
-
-/// The median light of a ring, as a table over distance in `steps`: what is taken off before spots are sought.
-pub fn ring_medians(disc: &Disc, steps: usize, held: &[bool]) -> Vec<[f64; 3]> {
-    let mut by_ring = vec![[const { Vec::new() }; 3]; steps];
-    for (pixel, _) in disc.pixels.iter().zip(held).filter(|(_, held)| **held) {
-        let Some(pixel) = pixel else { continue };
-        let ring = ((pixel.away * steps as f64) as usize).min(steps - 1);
-        for channel in 0..3 {
-            by_ring[ring][channel].push(pixel.lab[channel]);
-        }
-    }
-    by_ring.iter_mut().map(|ring| [0, 1, 2].map(|channel| median(&mut ring[channel]))).collect()
 }
