@@ -44,10 +44,8 @@ fn twice_the_light_with_twice_the_white_measures_the_same() {
 #[test]
 fn a_mirrored_picture_has_mirrored_places_and_the_same_numbers() {
     let light = ball();
-    let mirrored: Vec<f32> = light
-        .chunks(3 * SIDE)
-        .flat_map(|row| row.chunks(3).rev().flatten().copied())
-        .collect();
+    let mirrored: Vec<f32> =
+        light.chunks(3 * SIDE).flat_map(|row| row.chunks(3).rev().flatten().copied()).collect();
     let one = measured(&light, &Given::default());
     let other = measured(&mirrored, &Given::default());
     near(one.place.circle.x_px, SIDE as f64 - other.place.circle.x_px);
