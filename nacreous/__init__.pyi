@@ -2,6 +2,7 @@ from . import body as body
 from . import colour as colour
 from . import file as file
 from . import iridescence as iridescence
+from . import measure as measure
 from . import medium as medium
 from . import nacre as nacre
 from . import optics as optics

@@ -98,6 +98,15 @@ class Film:
         wavelength_nm: NDArray[np.float64],
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
 
+# measure
+def measure(
+    linear: NDArray[np.float32],
+    white: tuple[float, float, float],
+    circle: tuple[float, float, float] | None,
+    mm_per_pixel: float | None,
+    clipped_at: float | None,
+) -> str: ...
+
 # nacre
 _Medium: TypeAlias = (
     complex

@@ -17,6 +17,7 @@ COMMANDS = (
     "sheets",
     "paper",
     "crops",
+    "measure",
     "scale",
     "study",
     "strand",
@@ -37,6 +38,7 @@ examples:
   nacreous render paper          the pearl of 1996, as pearl.png
   nacreous sheets out            families, pigments and scenes on contact sheets
   nacreous paper out             the paper's figures again, measured, on one page
+  nacreous measure pearl.png     size, colour by ring and lamp's image in numbers
   nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous study new paper       the paper's experiment, ready for participants
   nacreous study demo            a whole study on this computer, to look at

@@ -18,6 +18,7 @@ MODULES = (
     "colour",
     "file",
     "iridescence",
+    "measure",
     "medium",
     "nacre",
     "optics",

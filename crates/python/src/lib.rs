@@ -11,6 +11,7 @@ mod file;
 mod film;
 mod image;
 mod iridescence;
+mod measure;
 mod nacre;
 mod optics;
 mod pearl;
@@ -56,6 +57,8 @@ mod _core {
     use super::dealing::spread_of_people;
     #[pymodule_export]
     use super::iridescence::{interference_iridescence, iridescence};
+    #[pymodule_export]
+    use super::measure::measure;
     #[pymodule_export]
     use super::nacre::{Stack, media};
     #[pymodule_export]

@@ -1,0 +1,148 @@
+"""How measures follow the knob that they are for, and what else moves them.
+
+    python benchmarks/measures.py --settings 30
+
+Each knob is swept in five steps at random settings of the others. Each cell holds two medians over
+the settings: Spearman's rank correlation of knob and measure, and how far the measure goes over
+the sweep, in percent of its mean. docs/measure.md has the table. It takes about ten minutes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nacreous as nc
+from nacreous.measure import Measures, measure
+
+STEPS = 5
+SCENES = ("paper", "north-window-black", "booth")
+NACRE = ("akoya-r-1.0", "akoya-rg-1.0", "akoya-g-1.0")
+PIGMENTS = ("none", "white", "cream", "pink")
+FIELD_MM = 14.0
+
+#: By name: the least and the greatest of each knob. Roundness and blemishes are no keys of a pearl
+#: file yet: pictures are stretched, and painted.
+KNOBS = {
+    "diameter_mm": (5.0, 10.0),
+    "roundness": (0.0, 0.045),
+    "facet_spread_rad": (0.03, 0.14),
+    "disorder_nm": (5.0, 50.0),
+    "blemished": (0.0, 0.03),
+    "depth": (0.2, 0.9),
+    "grain": (0.0, 1.0),
+    "waviness_rad": (0.0, 0.15),
+}
+
+MEASURES: dict[str, Callable[[Measures], float]] = {
+    "diameter": lambda found: found.size.mean.value,
+    "roundness": lambda found: found.roundness.value if found.roundness else np.nan,
+    "half-width": lambda found: found.lamp.half_width_deg.value if found.lamp else np.nan,
+    "peak": lambda found: found.lamp.peak if found.lamp else np.nan,
+    "gloss": lambda found: found.lamp.contrast_gloss.value if found.lamp else np.nan,
+    "haze": lambda found: found.lamp.haze.value if found.lamp and found.lamp.haze else np.nan,
+    "chroma": lambda found: found.interference.chroma.value if found.interference else np.nan,
+    "orient": lambda found: found.interference.orient.value if found.interference else np.nan,
+    "blemishes": lambda found: found.blemishes.area.value if found.blemishes else np.nan,
+}
+
+
+def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, size: int) -> Measures:
+    """What is measured in the picture of one setting."""
+    pearl = nc.Pearl(
+        diameter_mm=setting["diameter_mm"],
+        depth=setting["depth"],
+        grain=setting["grain"],
+        nacre={"preset": nacre},
+        film={"column_spread_nm": setting["disorder_nm"], "outer_um": 50.0},
+        body={"pigment": pigment, "nacre_mm": 0.5},
+        surface={
+            "facet_spread_rad": setting["facet_spread_rad"],
+            "waviness_rad": setting["waviness_rad"],
+        },
+    )
+    overrides = [("camera.field_mm", str(FIELD_MM)), ("table.kind", "plain")]
+    place = nc.Scene.load(scene, overrides)
+    linear = nc.render(pearl, place, size=size, samples=4).linear
+    linear = painted(linear, setting["blemished"], setting["diameter_mm"])
+    linear = stretched(linear, setting["roundness"])
+    return measure(linear, mm_per_pixel=FIELD_MM / size)
+
+
+def painted(linear: NDArray[np.float32], share: float, diameter_mm: float) -> NDArray[np.float32]:
+    """Four dark spots on the pearl's lower right, of so much of its disc."""
+    size = len(linear)
+    radius = 0.5 * size * diameter_mm / FIELD_MM
+    spot = radius * np.sqrt(share / 4)
+    rows, columns = np.ogrid[:size, :size]
+    keep = np.ones((size, size))
+    for right, down in ((0.55, 0.1), (0.3, 0.5), (0.62, 0.45), (-0.1, 0.62)):
+        x, y = 0.5 * size + right * radius, 0.5 * size + down * radius
+        away = np.hypot(columns + 0.5 - x, rows + 0.5 - y)
+        keep -= 0.4 * np.clip(spot - away + 0.5, 0, 1) * (spot > 0)
+    return (linear * keep[..., None]).astype(np.float32)
+
+
+def stretched(linear: NDArray[np.float32], roundness: float) -> NDArray[np.float32]:
+    """A picture made wider, by linear interpolation: (d_max - d_min) / d_mean is `roundness`."""
+    factor = (1 + roundness / 2) / (1 - roundness / 2)
+    size = linear.shape[1]
+    middle = 0.5 * (size - 1)
+    place = np.clip(middle + (np.arange(size) - middle) / factor, 0, size - 1.001)
+    left = place.astype(int)
+    part = (place - left)[None, :, None]
+    return ((1 - part) * linear[:, left] + part * linear[:, left + 1]).astype(np.float32)
+
+
+def rank_correlation(knob: NDArray[np.float64], found: NDArray[np.float64]) -> float:
+    """Spearman's; NaN where a measure is refused or never moves."""
+    if not np.isfinite(found).all() or np.ptp(found) == 0:
+        return float("nan")
+    ranks = found.argsort().argsort()
+    return float(np.corrcoef(knob.argsort().argsort(), ranks)[0, 1])
+
+
+def change(found: NDArray[np.float64]) -> float:
+    """How far a measure goes, in percent of its mean."""
+    return float(100 * np.ptp(found) / abs(found.mean())) if found.any() else 0.0
+
+
+def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
+    """Rank correlation of one knob with each measure, and its change, [setting, measure, 2]."""
+    random = np.random.default_rng(list(KNOBS).index(knob))
+    rows = []
+    for _ in range(settings):
+        setting = {name: random.uniform(*ends) for name, ends in KNOBS.items()}
+        words = [str(random.choice(choices)) for choices in (SCENES, NACRE, PIGMENTS)]
+        values = np.linspace(*KNOBS[knob], STEPS)
+        found = [picture(setting | {knob: value}, *words, size) for value in values]
+        columns = [np.array([*map(of, found)]) for of in MEASURES.values()]
+        rows.append([(rank_correlation(values, column), change(column)) for column in columns])
+    return np.array(rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--settings", type=int, default=30)
+    parser.add_argument("--size", type=int, default=160)
+    parser.add_argument("--only", action="append")
+    args = parser.parse_args()
+    begin = time.monotonic()
+    print("| knob |", " | ".join(MEASURES), "|")
+    print("|---" * (len(MEASURES) + 1) + "|")
+    for knob in args.only or KNOBS:
+        found = sweep(knob, args.settings, args.size)
+        told = [
+            f"{rank:.2f} ({moved:.0f})" if np.isfinite(rank) else "-"
+            for rank, moved in (np.nanmedian(column, axis=0) for column in found.swapaxes(0, 1))
+        ]
+        print(f"| {knob} |", " | ".join(told), "|", flush=True)
+    print(f"{args.settings} settings, {args.size} px, {time.monotonic() - begin:.0f} s")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,213 @@
+//! Everything that is measured in one picture.
+
+use serde::Serialize;
+
+use crate::blemish::{Blemishes, blemishes};
+use crate::contour::Widths;
+use crate::disc::Disc;
+use crate::lamp::{LampImage, lamp_image};
+use crate::outline::{Outline, find, near};
+use crate::rings::{Colour, Rings, rings, whole};
+use crate::white::White;
+use crate::{Circle, MeasureError, Picture, Value};
+
+/// Above this roundness a pearl is no sphere: GIA's limit of near-round, 5 % of the diameter.
+const ROUND: f64 = 0.05;
+/// Radius of the copies in which colours, and spots, are looked at, in pixels.
+const COLOUR_PX: f64 = 256.0;
+const SPOTS_PX: f64 = 128.0;
+
+/// What is known of a picture.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// The pearl's outline, about: it is looked for near it.
+    pub circle: Option<Circle>,
+    /// Linear RGB of a white matt thing in the picture's light.
+    pub white: [f64; 3],
+    /// Millimetres in a pixel, on the plane through the pearl's middle.
+    pub mm_per_pixel: Option<f64>,
+    /// Linear light from which a file's codes no longer follow.
+    pub clipped_at: Option<f64>,
+}
+
+impl Default for Given {
+    fn default() -> Self {
+        Self { circle: None, white: [1.0; 3], mm_per_pixel: None, clipped_at: None }
+    }
+}
+
+/// Where the pearl is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Place {
+    /// The circle as large as it on average.
+    pub circle: Circle,
+    /// Whether a circle was given to start from.
+    pub given: bool,
+    /// In how large a share of directions an edge was seen on the outline.
+    pub share: f64,
+    /// The outline, in pixels.
+    pub line: Vec<[f64; 2]>,
+}
+
+/// Feret's diameters.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Size {
+    /// "mm", or "px" where no scale is given.
+    pub unit: &'static str,
+    /// The mean over directions.
+    pub mean: Value,
+    /// The least.
+    pub least: Value,
+    /// The greatest.
+    pub greatest: Value,
+}
+
+/// What could not be measured, and why.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Refused {
+    /// The part, as in `Measures`.
+    pub quantity: &'static str,
+    /// The reason.
+    pub reason: String,
+}
+
+/// What was measured in one picture.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measures {
+    /// Where the pearl is.
+    pub place: Place,
+    /// How large it is.
+    pub size: Size,
+    /// (greatest - least) / mean diameter, as a share.
+    pub roundness: Option<Value>,
+    /// Whether it counts as a sphere, seen from here.
+    pub sphere: bool,
+    /// The colour of the whole pearl.
+    pub colour: Option<Colour>,
+    /// Colour by ring.
+    pub rings: Option<Rings>,
+    /// The lamp's image.
+    pub lamp: Option<LampImage>,
+    /// Spots.
+    pub blemishes: Option<Blemishes>,
+    /// What is None above, and parts of it, with the reason.
+    pub refused: Vec<Refused>,
+}
+
+/// Measures the one pearl in a picture.
+///
+/// # Errors
+/// No pearl or more than one, a pearl that leaves the picture or is under 12 pixels in radius, and numbers
+/// given that cannot be.
+pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, MeasureError> {
+    let white = White::new(given.white)?;
+    check(given)?;
+    let outline = match given.circle {
+        Some(circle) => near(picture, circle)?,
+        None => find(picture)?,
+    };
+    let mut refused = Refusals::default();
+    let widths = outline.contour.widths();
+    let size = size(&widths, &outline, given.mm_per_pixel);
+    let roundness = outline.is_seen().then_some(widths.roundness);
+    if roundness.is_none() {
+        refused.add("roundness", "no edge stands out along the circle given");
+    }
+    let sphere = roundness.is_none_or(|roundness| roundness.value <= ROUND);
+    let circle = outline.contour.middle;
+    let clipped_at = given.clipped_at.unwrap_or(f64::INFINITY);
+    let disc = Disc::of(picture, &white, &outline.contour, clipped_at, COLOUR_PX);
+    let colour = whole(&disc, &circle);
+    if colour.is_none() {
+        refused.add("colour", "all of the pearl is clipped");
+    }
+    let (mut of_rings, mut lamp, mut spots) = (None, None, None);
+    if sphere {
+        let found = lamp_image(picture, &white, &disc, &circle);
+        lamp = refused.taken("lamp", found.image);
+        if let Some(image) = &lamp {
+            if image.haze.is_none() {
+                refused.add("lamp.haze", "the lamp's image lies too near to the outline");
+            }
+            if image.distinctness.is_none() {
+                refused.add(
+                    "lamp.distinctness",
+                    "a degree of the surface is less than a pixel, or the outline is near",
+                );
+            }
+        }
+        let few = "the lamp's image and clipped light leave too little of the pearl";
+        of_rings =
+            refused.taken("rings", rings(&disc, &circle, found.highlight).ok_or(few.to_owned()));
+        let small = Disc::of(picture, &white, &outline.contour, clipped_at, SPOTS_PX);
+        spots = refused
+            .taken("blemishes", blemishes(&small, &circle, found.highlight).ok_or(few.to_owned()));
+    } else {
+        for quantity in ["rings", "lamp", "blemishes"] {
+            refused.add(quantity, "the pearl is no sphere: its diameters differ by more than 5 %");
+        }
+    }
+    Ok(Measures {
+        place: Place {
+            circle,
+            given: given.circle.is_some(),
+            share: outline.share,
+            line: outline.contour.places(180),
+        },
+        size,
+        roundness,
+        sphere,
+        colour,
+        rings: of_rings,
+        lamp,
+        blemishes: spots,
+        refused: refused.0,
+    })
+}
+
+#[derive(Default)]
+struct Refusals(Vec<Refused>);
+
+impl Refusals {
+    fn add(&mut self, quantity: &'static str, reason: &str) {
+        self.0.push(Refused { quantity, reason: reason.to_owned() });
+    }
+
+    fn taken<T>(&mut self, quantity: &'static str, found: Result<T, String>) -> Option<T> {
+        found.map_err(|reason| self.add(quantity, &reason)).ok()
+    }
+}
+
+fn size(widths: &Widths, outline: &Outline, mm_per_pixel: Option<f64>) -> Size {
+    let (unit, factor) = mm_per_pixel.map_or(("px", 1.0), |mm| ("mm", mm));
+    let scaled = |mut width: Value| {
+        // A circle that was given and not seen has no error of its own.
+        width.error = width.error.filter(|_| outline.is_seen());
+        width.times(factor)
+    };
+    Size {
+        unit,
+        mean: scaled(widths.mean),
+        least: scaled(widths.least),
+        greatest: scaled(widths.greatest),
+    }
+}
+
+/// Numbers given with a picture.
+fn check(given: &Given) -> Result<(), MeasureError> {
+    let number = |quantity, value: f64, allowed| MeasureError::Number { quantity, value, allowed };
+    if let Some(mm) = given.mm_per_pixel.filter(|mm| !(1e-6..=100.0).contains(mm)) {
+        return Err(number("mm_per_pixel", mm, "0.000001 to 100 mm"));
+    }
+    if let Some(level) = given.clipped_at.filter(|level| level.is_nan() || *level <= 0.0) {
+        return Err(number("clipped_at", level, "above 0, linear light"));
+    }
+    match given.circle {
+        Some(Circle { x_px, y_px, radius_px })
+            if !(x_px.is_finite() && y_px.is_finite() && radius_px.is_finite()) =>
+        {
+            Err(number("circle", radius_px, "finite pixels"))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,267 @@
+"""The room measure: what is known beforehand is found, and what cannot be measured is named."""
+
+import io
+import json
+import math
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import nacreous as nc
+from nacreous.measure import HUES, Measures, measure
+from tests.measure.synthetic import MIDDLE, RADIUS, SIDE, Light, ball, ellipse
+
+
+@pytest.mark.parametrize("ground", [0.0, 0.05, 0.9])
+def test_a_disc_is_found_to_a_tenth_of_a_pixel_on_dark_and_on_white(ground: float) -> None:
+    found = measure(ellipse(ground=ground))
+    circle = found.outline.circle
+    assert math.hypot(circle.x_px - MIDDLE[0], circle.y_px - MIDDLE[1]) < 0.1
+    assert found.size.mean.value == pytest.approx(2 * RADIUS, abs=0.15)
+    assert found.roundness is not None
+    assert found.roundness.value < 0.3
+    assert found.outline.share > 0.99
+
+
+@pytest.mark.parametrize("short", [59.4, 58.0, 55.0, 40.0])
+def test_roundness_is_that_of_the_ellipse(short: float) -> None:
+    found = measure(ellipse(RADIUS, short))
+    mean = np.hypot(RADIUS * np.cos(a := np.linspace(0, np.pi, 721)), short * np.sin(a)).mean()
+    assert found.roundness is not None
+    assert found.roundness.value == pytest.approx(100 * (RADIUS - short) / mean, abs=0.25)
+    assert found.size.greatest.value == pytest.approx(2 * RADIUS, abs=0.3)
+    assert found.size.least.value == pytest.approx(2 * short, abs=0.3)
+
+
+def test_what_is_no_sphere_has_size_roundness_and_colour_alone() -> None:
+    found = measure(ellipse(RADIUS, 45.0))
+    assert not found.sphere
+    assert found.colour is not None
+    assert (found.rings, found.interference, found.lamp, found.blemishes) == (None,) * 4
+    assert {"rings", "lamp", "blemishes"} == set(found.refused)
+    assert "no sphere" in found.refused["rings"]
+
+
+@pytest.mark.parametrize("sigma_deg", [3.0, 5.0, 9.0])
+def test_the_half_width_is_that_of_the_gaussian(sigma_deg: float) -> None:
+    lamp = measure(ball(sigma_deg)).lamp
+    assert lamp is not None
+    assert lamp.half_width_deg.value == pytest.approx(sigma_deg * math.sqrt(2 * math.log(2)), 0.04)
+    assert lamp.peak == pytest.approx(2.0 * 0.975, rel=0.05)
+    assert lamp.contrast_gloss.value == pytest.approx(80.0, abs=1.5)
+    half = sigma_deg * math.sqrt(2 * math.log(2))
+    beyond = 100 * math.exp(-0.5 * ((half + 2.5) / sigma_deg) ** 2)
+    assert lamp.haze is not None
+    assert lamp.haze.value == pytest.approx(beyond, abs=2.5)
+
+
+def test_the_sharper_image_is_the_more_distinct_one() -> None:
+    sharp, soft = (measure(ball(sigma)).lamp for sigma in (3.0, 9.0))
+    assert sharp is not None
+    assert soft is not None
+    assert sharp.distinctness is not None
+    assert soft.distinctness is not None
+    assert sharp.distinctness.value > 2 * soft.distinctness.value
+
+
+def test_colour_is_relative_to_the_white_given() -> None:
+    picture = ellipse()
+    white = (0.5, 0.45, 0.42)
+    colour = measure(picture, white=white).colour
+    assert colour is not None
+    assert colour.lightness.value == pytest.approx(100, abs=0.1)
+    assert colour.chroma.value < 0.1
+    assert colour.hue_deg is None
+
+
+def test_spots_are_found_with_their_area_and_a_clean_ball_has_none() -> None:
+    clean = ball(4.0)
+    spotted = clean.copy()
+    rows, columns = np.ogrid[:SIDE, :SIDE]
+    for x, y in ((125, 115), (112, 80), (95, 130)):
+        away = np.hypot(columns + 0.5 - x, rows + 0.5 - y)
+        spotted *= (1 - 0.3 * np.clip(5.5 - away, 0, 1))[..., None].astype(np.float32)
+    one, other = measure(clean).blemishes, measure(spotted).blemishes
+    assert one is not None
+    assert other is not None
+    assert one.count == 0
+    assert other.count == 3
+    seen = 3 * math.pi * 5**2 / (2 * math.pi * RADIUS**2) / other.looked_at * 100
+    assert other.area.value == pytest.approx(seen, rel=0.35)  # seen from aside they cover more
+
+
+def test_the_parts_of_a_score_lie_in_the_regions_of_their_hue() -> None:
+    picture = ellipse()
+    picture[picture[..., 0] > 0.3] = nc.colour.rgb_from_xyz(
+        nc.colour.xyz_from_lab(np.array([70.0, 0.0, -30.0]))
+    )
+    spread = measure(picture).interference
+    assert spread is not None
+    by_hue = dict(zip(HUES, spread.by_hue, strict=True))
+    assert by_hue["blue"] == pytest.approx(100, abs=1)
+    assert spread.score.value == pytest.approx(sum(spread.by_hue))
+
+
+@cache
+def rendered(size: int = 320, pearl: str = "tahitian") -> Light:
+    return nc.render(nc.Pearl.load(pearl), "north-window-black", size=size, samples=4).linear
+
+
+def numbers(found: Measures) -> dict[str, float]:
+    """What must not change with the picture's making."""
+    assert found.roundness is not None
+    assert found.lamp is not None
+    assert found.lamp.haze is not None
+    assert found.interference is not None
+    assert found.rings is not None
+    chroma = {
+        f"ring {number}": ring.colour.chroma.value
+        for number, ring in enumerate(found.rings)
+        if ring.colour is not None and ring.share > 0.5
+    }
+    return chroma | {
+        "diameter": found.size.mean.value,
+        "half-width": found.lamp.half_width_deg.value,
+        "peak": found.lamp.peak,
+        "gloss": found.lamp.contrast_gloss.value,
+        "haze": found.lamp.haze.value,
+        "chroma": found.interference.chroma.value,
+        "orient": found.interference.orient.value,
+        "score": found.interference.score.value,
+    }
+
+
+def jpeg(linear: Light) -> Light:
+    stream = io.BytesIO()
+    codes = np.rint(255 * nc.colour.encode(np.clip(linear, 0, 1))).astype(np.uint8)
+    Image.fromarray(codes).save(stream, "JPEG", quality=90)
+    read = np.asarray(Image.open(stream), float) / 255
+    return nc.colour.decode(read).astype(np.float32)
+
+
+def halved(linear: Light) -> Light:
+    side = len(linear) // 2
+    return linear.reshape(side, 2, side, 2, 3).mean((1, 3), dtype=np.float32)
+
+
+def shifted(linear: Light) -> Light:
+    """By 3.4 pixels to the left and 1.7 down, the border going on."""
+    rows, columns = np.clip(np.arange(len(linear)) - 1.7, 0, None), np.arange(len(linear)) + 3.4
+    for axis, place in ((0, rows), (1, np.clip(columns, 0, len(linear) - 1.01))):
+        first = place.astype(int)
+        part = (place - first).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+        linear = (1 - part) * linear.take(first, axis) + part * linear.take(first + 1, axis)
+    return linear.astype(np.float32)
+
+
+CHANGES: dict[str, tuple[Callable[[Light], Light], dict[str, float]]] = {
+    "jpeg": (jpeg, {}),
+    "half size": (halved, {"diameter": 0.5}),
+    "shift": (shifted, {}),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_measures_stay_within_five_percent(change: str) -> None:
+    picture = rendered()
+    made, factors = CHANGES[change]
+    before, after = numbers(measure(picture)), numbers(measure(made(picture)))
+    for name, value in before.items():
+        assert after[name] == pytest.approx(value * factors.get(name, 1.0), rel=0.05, abs=0.15), (
+            name
+        )
+
+
+def test_measures_stay_within_five_percent_under_another_white_that_is_known() -> None:
+    picture = rendered()
+    xyz = nc.colour.xyz_from_rgb(picture.astype(float))
+    there, d65 = np.array([1.0985, 1.0, 0.3558]), np.array([0.95047, 1.0, 1.08883])
+    turned = nc.colour.rgb_from_xyz(nc.colour.adapt(xyz, d65, there)).astype(np.float32)
+    white = nc.colour.rgb_from_xyz(there)
+    white = np.maximum(white, 1e-3)
+    before, after = numbers(measure(picture)), numbers(measure(turned, white=white))
+    for name, value in before.items():
+        assert after[name] == pytest.approx(value, rel=0.05, abs=0.15), name
+
+
+def test_a_picture_without_a_pearl_is_refused_by_name() -> None:
+    noise = np.random.default_rng(1).random((200, 200, 3)).astype(np.float32)
+    rows, columns = np.ogrid[:200, :200]
+    checks = np.where(((rows // 25 + columns // 25) % 2)[..., None], 0.3, 0.1) * np.ones(3)
+    for picture in (noise, checks, np.full((64, 64, 3), 0.2)):
+        with pytest.raises(nc.InputError, match="no pearl"):
+            measure(picture)
+
+
+def test_two_pearls_are_refused_by_name_and_measured_one_by_one_where_a_circle_is_given() -> None:
+    one = ellipse()
+    both = np.concatenate([one, one], axis=1)
+    with pytest.raises(nc.InputError, match=r"more than one pearl: at \(.*\), radius 60"):
+        measure(both)
+    second = measure(both, circle=(MIDDLE[0] + SIDE + 2, MIDDLE[1] - 1, 58.0))
+    assert second.outline.circle.x_px == pytest.approx(MIDDLE[0] + SIDE, abs=0.1)
+    assert second.outline.given
+
+
+def test_a_clipped_highlight_is_named_and_colours_are_measured_all_the_same() -> None:
+    found = measure(np.minimum(ball(5.0), 1.0), clipped_at=0.97)
+    assert found.lamp is None
+    assert "clipped in" in found.refused["lamp"]
+    assert found.rings is not None
+    assert found.colour is not None
+
+
+def test_a_pearl_that_is_cut_off_is_refused() -> None:
+    with pytest.raises(nc.InputError, match=r"leaves the picture|no pearl"):
+        measure(ellipse()[:, 90:])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"white": (0, 1, 1)}, "white is"),
+        ({"white": (1, 1)}, "white has 2 numbers"),
+        ({"mm_per_pixel": -1}, "mm_per_pixel is -1"),
+        ({"clipped_at": 0}, "clipped_at is 0"),
+        ({"circle": (1, 2, float("nan"))}, "circle is NaN"),
+        ({"circle": (10, 10, 50)}, "leaves the picture"),
+    ],
+)
+def test_a_wrong_number_is_told(wrong: dict[str, object], said: str) -> None:
+    with pytest.raises(nc.InputError, match=said):
+        measure(ellipse(), **wrong)  # type: ignore[arg-type]
+
+
+def test_the_same_picture_gives_the_same_json() -> None:
+    picture = rendered(128)
+    text = measure(picture).to_json()
+    assert text == measure(picture).to_json()
+    assert json.loads(text)["size"]["unit"] == "px"
+
+
+@pytest.mark.parametrize("scene", ["paper", "north-window-black", "north-window-white", "booth"])
+@pytest.mark.parametrize("pearl", ["akoya-rg", "tahitian"])
+def test_a_rendered_pearl_is_found_on_every_table(pearl: str, scene: str) -> None:
+    found = measure(nc.render(pearl, scene, size=160, samples=4))
+    circle = found.outline.circle
+    assert math.hypot(circle.x_px - 80, circle.y_px - 80) < 1
+    assert found.sphere
+    assert found.lamp is not None
+
+
+def test_wider_facets_give_wider_images_and_more_disorder_less_colour() -> None:
+    def of(**keys: object) -> Measures:
+        pearl = nc.Pearl(nacre={"preset": "akoya-rg-1.0"}, body={"nacre_mm": 0.5}, **keys)
+        return measure(nc.render(pearl, "north-window-black", size=128, samples=4))
+
+    images = [of(surface={"facet_spread_rad": spread}).lamp for spread in (0.04, 0.08, 0.14)]
+    widths = [image.half_width_deg.value for image in images if image is not None]
+    assert len(widths) == 3
+    assert widths == sorted(widths)
+    spreads = [of(film={"column_spread_nm": spread}).interference for spread in (10, 30, 50)]
+    orient = [spread.orient.value for spread in spreads if spread is not None]
+    assert len(orient) == 3
+    assert orient == sorted(orient, reverse=True)
