@@ -10,8 +10,11 @@ use rand_chacha::ChaCha8Rng;
 use rand_core::SeedableRng;
 
 use crate::{
-    grain::{level::Level, normal::normal_pair},
-    harmonics::{CHANNELS, Coefficients, Place},
+    grain::{
+        level::{Level, Steep},
+        normal::normal_pair,
+    },
+    harmonics::{CHANNELS, Coefficients},
 };
 
 /// Three independent fields of mean 0 and variance 1.
@@ -60,22 +63,9 @@ impl Fields {
         Self { level: Level::synthesise(&waves, top), steepness }
     }
 
-    /// Their values in a direction.
-    pub(crate) fn at(&self, direction: DVec3) -> [f64; CHANNELS] {
-        self.level.at(Place::towards(direction)).to_array().map(f64::from)
-    }
-
-    /// Their gradients there, per radian.
-    pub(crate) fn gradients(&self, direction: DVec3) -> [DVec3; CHANNELS] {
-        let step = 0.5 * PI / self.level.rows() as f64;
-        let (x, y) = direction.any_orthonormal_pair();
-        let along = |aside: DVec3| {
-            let (there, back) =
-                (self.at(direction + aside * step), self.at(direction - aside * step));
-            [0, 1, 2].map(|c| (there[c] - back[c]) / (2.0 * step))
-        };
-        let (across, up) = (along(x), along(y));
-        [0, 1, 2].map(|c| x * across[c] + y * up[c])
+    /// Their values in a direction, and their gradients per radian.
+    pub(crate) fn at(&self, direction: DVec3) -> Steep {
+        self.level.with_gradient(direction)
     }
 
     /// Root of the mean square of their gradients, per radian, over all seeds.
@@ -122,7 +112,9 @@ mod tests {
         for seed in 0..seeds {
             let fields = Fields::draw(LENGTHS, 0.3 * (seed % 3) as f64, seed);
             for (direction, share) in directions(12) {
-                let (values, gradients) = (fields.at(direction), fields.gradients(direction));
+                let here = fields.at(direction);
+                let values = here.value.to_array().map(f64::from);
+                let gradients = [0, 1, 2].map(|c| here.gradient(c));
                 for c in 0..3 {
                     variance[c] += share * values[c] * values[c] / seeds as f64;
                     slopes[c] += share * gradients[c].length_squared() / seeds as f64;
@@ -144,11 +136,36 @@ mod tests {
     #[test]
     fn bands_go_round_the_axis_without_a_change() {
         let fields = Fields::draw(LENGTHS, 1.0, 5);
-        let at = |turn: f64| fields.at(DVec3::new(0.6 * turn.cos(), 0.6 * turn.sin(), 0.8));
+        let at = |turn: f64| fields.at(DVec3::new(0.6 * turn.cos(), 0.6 * turn.sin(), 0.8)).value;
         let first = at(0.0);
         for step in 1..9 {
             let there = at(f64::from(step) * 0.7);
             assert!((0..3).all(|c| (there[c] - first[c]).abs() < 1e-3), "{first:?} {there:?}");
+        }
+    }
+
+    #[test]
+    fn gradients_are_those_of_the_values_at_poles_too() {
+        let fields = Fields::draw(LENGTHS, 0.2, 9);
+        let at =
+            |direction: DVec3| fields.at(direction.normalize()).value.to_array().map(f64::from);
+        for direction in [
+            DVec3::Z,
+            DVec3::new(0.019, 0.0, 1.0),
+            DVec3::new(0.021, 0.003, -1.0),
+            DVec3::new(0.5, -0.6, 0.3),
+        ] {
+            let direction = direction.normalize();
+            let here = fields.at(direction);
+            let (x, y) = direction.any_orthonormal_pair();
+            for aside in [x, y, (x + y) / 2.0_f64.sqrt()] {
+                let (there, back) = (at(direction + aside * 0.01), at(direction - aside * 0.01));
+                for c in 0..3 {
+                    let (law, found) = ((there[c] - back[c]) / 0.02, here.gradient(c).dot(aside));
+                    let scale = fields.steepness()[c];
+                    assert!((law - found).abs() < 0.03 * scale, "{direction} {c}: {law} {found}");
+                }
+            }
         }
     }
 }

@@ -136,20 +136,17 @@ impl Coat {
     /// What the fields make of a place.
     fn smooth(&self, fields: &Fields, own: DVec3, footprint_mm: f64) -> Local {
         let CoatParameters { radius_mm, thickness_spread, hammering_rad, .. } = self.made_from;
-        let (values, mut local) = (fields.at(own), Local::EVEN);
-        let spreads = values[THICKNESS].clamp(-MOST_SPREADS, MOST_SPREADS);
+        let (here, mut local) = (fields.at(own), Local::EVEN);
+        let spreads = f64::from(here.value[THICKNESS]).clamp(-MOST_SPREADS, MOST_SPREADS);
         local.thickness = 1.0 + thickness_spread * spreads;
-        if self.terraces.is_none() && hammering_rad <= 0.0 {
-            return local;
-        }
-        let gradients = fields.gradients(own);
         if let Some(terraces) = &self.terraces {
-            let per_mm = gradients[FRONT] / radius_mm;
-            (local.slope, local.fine_slope2) = terraces.slope(values[FRONT], per_mm, footprint_mm);
+            let (front, per_mm) = (here.value[FRONT], here.gradient(FRONT) / radius_mm);
+            (local.slope, local.fine_slope2) =
+                terraces.slope(f64::from(front), per_mm, footprint_mm);
         }
         // In one direction of the two a slope has half of the square.
         let per_slope = hammering_rad * 2.0_f64.sqrt() / fields.steepness()[DENTS];
-        local.slope += gradients[DENTS] * per_slope;
+        local.slope += here.gradient(DENTS) * per_slope;
         local
     }
 }

@@ -33,11 +33,17 @@ impl Terraces {
         let psi = TAU * self.amplitude_mm * field / self.step_mm;
         let steps = front.length() / self.step_mm * footprint_mm;
         let (mut riser, mut fine) = (0.0, 0.0);
-        for (k, amount) in (1..).zip(SERIES) {
-            let width = TAU * f64::from(k) * FOOTPRINT * steps;
-            let left = libm::exp(-0.5 * width * width);
-            riser += amount * left * libm::cos(f64::from(k) * psi);
+        let width = TAU * FOOTPRINT * steps;
+        // What a footprint leaves of term k is what it leaves of the first, to the power of k squared; the cosine of k psi
+        // follows from those of the two terms before.
+        let (first, cosine) = (libm::exp(-0.5 * width * width), libm::cos(psi));
+        let (mut left, mut ratio, mut before, mut now) = (1.0, first, 1.0, cosine);
+        for amount in SERIES {
+            left *= ratio;
+            ratio *= first * first;
+            riser += amount * left * now;
             fine += 0.5 * amount * amount * (1.0 - left * left);
+            (before, now) = (now, 2.0 * cosine * now - before);
         }
         (front * riser, fine * front.length_squared())
     }

@@ -4,7 +4,7 @@
 //! Left out: cells that are alike in area; rows crowd at the poles.
 
 use crate::harmonics::{CHANNELS, Coefficients, Place, synthesise};
-use glam::Vec3A;
+use glam::{DVec3, Vec3A};
 use std::f32;
 
 /// Rows beyond each pole that let the look-up reach over it.
@@ -66,25 +66,96 @@ impl Level {
     /// Cubic interpolation (Catmull and Rom 1974) of the sixteen texels around a place.
     #[inline]
     pub fn at(&self, place: Place) -> Vec3A {
+        let (start, across, down) = self.around(place);
+        self.sum(start, cubic_weights(across), cubic_weights(down))
+    }
+
+    /// The value in a direction, and its gradient on the sphere in directions along the meridian, away from the pole, and
+    /// along the parallel, per radian. Close to a pole, where parallels are short, by differences.
+    pub fn with_gradient(&self, direction: DVec3) -> Steep {
+        let (start, across, down) = self.around(Place::towards(direction));
+        let (along, below) = (cubic_weights(across), cubic_weights(down));
+        let value = self.sum(start, along, below);
+        let sine = (direction.x * direction.x + direction.y * direction.y).sqrt();
+        if sine < NEAR_POLE {
+            return self.by_differences(direction, value);
+        }
+        let scale = self.rows as f32 / f32::consts::PI;
+        let south = self.sum(start, along, cubic_slopes(down)) * scale;
+        let east = self.sum(start, cubic_slopes(across), below) * (scale / sine as f32);
+        let parallel = DVec3::new(-direction.y, direction.x, 0.0) / sine;
+        Steep { value, south, east, meridian: parallel.cross(direction), parallel }
+    }
+
+    /// The same from four places around.
+    fn by_differences(&self, direction: DVec3, value: Vec3A) -> Steep {
+        let step = 0.5 * std::f64::consts::PI / self.rows as f64;
+        let (meridian, parallel) = direction.any_orthonormal_pair();
+        let along = |aside: DVec3| {
+            let at = |place: DVec3| self.at(Place::towards(place));
+            (at(direction + aside * step) - at(direction - aside * step)) / (2.0 * step as f32)
+        };
+        Steep { value, south: along(meridian), east: along(parallel), meridian, parallel }
+    }
+
+    /// Where the sixteen texels around a place begin, and how far it is across and down between the middle four.
+    #[inline]
+    fn around(&self, place: Place) -> (usize, f32, f32) {
         let columns = 2 * self.rows;
         let scale = self.rows as f32 / f32::consts::PI;
         // A turn more keeps both positive, so that `as` rounds down.
         let across = place.longitude * scale + columns as f32;
         let down = place.colatitude * scale + (MARGIN as f32 - 0.5);
         let (column, row) = (across as i32 as usize, down as i32 as usize);
-        let weights = cubic_weights(across - column as f32);
         let first = if column > columns { column - columns - 1 } else { column - 1 };
-        let mut start = (row - 1) * (columns + WRAP) + first;
+        let start = (row - 1) * (columns + WRAP) + first;
+        (start, across - column as f32, down - row as f32)
+    }
+
+    /// Sixteen texels from `start` by their weights across and down.
+    #[inline]
+    fn sum(&self, mut start: usize, weights: [f32; 4], below: [f32; 4]) -> Vec3A {
         let mut sum = Vec3A::ZERO;
-        for weight in cubic_weights(down - row as f32) {
+        for weight in below {
             let ring = &self.texels[start..start + 4];
             let along = weights[0] * ring[0] + weights[1] * ring[1];
             sum += weight * (along + (weights[2] * ring[2] + weights[3] * ring[3]));
-            start += columns + WRAP;
+            start += 2 * self.rows + WRAP;
         }
         sum
     }
 }
+
+/// A field in a direction, and how it rises there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Steep {
+    pub value: Vec3A,
+    south: Vec3A,
+    east: Vec3A,
+    meridian: DVec3,
+    parallel: DVec3,
+}
+
+impl Steep {
+    /// The gradient of one of its channels.
+    pub fn gradient(&self, channel: usize) -> DVec3 {
+        self.meridian * f64::from(self.south[channel])
+            + self.parallel * f64::from(self.east[channel])
+    }
+
+    /// So much of the way to another, of the same direction.
+    pub fn towards(&self, other: &Self, share: f32) -> Self {
+        Self {
+            value: self.value + share * (other.value - self.value),
+            south: self.south + share * (other.south - self.south),
+            east: self.east + share * (other.east - self.east),
+            ..*self
+        }
+    }
+}
+
+/// Sine of the colatitude below which a place is close to a pole.
+const NEAR_POLE: f64 = 0.02;
 
 /// Weights of the four neighbours at t in 0..1 between the middle two; they add up to 1.
 #[inline]
@@ -95,5 +166,17 @@ fn cubic_weights(t: f32) -> [f32; 4] {
         0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
         0.5 * (-3.0 * t3 + 4.0 * t2 + t),
         0.5 * (t3 - t2),
+    ]
+}
+
+/// Their derivatives by t; they add up to 0.
+#[inline]
+fn cubic_slopes(t: f32) -> [f32; 4] {
+    let t2 = t * t;
+    [
+        0.5 * (-3.0 * t2 + 4.0 * t - 1.0),
+        0.5 * (9.0 * t2 - 10.0 * t),
+        0.5 * (-9.0 * t2 + 8.0 * t + 1.0),
+        0.5 * (3.0 * t2 - 2.0 * t),
     ]
 }

@@ -112,31 +112,40 @@ impl Texture {
         if whole <= 0.0 {
             return (DVec3::ZERO, 1.0);
         }
-        // Closer than what is seen, farther than single precision tells.
-        let step = (0.5 * footprint_rad).max(0.5 * PI / self.levels[0].rows() as f64);
-        let (x, y) = direction.any_orthonormal_pair();
-        let along = |aside: DVec3| {
-            let value = |place: DVec3| f64::from(self.at(place, footprint_rad)[VALUE]);
-            (value(direction + aside * step) - value(direction - aside * step)) / (2.0 * step)
-        };
-        let seen = (PI / footprint_rad.max(1e-9)).min(self.band_limit as f64) as usize;
+        let degree = PI / footprint_rad.max(1e-9);
+        let seen = degree.min(self.band_limit as f64) as usize;
         let share = self.steepness2[seen.clamp(1, self.band_limit) - 1] / whole;
-        ((x * along(x) + y * along(y)) * (2.0 / whole).sqrt(), share)
+        let (finer, coarser, weight) = if degree >= self.band_limit as f64 {
+            (&self.levels[0], None, 1.0)
+        } else {
+            self.enclosing(degree as f32)
+        };
+        let fine = finer.with_gradient(direction);
+        let gradient = match coarser {
+            Some(coarser) => {
+                coarser.with_gradient(direction).towards(&fine, weight).gradient(VALUE)
+            }
+            None => fine.gradient(VALUE) * f64::from(weight),
+        };
+        (gradient * (2.0 / whole).sqrt(), share)
     }
 
     /// A mixture of the two levels whose highest degrees enclose `degree`.
     fn filtered(&self, place: Place, degree: f32) -> Vec3A {
+        let (finer, coarser, weight) = self.enclosing(degree);
+        let base = coarser.map_or(Vec3A::ZERO, |level| level.at(place));
+        base + weight * (finer.at(place) - base)
+    }
+
+    /// The two levels whose highest degrees enclose `degree`, and the share of the finer; where there is none below, the
+    /// next would hold nothing but the mean.
+    fn enclosing(&self, degree: f32) -> (&Level, Option<&Level>, f32) {
         let coarser = self.levels.iter().position(|level| (level.top() as f32) <= degree);
         let coarser = coarser.unwrap_or(self.levels.len());
-        let finer = &self.levels[coarser.max(1) - 1];
-        let (base, low) = match self.levels.get(coarser) {
-            Some(level) => (level.at(place), level.top()),
-            // The next level would hold nothing but the mean.
-            None => (Vec3A::ZERO, finer.top() / 2),
-        };
-        let low = low as f32;
+        let (finer, coarser) = (&self.levels[coarser.max(1) - 1], self.levels.get(coarser));
+        let low = coarser.map_or(finer.top() / 2, Level::top) as f32;
         let weight = ((degree - low) / (finer.top() as f32 - low)).clamp(0.0, 1.0);
-        base + weight * (finer.at(place) - base)
+        (finer, coarser, weight)
     }
 
     /// The highest degree drawn.
@@ -288,6 +297,28 @@ mod tests {
             let step = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
             assert!(step < 1e-4, "from {here} to {there}: {step}");
         }
+    }
+
+    #[test]
+    fn relief_has_slopes_of_one_and_a_footprint_sees_the_share_it_states() {
+        let textures: Vec<Texture> = (0..8).map(small).collect();
+        let square = |footprint: f64| -> (f64, f64) {
+            let places: Vec<DVec3> = (0..2000)
+                .map(|i| towards((1.0 - f64::from(i) / 1000.0).acos(), f64::from(i)))
+                .collect();
+            let all = textures
+                .iter()
+                .flat_map(|texture| places.iter().map(|place| texture.relief(*place, footprint)));
+            let count = (textures.len() * places.len()) as f64;
+            let (mut sum, mut share) = (0.0, 0.0);
+            for (slope, seen) in all {
+                (sum, share) = (sum + 0.5 * slope.length_squared() / count, seen);
+            }
+            (sum, share)
+        };
+        assert!((square(0.0).0 - 1.0).abs() < 0.1, "{:?}", square(0.0));
+        let (seen, stated) = square(0.3);
+        assert!(seen < 0.8 && (seen - stated).abs() < 0.15, "{seen} {stated}");
     }
 
     #[test]
