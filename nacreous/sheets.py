@@ -18,6 +18,8 @@ from nacreous.problem import InputError
 from nacreous.spec import Pearl, Scene, preset
 from nacreous.spec.body import PIGMENTS
 from nacreous.spec.complaint import nearest
+from nacreous.trade.setting import overrides_of
+from nacreous.trade.table import factor_of
 
 __all__ = ["NAMES", "make"]
 
@@ -29,6 +31,7 @@ _STEPS = ("1.0", "0.7", "0.4", "0.0")
 _TURNS = (0.0, 0.25, 0.5, 0.75, 1.0)
 _FAMILIES = ("r", "rg", "g")
 _MODEL_PEARL = "akoya-rg-1.0"
+_BLACK = "north-window-black"
 
 
 class Tile(NamedTuple):
@@ -81,6 +84,49 @@ def _turned(knob: str, turn: float) -> Pearl:
     return pearl.replace(film=pearl.film.replace(outer_um=None))
 
 
+def _words() -> list[list[Tile]]:
+    """Every word that sets keys, but sizes, on pearls of the kind that it is said of."""
+    pearls = {"luster": "akoya-rg", "surface": "akoya-rg", "nacre-akoya": "akoya-thin"}
+    pearls |= {"nacre-tahitian": "tahitian", "nacre-south-sea": "south-sea-gold"}
+    return [
+        [
+            Tile(
+                Pearl.load(name, overrides_of(f"{factor}={word.en}")), _BLACK, f"{factor} {word.en}"
+            )
+            for word in factor_of(factor).words
+        ]
+        for factor, name in pearls.items()
+    ]
+
+
+def _coats() -> list[list[Tile]]:
+    """What differs from place to place: thickness, relief, kinds of blemishes."""
+    thickness = [("even", []), ("patches .05", [("coat.thickness_spread", "0.05")])]
+    thickness += [
+        (
+            f"bands {share}",
+            [*thickness[1][1], ("coat.banding", f"{share}"), ("coat.patch_mm", "1.5")],
+        )
+        for share in (0.5, 1.0)
+    ]
+    relief = [(f"dents {rad}", [("coat.hammering_rad", f"{rad}")]) for rad in (0.02, 0.06)]
+    relief += [(f"terraces {um} um", [("coat.terrace_um", f"{um}")]) for um in (60, 150)]
+    kinds = ("pits", "bumps", "scratches", "chalky_spots")
+    large = [("blemishes.size_mm", "0.6"), ("blemishes.depth_um", "40")]
+    blemished = [(kind.replace("_", " "), [(f"blemishes.{kind}", "25"), *large]) for kind in kinds]
+    return [
+        [
+            Tile(Pearl.load(pearl, [*given, ("coat.seed", "3")]), _BLACK, words)
+            for words, given in row
+        ]
+        for pearl, row in (
+            ("tahitian", thickness),
+            ("south-sea-gold", relief),
+            ("akoya-rg", blemished),
+        )
+    ]
+
+
 #: What each sheet shows, by its name.
 _SHEETS: dict[str, Callable[[], list[list[Tile]]]] = {
     "scenes": _scenes,
@@ -89,6 +135,8 @@ _SHEETS: dict[str, Callable[[], list[list[Tile]]]] = {
     "families-white": lambda: _families("north-window-white"),
     "pigments": _pigments,
     "knobs": _knobs,
+    "words": _words,
+    "coats": _coats,
 }
 
 #: The sheets there are.

@@ -28,7 +28,7 @@ def test_every_key_that_a_word_sets_is_one_of_a_pearl_and_takes_the_value() -> N
         if one.key:
             assert one.key in keys
             assert one.holds(one.sets), word
-            Pearl.load("tahitian", [(one.key, one.sets)])
+            Pearl.load("tahitian", [(one.key, f"{one.sets:g}")])
 
 
 def test_every_word_has_two_languages_a_source_and_bounds_in_order() -> None:
