@@ -57,3 +57,19 @@ class Body(Section):
         allowed=COLOUR,
         source="**(ours)**; a bead of shell, 0.97: its own surface not counted",
     )
+    nucleus_bands: float = quantity(
+        0.0,
+        "How much darker the dark bands of the nucleus are than its colour; they show through thin "
+        "nacre, and blink as the pearl turns.",
+        least=0,
+        most=0.5,
+        source="trade, nuclei of freshwater shell; the share is **(ours)**",
+    )
+    nucleus_band_mm: float = quantity(
+        0.8,
+        "From one dark band to the next.",
+        least=0.1,
+        most=10,
+        unit="mm",
+        source="**(ours)**",
+    )

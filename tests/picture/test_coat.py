@@ -113,3 +113,18 @@ def test_same_seed_same_bytes_and_another_seed_another_pearl() -> None:
 
     assert np.array_equal(seen(3), seen(3))
     assert abs(seen(3) - seen(4)).max() > 0.01
+
+
+def test_bands_of_the_nucleus_show_through_thin_nacre_alone() -> None:
+    def contrast(nacre_mm: float) -> float:
+        def inside(bands: float) -> np.ndarray:
+            body = {"nacre_mm": nacre_mm, "nucleus_bands": bands}
+            pearl = Pearl(nacre={"preset": "akoya-rg-1.0"}, body=body, grain=0.0)
+            return nc.render(pearl, "north-window-black", size=64, samples=4).layers["diffuse"]
+
+        ratio = inside(0.3)[24:40, 24:40] / inside(0.0)[24:40, 24:40]
+        return float(ratio.std() / ratio.mean())
+
+    thin, thick = contrast(0.1), contrast(3.0)
+    assert thin > 0.02
+    assert thick < 0.2 * thin

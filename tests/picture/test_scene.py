@@ -211,7 +211,8 @@ def test_the_command_takes_several_pearls(
     )
     texts = nc.file.read_png_text("pearl.png")
     assert 'name = "akoya-g"' in texts["nacreous:pearl.1"]
-    assert cli.main([*arguments, "--scene", "paper"]) == 2
+    elsewhere = [*arguments[:3], "--scene", "paper", *arguments[5:]]
+    assert cli.main(elsewhere) == 2
     assert "has a place for one pearl, not 2" in capsys.readouterr().err
 
 

@@ -125,3 +125,18 @@ def test_the_overtone_of_a_black_pearl_covers_it_beyond_the_lamps_image() -> Non
 
     assert share(nc.load("tahitian").surface.waviness_rad) > 0.5
     assert share(0.0) < 0.2
+
+
+def test_the_overtone_of_a_peacock_pearl_changes_its_hue_from_centre_to_rim() -> None:
+    image = nc.render("tahitian", "north-window-black", size=160)
+    middle = np.arange(160) - 79.5
+    radius = np.hypot(middle[:, None], middle) / (160 / 3)
+    xyz = nc.colour.xyz_from_rgb(image.linear.astype(float))
+    lightness, a, b = np.moveaxis(nc.colour.lab_from_xyz(xyz, nc.colour.white_xyz("D65")), -1, 0)
+
+    def hue_deg(where: np.ndarray) -> float:
+        seen = where & (lightness < 60.0)
+        return float(np.degrees(np.arctan2(b[seen].mean(), a[seen].mean())))
+
+    turn = hue_deg(radius < 0.4) - hue_deg((radius > 0.75) & (radius < 0.98))
+    assert abs((turn + 180) % 360 - 180) > 60

@@ -4,6 +4,7 @@ pub(crate) mod blemish;
 pub(crate) mod fields;
 pub(crate) mod layout;
 pub(crate) mod local;
+pub(crate) mod nucleus;
 pub(crate) mod outer;
 pub(crate) mod pose;
 pub(crate) mod spots;

@@ -26,6 +26,7 @@ mod view;
 
 pub use coat::blemish::{Blemishes, Kind as BlemishKind};
 pub use coat::local::Local;
+pub use coat::nucleus::NucleusBands;
 pub use coat::outer::{Coat, CoatParameters};
 pub use coat::pose::Pose;
 pub use iridescence::by_angle::ByAngle;

@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * a6ecaa801a179b2356edb10f6ad01fa6025939d60631a7a11fff2d045e1745a7
+ * 550fdd2b69931464134a79de7f57a223a6e19ab37630b279af34d38d4a552918
  */
 
 /**
@@ -67,6 +67,14 @@ export interface Body {
    * Reflectance of the nucleus for light that is inside, as the sRGB of a matt surface. Allowed: "#rrggbb", six hexadecimal digits of sRGB. Source: **(ours)**; a bead of shell, 0.97: its own surface not counted.
    */
   nucleus?: string;
+  /**
+   * How much darker the dark bands of the nucleus are than its colour; they show through thin nacre, and blink as the pearl turns. Allowed: 0 to 0.5. Source: trade, nuclei of freshwater shell; the share is **(ours)**.
+   */
+  nucleus_bands?: number;
+  /**
+   * From one dark band to the next. Allowed: 0.1 to 10 mm. Source: **(ours)**.
+   */
+  nucleus_band_mm?: number;
 }
 /**
  * Where the picture is taken from, how wide it is and how bright.

@@ -112,7 +112,7 @@ impl Blemish {
             slope: slope * seen,
             fine_slope2: slope.length_squared() * (1.0 - seen * seen),
             thickness: 1.0 + sense * THICKER * below * below,
-            chalk: 0.0,
+            ..Local::EVEN
         })
     }
 

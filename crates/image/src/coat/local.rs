@@ -16,12 +16,14 @@ pub struct Local {
     pub thickness: f64,
     /// Share of chalk: matt, without layers.
     pub chalk: f64,
+    /// Factor on light from inside.
+    pub inside: f64,
 }
 
 impl Local {
     /// As everywhere on an even pearl.
     pub const EVEN: Self =
-        Self { slope: DVec3::ZERO, fine_slope2: 0.0, thickness: 1.0, chalk: 0.0 };
+        Self { slope: DVec3::ZERO, fine_slope2: 0.0, thickness: 1.0, chalk: 0.0, inside: 1.0 };
 
     /// Both at the same place.
     #[must_use]
@@ -31,6 +33,7 @@ impl Local {
             fine_slope2: self.fine_slope2 + other.fine_slope2,
             thickness: self.thickness * other.thickness,
             chalk: 1.0 - (1.0 - self.chalk) * (1.0 - other.chalk),
+            inside: self.inside * other.inside,
         }
     }
 

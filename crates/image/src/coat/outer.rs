@@ -10,6 +10,7 @@ use crate::coat::{
     fields::Fields,
     layout::layout,
     local::Local,
+    nucleus::{NucleusBands, Slices},
     pose::Pose,
     spots::Spots,
     terraces::Terraces,
@@ -40,6 +41,8 @@ pub struct CoatParameters {
     pub step_mm: f64,
     /// Pits, bumps and the like.
     pub blemishes: Blemishes,
+    /// What shows of the nucleus.
+    pub nucleus: NucleusBands,
 }
 
 /// What a pearl's outer layers are like at every place.
@@ -49,6 +52,7 @@ pub struct Coat {
     fields: Option<Fields>,
     terraces: Option<Terraces>,
     spots: Option<Spots>,
+    slices: Option<Slices>,
 }
 
 /// The fields, by number.
@@ -65,7 +69,9 @@ const FRONT_RADII: f64 = 0.6;
 impl CoatParameters {
     /// Whether it is the same everywhere.
     pub fn is_even(&self) -> bool {
-        !self.has_fields() && self.blemishes.counts.iter().all(|(_, count)| *count == 0)
+        !self.has_fields()
+            && self.nucleus.contrast <= 0.0
+            && self.blemishes.counts.iter().all(|(_, count)| *count == 0)
     }
 
     /// Whether the layers' thickness differs, and by how large a share at most.
@@ -94,12 +100,14 @@ impl Coat {
         });
         let placed = layout(&made_from.blemishes, radius_mm);
         let spots = (!placed.is_empty()).then(|| Spots::new(placed, radius_mm));
-        Self { made_from, fields, terraces, spots }
+        let bands = made_from.nucleus;
+        let slices = (bands.contrast > 0.0).then(|| Slices::new(bands, made_from.seed));
+        Self { made_from, fields, terraces, spots, slices }
     }
 
     /// Whether it is the same everywhere.
     pub(crate) fn is_even(&self) -> bool {
-        self.fields.is_none() && self.spots.is_none()
+        self.fields.is_none() && self.spots.is_none() && self.slices.is_none()
     }
 
     /// Whether it may have edges as fine as a pixel.
@@ -129,6 +137,9 @@ impl Coat {
                 let here = blemish.at(own, self.made_from.radius_mm, footprint_mm);
                 local = here.map_or(local, |here| local.and(here));
             }
+        }
+        if let Some(slices) = &self.slices {
+            local.inside = slices.at(own, self.made_from.radius_mm, footprint_mm);
         }
         Local { slope: self.scene(local.slope), ..local }
     }

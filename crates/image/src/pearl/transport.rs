@@ -59,6 +59,7 @@ impl Transport {
     pub(crate) fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let film = self.response.films().place(sight.local.thickness);
         let (whole, plain) = self.subsurface.radiance(sight.outward, sight.hit.cos_view, film);
+        let [whole, plain] = [whole, plain].map(|light| rgb::scaled(light, sight.local.inside));
         let mut mirror = [0.0; 3];
         for reflection in &self.reflections {
             rgb::add(&mut mirror, reflection.light(surroundings, sight, film));

@@ -1,8 +1,12 @@
 //! What differs from place to place on a pearl, and how many films tell it apart.
 
-use nacreous_image::{BlemishKind, Blemishes, CoatParameters, Pose};
+use nacreous_image::{BlemishKind, Blemishes, CoatParameters, NucleusBands, Pose};
 
-use crate::spec::pearl::{CoatSpec, PearlSpec, PoseSpec, TransportSpec};
+use super::body::bands_left;
+use crate::{
+    RenderError,
+    spec::pearl::{CoatSpec, PearlSpec, PoseSpec, TransportSpec},
+};
 
 /// Films for layers of different thickness lie so far apart, as a share of it **(ours)**: 11 nm at green, a quarter of
 /// the width of a band in the colours of ordered nacre.
@@ -21,10 +25,14 @@ pub(crate) fn thickness_of(films: usize) -> impl Iterator<Item = f64> {
 }
 
 /// What a pearl's coat is made from; `None` where it is the same everywhere and turned as it grew.
-pub(crate) fn parameters_of(pearl: &PearlSpec) -> Option<CoatParameters> {
-    let PearlSpec::Transport(pearl) = pearl else { return None };
-    let coat = coat_of(pearl);
-    (!coat.is_even() || pearl.pose != PoseSpec::default()).then_some(coat)
+///
+/// # Errors
+/// [`RenderError`] for a body or layers that cannot be.
+pub(crate) fn parameters_of(pearl: &PearlSpec) -> Result<Option<CoatParameters>, RenderError> {
+    let PearlSpec::Transport(pearl) = pearl else { return Ok(None) };
+    let mut coat = coat_of(pearl);
+    coat.nucleus.contrast = bands_left(pearl)?;
+    Ok((!coat.is_even() || pearl.pose != PoseSpec::default()).then_some(coat))
 }
 
 fn coat_of(pearl: &TransportSpec) -> CoatParameters {
@@ -57,5 +65,6 @@ fn coat_of(pearl: &TransportSpec) -> CoatParameters {
             area: blemishes.area,
             seed: seed(blemishes.seed),
         },
+        nucleus: NucleusBands { contrast: 0.0, band_mm: pearl.body.nucleus_band_mm },
     }
 }

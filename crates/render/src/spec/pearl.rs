@@ -100,6 +100,10 @@ pub struct BodySpec {
     pub scattering_per_mm: f64,
     /// Reflectance of the nucleus, as a colour under D65.
     pub nucleus: Colour,
+    /// How much darker the dark bands of the nucleus are than the light ones.
+    pub nucleus_bands: f64,
+    /// From one dark band to the next.
+    pub nucleus_band_mm: f64,
 }
 
 /// How far light travels below the film.

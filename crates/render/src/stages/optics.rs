@@ -211,7 +211,8 @@ impl OpticsStage {
         pearls: &[PearlSpec],
         work: &Work<'_>,
     ) -> Result<Option<Vec<Option<Arc<Coat>>>>, RenderError> {
-        let made_from: Vec<_> = pearls.iter().map(coat_parameters_of).collect();
+        let made_from: Vec<Option<CoatParameters>> =
+            pearls.iter().map(coat_parameters_of).collect::<Result<_, _>>()?;
         let keys = made_from.iter().flatten().cloned().collect();
         let make = |key: &CoatParameters| {
             work.piece(|_| Ok::<_, RenderError>(Some(Coat::new(key.clone()))))
