@@ -33,6 +33,11 @@ _WEBP_QUALITY = 95
 #: Pictures that the palette of a GIF is found from, spread over the turn.
 _PALETTE_FRAMES = 8
 
+#: Browsers play a GIF's frames of less than 0.02 s as if they were of 0.1 s.
+_MOST_GIF_FPS = 50
+#: Of all frames of an animated picture, which Pillow holds at once in 3 bytes each **(ours)**.
+_MOST_PIXELS = 1_000_000_000
+
 #: The kinds of file that move.
 ENDINGS = (".png", ".gif", ".webp", *_VIDEO)
 
@@ -60,6 +65,7 @@ def check_place(place: Path, size: int) -> None:
 
 def keep(place: Path, laid: Plan, fps: int, progress: Progress | None) -> int:
     """Render all frames and write the file, whole or not at all; how many frames that were."""
+    _check_amount(place, laid, fps)
     pictures = (image.render_recipe(made, show) for made, show in shares(laid.recipes, progress))
     ending = place.suffix.lower()
     with file.atomic(place) as temporary:
@@ -68,6 +74,20 @@ def keep(place: Path, laid: Plan, fps: int, progress: Progress | None) -> int:
         else:
             _WRITERS[ending](temporary, pictures, len(laid.recipes), fps)
     return len(laid.recipes)
+
+
+def _check_amount(place: Path, laid: Plan, fps: int) -> None:
+    """Refuse what no browser plays as fast, and more than fits into memory."""
+    ending = place.suffix.lower()
+    if ending == ".gif" and fps > _MOST_GIF_FPS:
+        raise InputError(f"fps is {fps}; allowed for .gif: 1 to {_MOST_GIF_FPS}")
+    count, size = len(laid.recipes), laid.size
+    if ending not in _VIDEO and count * size * size > _MOST_PIXELS:
+        raise InputError(
+            f"{place}: {count} frames of {size} x {size} are {count * size * size / 1e6:.0f} "
+            f"megapixels; allowed for {ending}: {_MOST_PIXELS / 1e6:.0f}; a folder or a video "
+            "takes more"
+        )
 
 
 def _codes(picture: Image) -> NDArray[np.uint8]:
@@ -144,16 +164,20 @@ _WRITERS: dict[str, Callable[[Path, Iterator[Image], int, int], None]] = {
 
 
 def _check_video(place: Path, size: int) -> None:
-    """PyAV must be there, and brightness goes by pixel but colour by squares of four."""
+    """PyAV must be there with its encoder; colours are kept by squares of four pixels."""
+    if whole_of("size", size, 1, 8192) % 2:
+        raise InputError(f"size is {size}; allowed for {place.suffix}: an even number")
+    without = "allowed without it: .png, .gif, .webp or a folder"
     try:
-        import av  # noqa: F401
+        import av
     except ImportError:
         raise InputError(
             f"{place}: video needs PyAV, which is not installed:   pip install 'nacreous[video]'; "
-            "allowed without it: .png, .gif, .webp or a folder"
+            f"{without}"
         ) from None
-    if whole_of("size", size, 1, 8192) % 2:
-        raise InputError(f"size is {size}; allowed for {place.suffix}: an even number")
+    encoder = _VIDEO[place.suffix.lower()][0]
+    if encoder not in av.codecs_available:
+        raise InputError(f"{place}: the PyAV here has no {encoder}; {without}")
 
 
 def _write_video(place: Path, codes: Iterator[NDArray[np.uint8]], size: int, fps: int) -> None:

@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -180,9 +181,29 @@ def test_video_without_its_encoder_and_of_odd_size_is_refused(
     monkeypatch.setitem(sys.modules, "av", None)
     with pytest.raises(nc.InputError, match=r"not installed:   pip install 'nacreous\[video\]'"):
         moving.check_place(tmp_path / "a.mp4", 64)
-    monkeypatch.setitem(sys.modules, "av", sys)
     with pytest.raises(nc.InputError, match=r"size is 65; allowed for \.mp4: an even number"):
         moving.check_place(tmp_path / "a.mp4", 65)
+    monkeypatch.setitem(sys.modules, "av", SimpleNamespace(codecs_available={"libvpx-vp9"}))
+    with pytest.raises(nc.InputError, match=r"the PyAV here has no libx264; allowed without it"):
+        moving.check_place(tmp_path / "a.mp4", 64)
+
+
+def test_what_no_browser_plays_and_no_memory_holds_is_refused(tmp_path: Path) -> None:
+    for name, arguments, told in (
+        ("a.gif", {"fps": 51}, "fps is 51; allowed for .gif: 1 to 50"),
+        ("a.webp", {"fps": 61}, "fps is 61; allowed: a whole number, 1 to 60"),
+        ("a.png", {"count": 16, "size": 8192}, "16 frames of 8192 x 8192 are 1074 megapixels"),
+    ):
+        with pytest.raises(nc.InputError) as caught:
+            nc.turn.save(tmp_path / name, PATCHED, ROOM, **arguments)  # type: ignore[arg-type]
+        assert told in str(caught.value)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_pillow_without_webp_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("PIL.features.check", lambda feature: False)
+    with pytest.raises(nc.InputError, match=r"writes no WebP; allowed: \.png or \.gif"):
+        moving.check_place(tmp_path / "a.webp", 16)
 
 
 NO_LIGHT = Scene(name="dark")
