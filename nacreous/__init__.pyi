@@ -13,6 +13,7 @@ from . import strand as strand
 from . import study as study
 from . import texture as texture
 from . import trade as trade
+from . import turn as turn
 from .exposure import metered_exposure as metered_exposure
 from .image import Image as Image
 from .image import render as render

@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 #: Modules of `nacreous.commands`, in the order of the help page.
 COMMANDS = (
     "render",
+    "turn",
     "grow",
     "sheets",
     "paper",
@@ -36,6 +37,7 @@ _REPEATED = (argparse._AppendAction, argparse._StoreTrueAction)
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
+  nacreous turn tahitian         on a turntable, as turn.webp
   nacreous sheets out            families, pigments and scenes on contact sheets
   nacreous paper out             the paper's figures again, measured, on one page
   nacreous measure pearl.png     size, colour by ring and lamp's image in numbers

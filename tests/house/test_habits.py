@@ -29,6 +29,7 @@ MODULES = (
     "study",
     "texture",
     "trade",
+    "turn",
 )
 
 
