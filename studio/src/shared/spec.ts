@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 46c16bc7c072701019ae23d6d01a40acf79fa68c8fd6eb13dd0596312d123a42
+ * f3031f07c001378915ff21c8173de89070ee3b91997ea773287dcc3de39b56e9
  */
 
 /**
