@@ -1,15 +1,16 @@
-"""Which growths the paper of 1996 allows, and how bluish the interference colours are that they give.
+"""Which growths the paper of 1996 allows, and how bluish the colours are that they give.
 
     python benchmarks/paper_growth.py                  # the shares of docs/model.md, minutes
     python benchmarks/paper_growth.py --finalists 24   # the criteria of `nacreous paper` too
     python benchmarks/paper_growth.py --finalists 8 --sheet sheet.png
 
-Half of the candidates are drawn evenly over `RANGES`, half near the best so far. Each gets one row of
-a table in target/; a run that was stopped goes on where it ended, and the same seed and count give
-the same table. Figure 10 is measured: the interference component in the paper's scene, as the screen
-shows it. A point of the disc is bluish where its Lab hue is 170 to 290 degrees and its chroma is 5 or
-more. Finalists are the best two of each 5 nm of winter thickness; of these the picture of figure
-14 (a) is measured too, and `--sheet` shows both, one above the other.
+Half of the candidates are drawn evenly over `RANGES`, half near the best so far. Each gets one row
+of a table in target/; a run that was stopped goes on where it ended, and the same seed and count
+give the same table. Figure 10 is measured: the interference component in white light, as the screen
+shows it. A point of the disc is bluish where its Lab hue is 170 to 290 degrees and its chroma is 5
+or more. Finalists are the best two of each 5 nm of winter thickness; figures 10 and 14 (a) of these
+in the paper's scene are measured too, with what is bluish or violet (170 to 330 degrees) and green
+(100 to 170); `--sheet` shows both figures, one above the other.
 """
 
 from __future__ import annotations
@@ -35,6 +36,9 @@ Array = NDArray[np.float64]
 Row = tuple[float, ...]
 
 BLUISH_DEG = (170.0, 290.0)
+#: What is told of the presets and the finalists beside: to violet, and green.
+VIOLET_DEG = (170.0, 330.0)
+GREEN_DEG = (100.0, 170.0)
 LEAST_CHROMA = 5.0
 WHITE_XYZ = colour.xyz_from_rgb([1.0, 1.0, 1.0])
 RINGS = 128
@@ -42,7 +46,7 @@ RINGS = 128
 SEEDS = (1, 2, 3)
 #: How many of the best the second half of the candidates is drawn near to.
 NEAREST = 24
-SIZE_PX = 160
+SIZE_PX = 256
 
 
 class Range(NamedTuple):
@@ -68,8 +72,8 @@ RANGES = {
 COLUMNS = (*RANGES, "allowed", "bluish", "chroma", "arc_deg")
 #: From this day on every layer is a late one, under 500 nm (paper 3.2.1, autumn to winter) (ours).
 LATE, LATE_NM = dt.date(2001, 11, 1), 500.0
-#: Late layers are even (paper 3.2.1): the standard deviation in the outer 10 um, which is reported of
-#: pearls of strong teri as 10 to 20 nm (Pearl Science Laboratory).
+#: Late layers are even (paper 3.2.1): the standard deviation in the outer 10 um, which is reported
+#: of pearls of strong teri as 10 to 20 nm (Pearl Science Laboratory).
 EVEN_NM = 20.0
 
 
@@ -120,10 +124,10 @@ def rings(grown: Growth) -> Array:
     return np.asarray(0.9 * rgb / np.quantile(rgb.max(axis=1), 0.995))
 
 
-def bluish_share(lab: Array) -> float:
-    """Of Lab colours [n, 3], how many are bluish."""
+def share(lab: Array, between_deg: tuple[float, float] = BLUISH_DEG) -> float:
+    """Of Lab colours [n, 3], how many have a hue within bounds."""
     hue, chroma = _hue_and_chroma(lab)
-    least, most = BLUISH_DEG
+    least, most = between_deg
     return float(np.mean((hue >= least) & (hue <= most) & (chroma >= LEAST_CHROMA)))
 
 
@@ -139,7 +143,7 @@ def measured(grown: Growth) -> Row:
     hue, chroma = _hue_and_chroma(lab)
     met = np.sort(hue[chroma >= LEAST_CHROMA])
     arc = 360 - np.diff(met, append=met[0] + 360).max() if met.size else 0.0
-    return bluish_share(lab), float(np.median(chroma)), float(arc)
+    return share(lab), float(np.median(chroma)), float(arc)
 
 
 def over_seeds(grown: Growth) -> Row:
@@ -227,9 +231,13 @@ def criteria(grown: Growth) -> str:
 def tell(name: str, grown: Growth, with_criteria: bool) -> tuple[Image, Image]:
     """Print one line of a growth; the pictures behind it."""
     pictured = shown(grown)
-    disc = pictured[1].layers["coverage"][..., 0] == 1
-    shares = [f"{100 * bluish_share(component.lab(picture)[disc]):3.0f} %" for picture in pictured]
-    line = f"{name:12}{100 * over_seeds(grown)[0]:4.0f} %  pictures {' '.join(shares)}"
+    disc = pictured[1].layers["coverage"][..., 0] >= 0.5
+    told = []
+    for number, picture in zip(("10", "14 (a)"), pictured, strict=True):
+        lab = component.lab(picture)[disc]
+        shares = (f"{100 * share(lab, hue):.0f}" for hue in (BLUISH_DEG, VIOLET_DEG, GREEN_DEG))
+        told.append(f"figure {number}: {', '.join(shares)} %")
+    line = f"{name:12}{100 * over_seeds(grown)[0]:4.0f} %; {'; '.join(told)}"
     print(f"{line}  {criteria(grown) if with_criteria else ''}".rstrip(), flush=True)
     return pictured
 
@@ -251,12 +259,14 @@ def main() -> None:
     rows = scan(path, args.candidates, args.seed)
     best = _best(rows)
     print(f"{path}: {len(best)} of {len(rows)} are allowed; share of figure 10 that is bluish:")
-    print(f"median {100 * np.median([row[-3] for row in best]):.1f} %, most {100 * best[0][-3]:.1f} %")
+    print(
+        f"median {100 * np.median([row[-3] for row in best]):.1f} %, most {100 * best[0][-3]:.1f} %"
+    )
     before = Growth(preset="paper-green")
     print("winter thickness alone:", end="")
     for winter_nm in range(400, 500, 10):
-        share = over_seeds(before.replace(thickness_winter_nm=float(winter_nm)))[0]
-        print(f"  {winter_nm} nm {100 * share:.0f} %", end="")
+        bluish = over_seeds(before.replace(thickness_winter_nm=float(winter_nm)))[0]
+        print(f"  {winter_nm} nm {100 * bluish:.0f} %", end="")
     print()
     names = ("paper", "paper-green")
     pairs = [tell(name, Growth(preset=name), args.finalists > 0) for name in names]

@@ -65,8 +65,9 @@ def make(
     """Make figures 8 to 14 and the crops of figure 2, a page and a record, in the folder `path`.
 
     The folder is made; it may be empty or hold an earlier run. report: called with the finished
-    share. growth: what the nacre has instead of the preset's. All files are made or none. Same size, same bytes, on the same versions. Raises
-    `InputError` for a folder or a size that cannot be used.
+    share. growth: what the nacre has instead of the preset's, as `pictures.take` has it. All files
+    are made or none. Same size, same bytes, on the same versions. Raises `InputError` for a folder
+    or a size that cannot be used.
     """
     least, most = SIZES_PX
     whole = isinstance(size_px, Integral) and not isinstance(size_px, bool)

@@ -95,7 +95,7 @@ def take(size_px: int, report: Report, growth: Sequence[Override] = ()) -> Pictu
     growth: what its nacre has instead, such as [("nacre.season_days", 60)].
     """
     scene = Scene.load("paper")
-    shots = _Shots(scene, size_px, report, list(growth))
+    shots = _Shots(scene, size_px, report, growth)
     smooth, shallow, dull, grained = (
         shots.take(overrides(part), size_px, SAMPLES) for part in "abcd"
     )
@@ -144,7 +144,7 @@ class _Shots:
     """Renders one after the other and knows how much is done of them all."""
 
     def __init__(
-        self, scene: Scene, size_px: int, report: Report, growth: list[Override]
+        self, scene: Scene, size_px: int, report: Report, growth: Sequence[Override] = ()
     ) -> None:
         self._scene = scene
         self._growth = growth
