@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from numbers import Integral
 from pathlib import Path
@@ -28,6 +28,7 @@ from nacreous.paper import (
 from nacreous.paper.exhibit import Exhibit
 from nacreous.problem import InputError
 from nacreous.spec import Growth
+from nacreous.spec.override import Override
 
 __all__ = ["FILES", "MAKER", "SIZES_PX", "Paper", "make"]
 
@@ -56,13 +57,17 @@ class Paper:
 
 
 def make(
-    path: str | Path, size_px: int = 512, report: Callable[[float], None] | None = None
+    path: str | Path,
+    size_px: int = 512,
+    report: Callable[[float], None] | None = None,
+    growth: Sequence[Override] = (),
 ) -> Paper:
     """Make figures 8 to 14 and the crops of figure 2, a page and a record, in the folder `path`.
 
     The folder is made; it may be empty or hold an earlier run. report: called with the finished
-    share. All files are made or none. Same size, same bytes, on the same versions. Raises
-    `InputError` for a folder or a size that cannot be used.
+    share. growth: what the nacre has instead of the preset's, as `pictures.take` has it. All files
+    are made or none. Same size, same bytes, on the same versions. Raises `InputError` for a folder
+    or a size that cannot be used.
     """
     least, most = SIZES_PX
     whole = isinstance(size_px, Integral) and not isinstance(size_px, bool)
@@ -71,7 +76,7 @@ def make(
     size_px = int(size_px)
     show = report or (lambda _: None)
     with folder.whole(path, FILES, RECORD, MAKER) as temporary:
-        taken = pictures.take(size_px, lambda share: show(_RENDERING * share))
+        taken = pictures.take(size_px, lambda share: show(_RENDERING * share), growth)
         paper = Paper(_exhibits(temporary, taken, show), _settings(taken), _files(taken))
         (temporary / PAGE).write_text(page.html(paper), encoding="utf-8")
         record = json.dumps(_record(paper), ensure_ascii=False, indent=1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -89,10 +89,13 @@ def overrides(figure: str) -> list[Override]:
     }[figure]
 
 
-def take(size_px: int, report: Report) -> Pictures:
-    """Render the preset `paper` for all figures; `report` is called with the finished share."""
+def take(size_px: int, report: Report, growth: Sequence[Override] = ()) -> Pictures:
+    """Render the preset `paper` for all figures; `report` is called with the finished share.
+
+    growth: what its nacre has instead, such as [("nacre.season_days", 60)].
+    """
     scene = Scene.load("paper")
-    shots = _Shots(scene, size_px, report)
+    shots = _Shots(scene, size_px, report, growth)
     smooth, shallow, dull, grained = (
         shots.take(overrides(part), size_px, SAMPLES) for part in "abcd"
     )
@@ -115,7 +118,7 @@ def take(size_px: int, report: Report) -> Pictures:
     }
     close: list[Override] = [("camera.field_mm", PATCH_MM), ("camera.projection", "orthographic")]
     return Pictures(
-        pearl=Pearl.load("paper"),
+        pearl=Pearl.load("paper", list(growth)),
         scene=scene,
         size_px=size_px,
         smooth=smooth,
@@ -140,8 +143,11 @@ def _lamp_at(place_deg: tuple[float, float]) -> list[Override]:
 class _Shots:
     """Renders one after the other and knows how much is done of them all."""
 
-    def __init__(self, scene: Scene, size_px: int, report: Report) -> None:
+    def __init__(
+        self, scene: Scene, size_px: int, report: Report, growth: Sequence[Override] = ()
+    ) -> None:
         self._scene = scene
+        self._growth = growth
         self._report = report
         self._done = 0.0
         lamps = (1 + len(LAMPS_DEG)) * (size_px // 2) ** 2
@@ -155,7 +161,7 @@ class _Shots:
         samples: int,
         of_scene: list[Override] | None = None,
     ) -> Image:
-        pearl = Pearl.load("paper", of_pearl)
+        pearl = Pearl.load("paper", [*self._growth, *of_pearl])
         scene = Scene.load("paper", of_scene) if of_scene else self._scene
         rays = samples * size_px**2
         begin = self._done

@@ -64,7 +64,7 @@ class Growth(Nacre):
     """
 
     preset: Annotated[str, AfterValidator(_known)] = key(
-        "paper",
+        "paper-green",
         "The nacre preset whose values hold wherever this file gives none.",
         allowed="a name that `nacreous presets nacre` lists",
         source="nacreous presets nacre",

@@ -45,7 +45,7 @@ def summary(kind: str, name: str) -> str:
     """What the preset is, in one line: the first comment of its file.
 
     >>> summary("pearl", "paper")
-    'The pearl of 1996: every number is the default of the paper model.'
+    "The pearl of 1996: bluish rainbow colours, by a growth within the paper's ranges."
     """
     return text(kind, name).partition("\n")[0].removeprefix("#").strip()
 

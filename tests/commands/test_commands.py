@@ -360,7 +360,7 @@ def test_the_table_of_grow_is_the_stack_from_the_nucleus_outward(folder: Path) -
     np.testing.assert_array_equal(thickness_nm, stack.thickness_nm[::-1])
     tops_um = np.concatenate([[0], np.cumsum(stack.thickness_nm + 20)[:-1]]) / 1000
     np.testing.assert_allclose([float(row["depth_um"]) for row in rows], tops_um[::-1], atol=1e-4)
-    dates = diary(Growth(seed=7)).date
+    dates = diary(Growth(preset="paper", seed=7)).date
     assert [row["date"] for row in rows] == [f"{date:%m-%d}" for date in dates]
 
 

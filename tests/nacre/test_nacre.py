@@ -265,7 +265,7 @@ def test_growth_is_bell_curves_plus_uniform_noise(growth: Growth) -> None:
 
 
 def test_the_stack_counts_from_the_surface_and_the_diary_from_the_nucleus() -> None:
-    grown = diary(Growth(seed=7))
+    grown = diary(Growth(preset="paper", seed=7))
     np.testing.assert_array_equal(nc.grow("paper", seed=7).thickness_nm, grown.thickness_nm[::-1])
 
 
@@ -277,18 +277,25 @@ def test_same_seed_same_bytes_other_seed_other_layers() -> None:
 
 def test_the_paper_season_stays_within_its_ranges() -> None:
     """400 to 700 nm and 1 to 3 layers a day, each widened by its noise."""
-    grown = diary(Growth(seed=7))
-    assert 380 <= grown.thickness_nm.min() < 420
-    assert 680 < grown.thickness_nm.max() <= 720
-    a_day = [grown.date.count(date) for date in dict.fromkeys(grown.date)]
-    assert min(a_day) == 1
-    assert max(a_day) == 3
+    for name in ("paper", "paper-green"):
+        growth = Growth(preset=name, seed=7)
+        grown = diary(growth)
+        noise_nm = growth.thickness_noise_nm
+        assert 400 - noise_nm <= grown.thickness_nm.min() < 500
+        assert 700 - noise_nm < grown.thickness_nm.max() <= 700 + noise_nm
+        a_day = [grown.date.count(date) for date in dict.fromkeys(grown.date)]
+        assert min(a_day) == 1
+        assert max(a_day) == 3
 
 
 def test_winter_lays_thin_even_layers_outside_and_summer_harvest_thick_ones() -> None:
     """Paper 3.2.1: below 500 nm only in late autumn and winter, hence harvest in December."""
     for seed in range(5):
-        assert nc.grow("paper", seed=seed).outer(10)[1] < 500
+        for name in ("paper", "paper-green"):
+            assert nc.grow(name, seed=seed).outer(10)[1] < 500
+        grown = diary(Growth(preset="paper", seed=seed))
+        late = [date.month >= 11 for date in grown.date]
+        assert grown.thickness_nm[late].max() < 500
         summer = nc.grow("paper-summer-harvest", seed=seed)
         assert summer.thickness_nm[0] > 600
         assert summer.outer(10)[1] > 600

@@ -1,4 +1,4 @@
-"""Fingerprints of pictures: 12 pearls in all scenes, small, by hash and mean of each part.
+"""Fingerprints of pictures: 13 pearls in all scenes, small, by hash and mean of each part.
 
     python -m tests.picture.fingerprint      writes tests/golden/pictures.csv and recipes/ anew
 
@@ -22,6 +22,7 @@ SIZE_PX = 24
 #: Both models, every pigment, thin nacre, weak and strong families, satin and mirror.
 PEARLS = (
     "paper",
+    "paper-green",
     "paper-summer-harvest",
     "akoya-r",
     "akoya-rg",

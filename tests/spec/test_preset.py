@@ -22,8 +22,8 @@ from tests.spec.keys import (
 
 def test_a_folder_does_not_hide_the_preset_of_its_name(tmp_path: Path, monkeypatch: Any) -> None:
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "paper").mkdir()
-    assert Pearl.load("paper") == Pearl(name="paper", model="illuminant")
+    (tmp_path / "paper-green").mkdir()
+    assert Pearl.load("paper-green") == Pearl(name="paper-green", model="illuminant")
 
 
 def test_an_existing_file_wins_over_the_preset_of_its_name(
@@ -52,11 +52,21 @@ def test_every_preset_is_valid_and_says_what_it_is(kind: str) -> None:
         assert 20 <= len(preset.summary(kind, name)) <= 100
 
 
-def test_the_preset_paper_is_the_default_of_every_key() -> None:
-    assert preset.values("nacre", "paper") == {
+def test_the_preset_paper_green_is_the_default_of_every_key() -> None:
+    assert preset.values("nacre", "paper-green") == {
         key: value for key, value in Growth().model_dump().items() if key not in ("preset", "seed")
     }
-    assert Pearl.load("paper") == Pearl(name="paper", model="illuminant")
+    assert Pearl.load("paper-green") == Pearl(name="paper-green", model="illuminant")
+
+
+def test_paper_and_paper_green_differ_in_their_growth_alone() -> None:
+    green = Pearl.load("paper-green").replace(name="paper")
+    assert Pearl.load("paper") == green.replace(nacre=Growth(preset="paper"))
+
+
+def test_the_summer_harvest_is_paper_harvested_in_august() -> None:
+    summer = Growth(preset="paper-summer-harvest").replace(preset="paper")
+    assert summer == Growth(preset="paper", harvest="08-15")
 
 
 def test_akoya_is_akoya_rg() -> None:

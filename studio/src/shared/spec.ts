@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 550fdd2b69931464134a79de7f57a223a6e19ab37630b279af34d38d4a552918
+ * 8557cba7946e1a13f4f49fb1ab13740bef25a36195ee77a5dca1deb793b783df
  */
 
 /**
