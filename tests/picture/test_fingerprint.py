@@ -40,7 +40,7 @@ def test_pictures_are_those_on_file(scene):
 
 
 def test_paper_green_is_the_paper_pearl_of_before():
-    """Until its growth became bluish, `paper` had these in all scenes but that with masters beside it."""
+    """Until its growth became bluish, `paper` had these in the scenes where it lies alone."""
     before = "fe6e9ea431d65acb ce726d6f66efbf45 f5d0aa564b400bc3 123bba0cbdd58a79 984b83ed868064a4"
     alone = [scene for scene in SCENES if scene != "two-tier"]
     assert [golden()["paper-green", scene].digest for scene in alone] == before.split()
