@@ -101,11 +101,13 @@ def _words() -> list[list[Tile]]:
 
 def _coats() -> list[list[Tile]]:
     """What differs from place to place: thickness, relief, kinds of blemishes."""
-    thickness = [("even", []), ("patches .05", [("coat.thickness_spread", "0.05")])]
+    none = [("coat.thickness_spread", "0"), ("coat.banding", "0")]
+    patches = [("coat.thickness_spread", "0.05"), ("coat.banding", "0")]
+    thickness = [("even", none), ("patches .05", patches)]
     thickness += [
         (
             f"bands {share}",
-            [*thickness[1][1], ("coat.banding", f"{share}"), ("coat.patch_mm", "1.5")],
+            [*patches, ("coat.banding", f"{share}"), ("coat.patch_mm", "1.5")],
         )
         for share in (0.5, 1.0)
     ]
