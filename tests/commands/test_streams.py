@@ -196,7 +196,7 @@ def test_bash_completes_a_command_and_a_file() -> None:
     Path("completion.sh").write_bytes(run("completion", "bash").stdout)
     asked = """
         source ./completion.sh
-        COMP_WORDS=(nacreous st); COMP_CWORD=1; _shtab_nacreous; echo "${COMPREPLY[@]}"
+        COMP_WORDS=(nacreous stu); COMP_CWORD=1; _shtab_nacreous; echo "${COMPREPLY[@]}"
         COMP_WORDS=(nacreous render m); COMP_CWORD=2; _shtab_nacreous; echo "${COMPREPLY[@]}"
     """
     done = subprocess.run(["bash", "-c", asked], capture_output=True, text=True, check=True)
