@@ -51,9 +51,9 @@ def turned(what: str, pearl: Pearl, scene: Scene, angle_deg: float) -> _Pair:
 
 
 def alike(pearl: Pearl) -> bool:
-    """Whether a pearl looks the same from all sides: no grain, no coat, no blemishes.
+    """Whether a pearl looks the same from all sides: no grain, no coat, no blemishes, no bands.
 
-    >>> alike(Pearl.load("tahitian")), alike(Pearl.load("tahitian", {"grain": 0}))
+    >>> alike(Pearl.load("akoya-rg")), alike(Pearl.load("akoya-rg", {"grain": 0}))
     (False, True)
     """
     keys = _core.resolved_keys(pearl.model_dump_json())
@@ -62,7 +62,7 @@ def alike(pearl: Pearl) -> bool:
     coat, marks = pearl.coat, pearl.blemishes
     varied = (coat.thickness_spread, coat.hammering_rad, coat.terrace_um)
     counts = (marks.pits, marks.bumps, marks.scratches, marks.wrinkles, marks.chalky_spots)
-    return not any((*grains, *varied, *counts))
+    return not any((*grains, *varied, *counts, pearl.body.nucleus_bands))
 
 
 def _pearl(pearl: Pearl, scene: Scene, angle_deg: float) -> _Pair:

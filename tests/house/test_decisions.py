@@ -30,6 +30,11 @@ JUSTIFIED = {
     ("nacreous/paper/sight.py", "position_mm"),
     ("nacreous/paper/sight.py", "distance_mm"),
     ("nacreous/paper/circle.py", "distance_mm"),
+    # Lights that go round the pearl go from where they stand: a light in no place is refused before.
+    ("nacreous/turn/motion.py", "azimuth_deg"),
+    ("nacreous/turn/motion.py", "elevation_deg"),
+    ("nacreous/turn/motion.py", "position_mm"),
+    ("nacreous/turn/motion.py", "facing"),
 }
 
 
