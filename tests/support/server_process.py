@@ -152,7 +152,8 @@ def served(
 def _serving(
     folder: Path, options: tuple[str, ...], place: str | None, program: str, temporary: str
 ) -> Iterator[Served]:
-    command = [sys.executable, program, "study", "serve", str(folder), "--port", "0", *options]
+    port = () if "--port" in options else ("--port", "0")
+    command = [sys.executable, program, "study", "serve", str(folder), *port, *options]
     process = subprocess.Popen(
         [*command, *(("--store", place) if place else ())],
         stdin=subprocess.DEVNULL,
