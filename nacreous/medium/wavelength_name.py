@@ -45,6 +45,16 @@ def nm_per_unit(name: str) -> float:
     return 1.0 if found["nm"] else 1e3
 
 
+def stated_unit(name: str) -> float | None:
+    """The same where the name says a unit, with or without a word before it; else None.
+
+    >>> stated_unit("[nm]"), stated_unit("wl")
+    (1.0, None)
+    """
+    found = _found(name)
+    return nm_per_unit(name) if found and (found["nm"] or found["um"]) else None
+
+
 def _found(name: str) -> re.Match[str] | None:
     found = _NAME.fullmatch(normalize("NFKC", name).strip().casefold())
     return found if found and (found["word"] or found["um"] or found["nm"]) else None

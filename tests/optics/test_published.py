@@ -420,7 +420,9 @@ def test_an_index_that_cannot_be_is_refused_where_it_is_asked(tmp_path: Path) ->
         InputError, match=r"n is -1.5 at 500 nm in the medium's file; allowed: above"
     ):
         medium.read(written(tmp_path, text, "below.yml"))(500.0)
-    noisy = medium.read(written(tmp_path, "wl,n,k\n0.4,-6,0\n0.5,1.5,0\n0.6,1.5,-1e-6\n", "a.csv"))
+    text = "DATA:\n  - type: tabulated nk\n    data: |\n"
+    text += "      0.4 -6 0\n      0.5 1.5 0\n      0.6 1.5 -1e-6\n"
+    noisy = medium.read(written(tmp_path, text))
     assert noisy(500.0) == 1.5
     for nm, message in ((400.0, "n is -6 at 400 nm"), (600.0, "k is -1e-06 at 600 nm")):
         with pytest.raises(InputError, match=message):

@@ -78,6 +78,9 @@ def test_marked_trials_do_not_count_where_a_person_has_others(
     ("heads", "rows", "named", "other"),
     [
         ("Email Address", "m@x,A,B|n@x,B,C|m@x,A,C", "Email Address", ""),
+        ("Your name", "m,A,B|n,B,C|m,A,C", "Your name", ""),
+        ("氏名", "m,A,B|n,B,C|m,A,C", "氏名", ""),
+        ("id", "m,A,B|n,B,C|m,A,C", "id", ""),
         ("ResponseId,PROLIFIC_PID", "R1,p,A,B|R2,q,B,C|R3,p,A,C", "PROLIFIC_PID", "ResponseId"),
     ],
 )
