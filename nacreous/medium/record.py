@@ -45,8 +45,8 @@ def parts_of_yaml(text: str) -> tuple[Parts, str]:
     except InputError:
         raise
     except TooDeepError as problem:
-        line = text[: problem.position].count("\n") + 1
-        raise InputError(f"line {line}: {problem}") from None
+        at = text[: problem.position].count("\n") + 1
+        raise InputError(f"line {at}: {problem}") from None
     except (yaml.YAMLError, RecursionError, ValueError) as problem:
         line = getattr(getattr(problem, "problem_mark", None), "line", None)
         place = "" if line is None else f" in line {line + 1}"

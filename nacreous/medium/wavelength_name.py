@@ -9,7 +9,7 @@ from nacreous.number import said
 from nacreous.problem import InputError
 
 _WORDS = (
-    r"wl|wvl|wave|wave[ _-]?lengths?|(?:lambda|\u03bb)(?:[ _]?0)?|wellenl(?:\u00e4|ae)ngen?"
+    r"wl|wvl|wave|wave[ _-]?lengths?|(?:lambda|lam|\u03bb)(?:[ _]?0)?|wellenl(?:\u00e4|ae)ngen?"
     r"|longueurs? d['\u2019]onde|longitud(?:es)? de onda|lunghezz[ae] d['\u2019]onda|\u6ce2\u9577"
 )
 _UM = r"um|\u03bcm|microns?|micro-?met(?:er|re)s?|mikrometer"

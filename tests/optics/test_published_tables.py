@@ -104,7 +104,7 @@ def test_media_are_read_in_the_encodings_of_spectra(tmp_path: Path, encoding: st
 
 
 @pytest.mark.parametrize("units", ["nm,1,1", "[nm],[],[]", "(nm),(-),(-)", "nm,,", "nm"])
-@pytest.mark.parametrize("names", ["wl,n,k", "wavelength (nm),n,k"])
+@pytest.mark.parametrize("names", ["wl,n,k", "wavelength (nm),n,k", "lam/nm,refractive_index,k"])
 def test_a_row_of_units_below_the_names_is_read(tmp_path: Path, names: str, units: str) -> None:
     found = medium.read(written(tmp_path, f"{names}\n{units}\n400,1.5,0.1\n700,1.4,0\n", "a.csv"))
     assert (found.first_nm, found.last_nm, found(400)) == (400, 700, 1.5 + 0.1j)
