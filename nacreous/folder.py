@@ -81,7 +81,7 @@ def _made_by(record: Path, maker: str) -> bool:
         if not record.is_file():  # nobody waits for a pipe
             return False
         content = json.loads(record.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return False
     return isinstance(content, dict) and content.get("made_by") == maker
 

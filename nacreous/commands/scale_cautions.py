@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nacreous.scaling.data.exclusion import may_exclude
 from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.practice import may_mark
 from nacreous.scaling.data.spreadsheet_date import made_dates
@@ -48,11 +49,17 @@ def _unit(found: Analysis) -> list[str]:
 
 
 def _marks(found: Analysis) -> list[str]:
-    """Columns that may mark practice or catch trials, and whose rows all count."""
+    """Columns that may mark practice, catch trials or exclusions, and whose rows all count."""
     groups = {} if found.answers is None else found.answers.groups
     return [
         f"caution: column {quoted(name)} may mark practice or catch trials, and holds "
         f"{listed(group.levels, 3)}; all these rows count (remove those that should not)"
         for name, group in groups.items()
         if may_mark(name, group.levels)
+    ] + [
+        f"caution: column {quoted(name)} may say which rows are no good, and holds "
+        f"{listed(group.levels, 3)}; all these rows count (remove those that should not, or call "
+        "the column excluded)"
+        for name, group in groups.items()
+        if may_exclude(name, group.levels)
     ]

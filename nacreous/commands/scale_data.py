@@ -26,6 +26,8 @@ _OF_ANSWERS = (
     "skip_unanswered",
     "encoding",
 )
+#: Columns that the table of people of a study's export has.
+_OF_PEOPLE = frozenset({"person", "excluded", "simulated", "answers", "trials", "entered_at"})
 
 
 def data_of(args: argparse.Namespace) -> Any:
@@ -80,10 +82,16 @@ def _exported(args: argparse.Namespace) -> Answers | None:
 
 def _may_be_export(path: str) -> bool:
     """Whether it is worth a second to load what reads exports, the store's database included."""
+    from nacreous.problem import InputError
     from nacreous.scaling.data.table import column_names
     from nacreous.study.task.counting import HEEDED
 
     names = {name.casefold() for name in column_names(path, [HEEDED])}
+    if names >= _OF_PEOPLE and not names & {"left", "kind"}:
+        raise InputError(
+            f"{path}: is the table of people of a study's export; wanted: the table of answers, as "
+            "`nacreous study export -o answers.csv` writes it"
+        )
     return len(names.intersection(HEEDED)) > 1  # of an export without one of them it is said
 
 

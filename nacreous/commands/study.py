@@ -7,6 +7,8 @@ import time
 
 from nacreous.commands import study_demo, study_entry, study_report, study_serve, study_store
 from nacreous.commands.terminal import say
+from nacreous.problem import InputError
+from nacreous.stream import STREAM
 
 _EXAMPLES = """\
 examples:
@@ -63,6 +65,11 @@ def new(args: argparse.Namespace) -> int:
     from nacreous.study.design.outside import files_outside
     from nacreous.study.plan import repetitions, trials
 
+    if args.study == STREAM:
+        raise InputError(
+            "study is -, and standard input has no folder for the files that a study names; "
+            "allowed: a study file, or a preset's name"
+        )
     output = args.output or f"{Path(args.study).stem}-study"
     shown = trials(Design.load(args.study), 0)  # what cannot be planned is not frozen
     begin = time.monotonic()

@@ -30,5 +30,5 @@ def column_of(name: str) -> str | None:
     >>> column_of("Refractive index n"), column_of("Extinction coefficient, k"), column_of("m")
     ('n', 'k', None)
     """
-    plain = " ".join(normalize("NFKC", name).casefold().split())
+    plain = " ".join(normalize("NFKC", name).casefold().replace("_", " ").split())
     return next((letter for letter, names in _NAMES.items() if names.fullmatch(plain)), None)

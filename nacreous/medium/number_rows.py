@@ -28,11 +28,12 @@ class NumberRow(NamedTuple):
 
 
 def numbers_of(
-    place: str, rows: Sequence[NumberRow], columns: Sequence[str]
+    place: str, rows: Sequence[NumberRow], columns: Sequence[str], *, each: bool = False
 ) -> NDArray[np.float64]:
     """Float64 `[row, column]`: a wavelength and what `columns` names, "n" or "k", each.
 
     place: how messages begin before a row's number, such as "DATA[0]: data, ". There is a row.
+    each: every row has to have n and k that a medium can have, and not one of them alone.
     """
     found = []
     for number, cells in rows:
@@ -44,6 +45,12 @@ def numbers_of(
     # Some published tables leave the range in a few rows, at absorption edges and by noise around
     # 0: these are refused where they are asked for. One of -k is of the other sign's convention.
     for name, values in zip(columns, table[:, 1:].T, strict=True):
+        wrong = np.flatnonzero(~fits(name, values))
+        if each and 0 < len(wrong) < len(rows):
+            raise InputError(
+                f"{place}row {rows[wrong[0]].number} has {name} = {values[wrong[0]]:g}; allowed: "
+                f"{ALLOWED[name]}"
+            )
         if not fits(name, values).any():
             raise InputError(
                 f"{place}row {rows[0].number} has {name} = {values[0]:g}, and no row has "

@@ -62,11 +62,23 @@ class PublishedIndex:
                 f"formula {self.n.formula} has no n at {nm[~np.isfinite(n)].flat[0]:g} nm"
             )
         _check("n", n, nm)
+        self._check_rows(nm)
         index = n.astype(np.complex128)
         if self.k is not None:
             index.imag = self.k.at(nm)
             _check("k", index.imag, nm)
         return index[()]
+
+    def _check_rows(self, nm: NDArray[np.float64]) -> None:
+        """Refuse a wavelength beside a row whose n no medium has: the line to it means nothing."""
+        if self.n.formula or fits("n", self.n.numbers).all():
+            return
+        wrong = np.interp(nm, self.n.nm, np.where(fits("n", self.n.numbers), 0.0, 1.0)) > 0
+        if wrong.any():
+            raise InputError(
+                f"wavelength_nm is {nm[wrong].flat[0]:g}, beside a row of the file "
+                f"whose n is not {ALLOWED['n']}; allowed: between rows with n {ALLOWED['n']}"
+            )
 
     def __repr__(self) -> str:
         """How n is given, and the range."""
@@ -86,8 +98,9 @@ def read(path: str | PathLike[str]) -> PublishedIndex:
     air both would differ by 0.03 %.
 
     Raises `InputError` that names the file and what is wrong in it, such as a table in which no n
-    is above 0, or every k below it. Single rows of that kind, which some published tables have, are
-    refused where a wavelength is asked for that needs them.
+    is above 0, or every k below it. Single rows of that kind are refused in a
+    CSV by their number; in YAML, as some tables of the database have them, where a wavelength is
+    asked for that needs them.
 
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory

@@ -10,7 +10,15 @@ from nacreous.medium.number_rows import NumberRow, Parts, numbers_of, row_of
 from nacreous.number import said
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.toml_text import DEEPEST, TooDeepError
 
+_BEGIN = (
+    yaml.BlockSequenceStartToken,
+    yaml.BlockMappingStartToken,
+    yaml.FlowSequenceStartToken,
+    yaml.FlowMappingStartToken,
+)
+_END = (yaml.BlockEndToken, yaml.FlowSequenceEndToken, yaml.FlowMappingEndToken)
 _KINDS = "formula 1 to formula 9, tabulated n, tabulated k, tabulated nk"
 
 
@@ -32,14 +40,21 @@ class _Once(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc
 def parts_of_yaml(text: str) -> tuple[Parts, str]:
     """Dispersions, and where they were published."""
     try:
+        _check_depth(text)
         record = yaml.load(text, Loader=_Once)  # noqa: S506
     except InputError:
         raise
+    except TooDeepError as problem:
+        at = text[: problem.position].count("\n") + 1
+        raise InputError(f"line {at}: {problem}") from None
     except (yaml.YAMLError, RecursionError, ValueError) as problem:
         line = getattr(getattr(problem, "problem_mark", None), "line", None)
         place = "" if line is None else f" in line {line + 1}"
         raise InputError(f"no YAML{place}; allowed: a file of refractiveindex.info") from None
-    entries = record.get("DATA") if isinstance(record, dict) else None
+    if not isinstance(record, dict):
+        held = "a list" if isinstance(record, list) else "no keys"
+        raise InputError(f"YAML that holds {held}; allowed: a file of refractiveindex.info")
+    entries = record.get("DATA")
     if not isinstance(entries, list):
         raise InputError("DATA is missing; allowed: a file of refractiveindex.info with DATA")
     parts: Parts = {}
@@ -49,6 +64,28 @@ def parts_of_yaml(text: str) -> tuple[Parts, str]:
                 raise InputError(f"DATA[{number}] gives {name} again; allowed: once")
             parts[name] = dispersion
     return parts, " ".join(str(record.get("REFERENCES", "")).split())
+
+
+def _check_depth(text: str) -> None:
+    """Refuse what is nested too deeply, before the parser's own calls fill the stack.
+
+    The scanner alone is asked, which calls itself for nothing.
+    """
+    depth, begun = 0, False
+    for token in yaml.scan(text, Loader=_Once):
+        if isinstance(token, _BEGIN):
+            depth += 1
+        elif isinstance(token, _END):
+            depth -= 1
+        if depth > DEEPEST:
+            raise TooDeepError(token.start_mark.index)
+        begun |= isinstance(token, (*_BEGIN, yaml.ScalarToken))
+        if begun and isinstance(token, yaml.DocumentStartToken):
+            line = token.start_mark.line + 1
+            raise InputError(
+                f"line {line} begins another document (---); allowed: one, a file of "
+                "refractiveindex.info"
+            )
 
 
 def _of_entry(place: str, entry: object) -> Parts:

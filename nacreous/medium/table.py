@@ -10,12 +10,14 @@ from typing import NamedTuple
 from nacreous.medium.column_name import column_of
 from nacreous.medium.dispersion import dispersion_of_rows
 from nacreous.medium.number_rows import NumberRow, Parts, is_float, numbers_of
-from nacreous.medium.wavelength_name import is_wavelength, nm_per_unit
+from nacreous.medium.wavelength_name import is_wavelength, nm_per_unit, stated_unit
 from nacreous.number import said
 from nacreous.problem import InputError
 
 #: How a row of numbers begins, whatever marks its numbers have.
 _DIGIT = re.compile(r'"?[+\-\u2212]?[.,]?[0-9]')
+#: What stands for the unit of n and k, which have none.
+_NO_UNIT = frozenset({"", "1", "-", "\u2013", "\u2014", "none", "dimensionless", "unitless"})
 _DECIMAL_COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eEdD][+-]?[0-9]+)?")
 
 
@@ -34,13 +36,13 @@ def parts_of_csv(text: str) -> Parts:
     Without a header two columns are n, three are n and k. A header that says nm is believed.
     Columns are parted by tabs, semicolons, commas or blanks; between tabs and semicolons decimals
     may have commas. `#` begins a comment; titles above a header and notes below the rows are
-    passed over.
+    passed over. A row below the header may hold the units.
     """
     parts: Parts = {}
     for number, columns, unit, rows in _blocks(_rows(text)):
         if not rows:
             raise InputError(f"row {number} names columns, and no row of numbers is below it")
-        table = numbers_of("", rows, columns)
+        table = numbers_of("", rows, columns, each=True)
         for i, name in enumerate(columns):
             if name in parts:
                 raise InputError(f"{name} is given twice; allowed: once")
@@ -52,7 +54,13 @@ def _blocks(rows: list[NumberRow]) -> list[_Block]:
     """Each line of names with the rows of numbers below it."""
     blocks: list[_Block] = []
     note: NumberRow | None = None
+    above: NumberRow | None = None
     for row in rows:
+        above, before = row, above
+        is_below = before is not None and blocks and before.number == blocks[-1].number
+        if before is not None and is_below and _are_units(row.cells):
+            blocks[-1] = blocks[-1]._replace(nm_per_unit=_of_units(before, row))
+            continue
         if _is_header(row.cells):
             blocks.append(_Block(row.number, *_header(row), []))
             note = None
@@ -66,6 +74,25 @@ def _blocks(rows: list[NumberRow]) -> list[_Block]:
                 blocks.append(_Block(row.number, names, 1e3, []))
             blocks[-1].rows.append(row)
     return blocks
+
+
+def _are_units(cells: list[str]) -> bool:
+    """Whether a row below names holds units: of the wavelength, and none of n and k."""
+    first, *others = cells
+    units = first.strip("()[]").isalpha() and not any(map(column_of, others))
+    return units and all(cell.strip("()[] ").casefold() in _NO_UNIT for cell in others)
+
+
+def _of_units(names: NumberRow, units: NumberRow) -> float:
+    """The unit in nm that a row of units says; it may not be another than the names say."""
+    unit, named = stated_unit(units.cells[0]), stated_unit(names.cells[0])
+    if unit is None or named not in (None, unit):
+        also = "" if named is None else f", and row {names.number} says {said(names.cells[0])}"
+        raise InputError(
+            f"row {units.number} is a row of units and says {said(units.cells[0])}{also}; allowed: "
+            "um or nm"
+        )
+    return unit
 
 
 def _is_header(cells: list[str]) -> bool:

@@ -9,7 +9,7 @@ from nacreous.number import said
 from nacreous.problem import InputError
 
 _WORDS = (
-    r"wl|wvl|wave|wave[ _-]?lengths?|(?:lambda|\u03bb)(?:[ _]?0)?|wellenl(?:\u00e4|ae)ngen?"
+    r"wl|wvl|wave|wave[ _-]?lengths?|(?:lambda|lam|\u03bb)(?:[ _]?0)?|wellenl(?:\u00e4|ae)ngen?"
     r"|longueurs? d['\u2019]onde|longitud(?:es)? de onda|lunghezz[ae] d['\u2019]onda|\u6ce2\u9577"
 )
 _UM = r"um|\u03bcm|microns?|micro-?met(?:er|re)s?|mikrometer"
@@ -43,6 +43,16 @@ def nm_per_unit(name: str) -> float:
             "(um), 'nm', 'um', 'Wavelength (nm)', 'lambda [um]' or the like"
         )
     return 1.0 if found["nm"] else 1e3
+
+
+def stated_unit(name: str) -> float | None:
+    """The same where the name says a unit, with or without a word before it; else None.
+
+    >>> stated_unit("[nm]"), stated_unit("wl")
+    (1.0, None)
+    """
+    found = _found(name)
+    return nm_per_unit(name) if found and (found["nm"] or found["um"]) else None
 
 
 def _found(name: str) -> re.Match[str] | None:

@@ -309,7 +309,7 @@ def test_a_mediums_function_may_return_a_number() -> None:
             "DATA:\n  - type: formula 5\n    coefficients: 1.5\n    coefficients: 1.6",
             "coefficients is given in lines 3 and 4; allowed: once",
         ),
-        ("a.yml", "- 1", "DATA is missing; allowed: a file of refractiveindex.info with DATA"),
+        ("a.yml", "- 1", "YAML that holds a list; allowed: a file of refractiveindex.info"),
         (
             "a.yml",
             "DATA:\n  - type: formula 10",
@@ -420,7 +420,9 @@ def test_an_index_that_cannot_be_is_refused_where_it_is_asked(tmp_path: Path) ->
         InputError, match=r"n is -1.5 at 500 nm in the medium's file; allowed: above"
     ):
         medium.read(written(tmp_path, text, "below.yml"))(500.0)
-    noisy = medium.read(written(tmp_path, "wl,n,k\n0.4,-6,0\n0.5,1.5,0\n0.6,1.5,-1e-6\n", "a.csv"))
+    text = "DATA:\n  - type: tabulated nk\n    data: |\n"
+    text += "      0.4 -6 0\n      0.5 1.5 0\n      0.6 1.5 -1e-6\n"
+    noisy = medium.read(written(tmp_path, text))
     assert noisy(500.0) == 1.5
     for nm, message in ((400.0, "n is -6 at 400 nm"), (600.0, "k is -1e-06 at 600 nm")):
         with pytest.raises(InputError, match=message):
@@ -474,3 +476,23 @@ def test_a_header_in_words_says_what_letters_say(tmp_path: Path, header: str) ->
 def test_columns_in_another_order_are_taken_by_their_names(tmp_path: Path) -> None:
     text = "Wavelength [nm],Extinction coefficient k,Refractive index n\n400,0.1,1.5\n700,0,1.4\n"
     assert medium.read(written(tmp_path, text, "turned.csv"))(400.0) == 1.5 + 0.1j
+
+
+@pytest.mark.parametrize("text", ["[" * 50_000, "{a: " * 50_000, "- " * 50_000 + "a"])
+def test_what_is_nested_too_deeply_is_refused_before_it_is_parsed(tmp_path, text):
+    with pytest.raises(InputError, match=r"line 1: nested too deeply; allowed: 32 levels$"):
+        medium.read(written(tmp_path, text))
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("- - a\n  - b\n", "YAML that holds a list"),
+        ("just words", "YAML that holds no keys"),
+        ("DATA: []\n---\nDATA: []\n", "line 2 begins another document"),
+        ("---\nDATA: []\n...\n---\nDATA: []\n", "line 4 begins another document"),
+    ],
+)
+def test_yaml_of_another_kind_is_called_what_it_is(tmp_path, text, told):
+    with pytest.raises(InputError, match=rf"medium\.yml: {told}.*; allowed: "):
+        medium.read(written(tmp_path, text))

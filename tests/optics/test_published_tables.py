@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import nacreous as nc
@@ -100,3 +101,38 @@ def test_media_are_read_in_the_encodings_of_spectra(tmp_path: Path, encoding: st
     file.write_bytes(b"\x89PNG\r\n\xff\xfe")
     with pytest.raises(InputError, match="not text; allowed: a table in UTF-8, UTF-16 or Latin-1"):
         medium.read(file)
+
+
+@pytest.mark.parametrize("units", ["nm,1,1", "[nm],[],[]", "(nm),(-),(-)", "nm,,", "nm"])
+@pytest.mark.parametrize("names", ["wl,n,k", "wavelength (nm),n,k", "lam/nm,refractive_index,k"])
+def test_a_row_of_units_below_the_names_is_read(tmp_path: Path, names: str, units: str) -> None:
+    found = medium.read(written(tmp_path, f"{names}\n{units}\n400,1.5,0.1\n700,1.4,0\n", "a.csv"))
+    assert (found.first_nm, found.last_nm, found(400)) == (400, 700, 1.5 + 0.1j)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("wl,n\nnm,n\n", "row 1 names columns, and no row of numbers"),
+        ("wl (um),n\n[nm],[]\n0.4,1.5\n", "row 2 is a row of units and says '\\[nm\\]', and row 1"),
+        ("wl,n\neV,1\n3,1.5\n", "row 2 is a row of units and says 'eV'; allowed: um or nm"),
+        ("wl,n\n0.4,1.5\n0.5,0\n0.6,1.5\n", "row 3 has n = 0; allowed: above 0"),
+        ("wl,n\n0.4,1.5\n0.5,-1\n", "row 3 has n = -1; allowed: above 0"),
+        ("wl,n,k\n0.4,1.5,0\n0.5,1.5,-0.1\n", "row 3 has k = -0.1; allowed: 0 or more"),
+    ],
+)
+def test_units_that_contradict_and_rows_of_no_medium_are_refused(
+    tmp_path: Path, text: str, told: str
+) -> None:
+    with pytest.raises(InputError, match=told):
+        medium.read(written(tmp_path, text, "a.csv"))
+
+
+def test_no_index_is_drawn_towards_a_row_without_one(tmp_path: Path) -> None:
+    text = "DATA:\n  - type: tabulated n\n    data: |\n      0.4 1.5\n      0.5 1.5\n      0.6 0\n"
+    file = tmp_path / "medium.yml"
+    file.write_text(text)
+    found = medium.read(file)
+    assert found(np.array([400.0, 450.0, 500.0])).real.tolist() == [1.5] * 3
+    with pytest.raises(InputError, match="wavelength_nm is 550, beside a row"):
+        found(550)

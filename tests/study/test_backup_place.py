@@ -57,6 +57,37 @@ def test_a_store_under_any_name_is_backed_up_and_kept_from_being_written_over(
         backup(own, folder / "other.sqlite")
 
 
+@pytest.mark.parametrize("kind", ["text", "database", "damaged"])
+def test_a_backup_writes_over_nothing_but_an_earlier_backup(
+    kind: str, store: Path, tmp_path: Path
+) -> None:
+    taken = tmp_path / "taken.sqlite"
+    if kind == "text":
+        taken.write_text("a diary")
+    elif kind == "database":
+        with closing(sqlite3.connect(taken)) as other:
+            other.execute("CREATE TABLE songs (name)")
+    else:
+        backup(store, taken)
+        taken.write_bytes(taken.read_bytes()[:5000])
+    before = taken.read_bytes()
+    with pytest.raises(InputError, match=r"taken.sqlite: is no backup that"):
+        backup(store, taken)
+    assert taken.read_bytes() == before
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_backup_goes_through_no_link(there: bool, store: Path, tmp_path: Path) -> None:
+    target, link = tmp_path / "target.sqlite", tmp_path / "link.sqlite"
+    if there:
+        backup(store, target)
+    link.symlink_to(target)
+    before = target.read_bytes() if there else None
+    with pytest.raises(InputError, match=r"link.sqlite: is a link to .*target.sqlite; wanted"):
+        backup(store, link)
+    assert (target.read_bytes() if target.exists() else None) == before
+
+
 def test_a_restore_leaves_nothing_beside_a_copy_of_a_store_that_keeps_a_log(
     store: Path, tmp_path: Path
 ) -> None:

@@ -290,3 +290,13 @@ def test_a_folders_store_that_is_a_link_is_refused_by_the_name_of_what_it_leads_
         Store.open(folder)
     with Store.open(elsewhere) as store:
         assert store.progress(STUDY).answers == 1
+
+
+@pytest.mark.parametrize("end", ["-wal", "-shm", "-journal"])
+def test_a_link_beside_a_store_is_named(folder: Path, tmp_path: Path, end: str) -> None:
+    link = folder / f"answers.sqlite{end}"
+    link.unlink(missing_ok=True)
+    link.symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(InputError, match=rf"answers.sqlite{end}: is a link to .*elsewhere; wanted"):
+        Store.open(folder)
+    assert not (tmp_path / "elsewhere").exists()

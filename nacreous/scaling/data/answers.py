@@ -40,7 +40,8 @@ class Answers:
     - `left_out`: how many rows of the table are no answers, such as those of instructions;
       `unanswered`: how many of them show a pair
     - `uncounted`: how many further rows are answers that do not count, by why: `question` (another
-      one), `practice`, `catch`, `excluded`, `simulated`, `people`
+      one), `practice`, `catch`, `marked` (as excluded), and of studies `excluded`, `simulated`,
+      `people`
     - `encoding_guessed`: as which a file was read that does not say how its letters are written
 
     >>> answers = Answers.of_pairs([("a", "b"), ("a", "c"), ("c", "b")])
@@ -98,7 +99,7 @@ class Answers:
         without an answer.
 
         A table whose column `question` holds several is refused unless one is chosen by `question`.
-        Rows that are marked as practice or catch trials do not count (docs/answers.md).
+        Rows that are marked as practice, catch trials or excluded do not count (docs/answers.md).
 
         An answer given twice is refused: the same person, left and right, with the same time and
         trial where there are such columns; without people, rows that are the same in every column,

@@ -20,6 +20,7 @@ from nacreous.scaling.data.column import (
 )
 from nacreous.scaling.data.count import counts_of
 from nacreous.scaling.data.discarded import without_discarded
+from nacreous.scaling.data.exclusion import excluded
 from nacreous.scaling.data.fault import Faults, listed, quoted
 from nacreous.scaling.data.label import check_number, labels_of
 from nacreous.scaling.data.likeness import check_alike
@@ -41,7 +42,7 @@ from nacreous.scaling.data.tie_column import (
 )
 from nacreous.scaling.data.time_column import time_column
 from nacreous.scaling.data.trials import refuse_unanswered, unanswered, with_pairs
-from nacreous.scaling.data.uncounted import counted_by_reason
+from nacreous.scaling.data.uncounted import REASONS, counted_by_reason
 from nacreous.scaling.data.wide import long_of
 
 
@@ -94,7 +95,7 @@ def fields_of(
     skipped = paired - table.rows + discarded
     faults = table.faults()
     if table.rows == 0:
-        faults.say("has no row with a pair and an answer; allowed: 1 or more")
+        faults.say(f"has no row with a pair and an answer{_besides(uncounted)}; allowed: 1 or more")
     faults.stop()
     labels, left, right = _stimuli(table, column, stimuli, faults)
     people, person = _people(table, column, faults)
@@ -201,8 +202,17 @@ def _counting(
     asked = of_question(table, question, list(column.values()))
     other = {} if asked.all() else {"question": int((~asked).sum())}
     table = table if asked.all() else table.take(asked)
-    kept, why = marked(table, column)
+    _, why = marked(table, column)
+    out = excluded(table, column.values())
+    why = [old or ("marked" if new else None) for old, new in zip(why, out.tolist(), strict=True)]
+    kept = np.array([reason is None for reason in why], bool)
     return (table if kept.all() else table.take(kept)), other | counted_by_reason(why)
+
+
+def _besides(uncounted: Mapping[str, int]) -> str:
+    """How many answers there are that do not count, and why."""
+    told = ", ".join(f"{count} {REASONS[reason]}" for reason, count in uncounted.items())
+    return f" that counts (left out: {told})" if told else ""
 
 
 def _telling(

@@ -13,20 +13,23 @@ from nacreous.scaling.data.nothing import is_nothing
 from nacreous.scaling.data.table import Table
 from nacreous.scaling.data.truth import says_true
 
-_PRACTICE = r"(?:practi[cs]e|training|warmup|練習)"
-_CATCH = r"(?:catch|attentioncheck)"
+_PRACTICE = r"(?:practi[cs]e|training|warmup|familiari[sz]ation|übungs?|entra[iî]nement|練習)"
+_CATCH = r"(?:catch|attention(?:al)?check)"
 #: What stands around these words in names of columns and in their cells.
-_AROUND = r"(?:is)?{}(?:trials?|blocks?|rounds?|phase|試行)?[0-9]*"
+_AROUND = r"(?:is|trial|block|phase|task)?{}(?:{})?s?[0-9]*"
+_BEHIND = "trial|block|round|phase|session|run|part|task|pair|item|question|試行"
 _MARKS = {
-    reason: re.compile(_AROUND.format(word))
+    reason: re.compile(_AROUND.format(word, _BEHIND))
     for reason, word in (("practice", _PRACTICE), ("catch", _CATCH))
 }
 #: Columns whose cells say in words what a trial is for.
 _PHASES = frozenset(
     f"{of}{what}"
-    for of in ("", "trial", "task", "block", "experiment", "exp")
-    for what in ("phase", "stage", "kind", "purpose")
-) | {"blocktype", "blockname", "display", "trialname"}
+    for of in ("", "trial", "task", "block", "experiment", "exp", "part", "session", "screen")
+    for what in ("phase", "stage", "kind", "purpose", "type", "name", "label", "category")
+) | {"trial", "block", "task", "part", "section", "condition", "cond", "display"}
+#: Columns that tell what was done to people rather; there attention and training may be that.
+_CONDITIONS = frozenset({"condition", "cond"})
 #: The number of a trial in one of PsychoPy's loops, filled in its own rows alone.
 _LOOP = re.compile(rf".*{_PRACTICE}.*\.thisn")
 
@@ -55,7 +58,7 @@ def may_mark(column: str, cells: tuple[str, ...]) -> bool:
     """
     name = _bare(column)
     if name in _PHASES:
-        return len(cells) > 1 and any(_reason_of(_bare(cell)) for cell in cells)
+        return len(cells) > 1 and any(_of_phase("", cell) for cell in cells)
     return len(cells) > 1 and _reason_of(name) is not None
 
 
@@ -74,9 +77,18 @@ def _reasons(table: Table, column: str) -> list[str | None]:
         for cell, empty in zip(text.to_pylist(), is_nothing(text), strict=True)
     ]
     if of_flag is None:
-        return [_reason_of(_bare(cell)) for cell in cells]
+        known = {cell: _of_phase(name, cell) for cell in set(cells)}
+        return [known[cell] for cell in cells] if any(known.values()) else []
     told = [bool(cell) and says_true(cell) for cell in cells]
     return [of_flag if true else None for true in told] if None not in told else []
+
+
+def _of_phase(name: str, cell: str) -> str | None:
+    """Why a row does not count whose phase is called so; name: of the column."""
+    word = _bare(cell)
+    if name in _CONDITIONS:
+        return None if word == "training" else _reason_of(word)
+    return "catch" if re.fullmatch(r"attention(?:trial)?s?", word) else _reason_of(word)
 
 
 def _reason_of(word: str) -> str | None:

@@ -80,6 +80,7 @@ _PERHAPS = frozenset({"id", "name", "email", "code", "case", "session", "session
 #: What only one person has, wherever it stands.
 _ADDRESSES = frozenset(
     {"email", "emailaddress", "mail", "mailaddress", "username", "recordid", "studentid"}
+    | {"name", "names", "yourname", "fullname", "id", "お名前", "名前", "氏名", "ニックネーム"}
     | {"courriel", "adressemail", "メールアドレス", "ユーザー名", "学籍番号"}
 )
 

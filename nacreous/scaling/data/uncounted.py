@@ -13,6 +13,7 @@ REASONS: Mapping[str, str] = {
     "simulated": "of simulated observers",
     "people": "of people",
     "excluded": "of excluded people",
+    "marked": "marked as excluded",
 }
 
 

@@ -152,6 +152,7 @@ _UNCOUNTED = {
     "simulated": "head.left_simulated",
     "people": "head.left_people",
     "excluded": "head.left_excluded",
+    "marked": "head.left_marked",
 }
 
 

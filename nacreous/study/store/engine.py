@@ -63,6 +63,12 @@ def _sqlite(path: Path) -> sa.Engine:
             f"{file}: is a link to {os.path.realpath(file)}; wanted: a file in the folder itself, "
             "or the path of the store instead of the folder's"
         )
+    for beside in (Path(f"{file}{end}") for end in BESIDE):
+        if beside.is_symlink():  # SQLite would write to where it leads, or say nothing plain
+            raise InputError(
+                f"{beside}: is a link to {os.path.realpath(beside)}; wanted: none beside a store "
+                "(remove it)"
+            )
     if file.exists() and not file.is_file():  # who opens a pipe waits for another program
         raise InputError(f"{file}: is no ordinary file; wanted: a store, or a new file")
     if not file.parent.is_dir():
