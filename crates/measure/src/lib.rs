@@ -36,6 +36,7 @@ mod measures;
 mod outline;
 mod path;
 mod picture;
+mod rim;
 mod rings;
 mod search;
 mod solve;
