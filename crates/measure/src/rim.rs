@@ -1,103 +1,82 @@
-//! Where a ball ends along a ray, by the light that its pixels hold.
+//! Where a ball ends along a ray: half-way between its own light there and that of what is beyond.
 
-use libm::{asin, fabs, sqrt};
+use libm::fabs;
 
 use crate::{Circle, Picture};
 
 /// Step along a ray, in pixels.
-const STEP_PX: f64 = 0.5;
-/// Steps to both sides of the edge that pixels of both sides may share.
-const SHARED: usize = 5;
-/// Steps beyond them that tell the light inside, at the least, and the same in radii; and outside.
-const INSIDE: (usize, f64) = (8, 0.06);
-const OUTSIDE: usize = 5;
+const STEP_PX: f64 = 0.25;
+/// Where light inside is read, and outside, in pixels off the edge: beyond what a pixel there has of both.
+const INSIDE: (f64, f64) = (1.25, 2.5);
+const OUTSIDE: (f64, f64) = (1.5, 3.5);
+/// How far from the last place the half level is looked for, in pixels, and how far from the first it may lie.
+const REACH_PX: f64 = 1.5;
+const FARTHEST_PX: f64 = 2.5;
+const ROUNDS: usize = 3;
+/// Light inside that falls towards the edge is not followed below this share of what it is on average.
+const LEAST_LEFT: f64 = 0.3;
 
 /// The end of the ball near `about`, along a ray; None where inside and outside do not differ.
 ///
-/// Light on a ball is smooth in the cosine of the view angle, so near the rim `a + c cos`: it falls, or
-/// rises, ever more steeply, and the steepest place lies inside the outline. Both numbers are read a few
-/// pixels inside, that of the surroundings a few outside. The edge is where `a + c cos` up to it, and the
-/// surroundings from there on, hold as much light as the pixels between: a blur that is even moves none
-/// of it.
-pub fn end_of_ball(
+/// A ball darkens, or lightens, towards its rim, the more the nearer: the steepest place lies inside. So its
+/// light is read a little inside and carried on straight to the edge **(ours)**; there half of it, and half of
+/// what is beyond, make up a pixel.
+pub fn half_level(
     picture: &Picture<'_>,
     middle: Circle,
     (right, down): (f64, f64),
     about: f64,
 ) -> Option<f64> {
-    let inside = INSIDE.0.max((INSIDE.1 * middle.radius_px / STEP_PX) as usize);
-    let first = about - STEP_PX * (SHARED + inside) as f64;
-    if first <= 0.0 {
-        return None;
-    }
-    let place = |step: usize| first + STEP_PX * step as f64;
-    let line: Vec<[f64; 3]> = (0..=inside + 2 * SHARED + OUTSIDE)
-        .map(|step| picture.at(middle.x_px + right * place(step), middle.y_px + down * place(step)))
-        .collect();
-    let (near, rest) = line.split_at(inside);
-    let (shared, far) = rest.split_at(2 * SHARED + 1);
-    let beyond = mean(far);
-    let difference = [0, 1, 2].map(|channel| near[inside - 1][channel] - beyond[channel]);
-    // Light above that of the surroundings, as far as it differs in their direction of colour.
-    let above = |rgb: &[f64; 3]| -> f64 {
-        (0..3).map(|channel| difference[channel] * (rgb[channel] - beyond[channel])).sum()
-    };
-    let inner: Vec<f64> = near.iter().map(above).collect();
-    let held = STEP_PX * shared.iter().map(above).sum::<f64>();
-    let (start, stop) = (place(inside) - 0.5 * STEP_PX, place(inside + 2 * SHARED) + 0.5 * STEP_PX);
+    let at = |away: f64| picture.at(middle.x_px + right * away, middle.y_px + down * away);
     let mut edge = about;
-    for _ in 0..3 {
-        let cosines = (0..inside).map(|step| cosine(place(step), edge));
-        let (level, slope) = straight(cosines, &inner)?;
-        let up_to = |edge: f64| level * (edge - start) + slope * below_cosine(start, edge);
-        edge = crossing(|edge| up_to(edge) - held, (start, stop))?;
+    for _ in 0..ROUNDS {
+        let inner: Vec<[f64; 3]> = steps(INSIDE).map(|off| at(edge - off)).collect();
+        let beyond = mean(&steps(OUTSIDE).map(|off| at(edge + off)).collect::<Vec<_>>());
+        let own = mean(&inner);
+        // Light above that of the surroundings, along the way of colour from there to the pearl.
+        let above = |rgb: [f64; 3]| -> f64 {
+            (0..3).map(|i| (own[i] - beyond[i]) * (rgb[i] - beyond[i])).sum()
+        };
+        let level = 0.5 * carried_on(&inner.iter().map(|rgb| above(*rgb)).collect::<Vec<_>>());
+        edge = last_above(|away| above(at(away)), edge, level)?;
     }
-    (fabs(edge - about) < STEP_PX * SHARED as f64).then_some(edge)
+    (fabs(edge - about) < FARTHEST_PX).then_some(edge)
 }
 
-fn cosine(away: f64, edge: f64) -> f64 {
-    let share = away / edge;
-    sqrt((1.0 - share * share).max(0.0))
-}
-
-/// The integral of `cosine` from `start` to the edge.
-fn below_cosine(start: f64, edge: f64) -> f64 {
-    let share = (start / edge).min(1.0);
-    0.5 * edge * (std::f64::consts::FRAC_PI_2 - asin(share) - share * sqrt(1.0 - share * share))
+fn steps((first, last): (f64, f64)) -> impl Iterator<Item = f64> {
+    let count = ((last - first) / STEP_PX) as usize;
+    (0..=count).map(move |step| first + STEP_PX * step as f64)
 }
 
 fn mean(line: &[[f64; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|channel| line.iter().map(|rgb| rgb[channel]).sum::<f64>() / line.len() as f64)
 }
 
-/// Level at 0 and slope of the line of least squares; None of places that are all the same.
-fn straight(places: impl Iterator<Item = f64>, values: &[f64]) -> Option<(f64, f64)> {
-    let (mut x, mut y, mut xx, mut xy) = (0.0, 0.0, 0.0, 0.0);
-    for (place, value) in places.zip(values) {
-        x += place;
-        y += value;
-        xx += place * place;
-        xy += place * value;
+/// Light at the edge, from that at `steps(INSIDE)`, by the line of least squares.
+fn carried_on(inner: &[f64]) -> f64 {
+    let middle = 0.5 * (INSIDE.0 + INSIDE.1);
+    let mean = inner.iter().sum::<f64>() / inner.len() as f64;
+    let (mut along, mut square) = (0.0, 0.0);
+    for (off, light) in steps(INSIDE).zip(inner) {
+        along += (off - middle) * light;
+        square += (off - middle) * (off - middle);
     }
-    let count = values.len() as f64;
-    let spread = count * xx - x * x;
-    let slope = (count * xy - x * y) / spread;
-    (spread > 0.0 && slope.is_finite()).then(|| ((y - slope * x) / count, slope))
+    (mean - along / square * middle).max(LEAST_LEFT * mean)
 }
 
-/// Where a function changes its sign between two places, by halving; None where it does not.
-fn crossing(function: impl Fn(f64) -> f64, (mut low, mut high): (f64, f64)) -> Option<f64> {
-    let sign = function(low) > 0.0;
-    if (function(high) > 0.0) == sign {
+/// The outermost place near `edge` where light falls below a level; None where it does not.
+fn last_above(light: impl Fn(f64) -> f64, edge: f64, level: f64) -> Option<f64> {
+    let mut beyond = light(edge + REACH_PX);
+    if beyond >= level {
         return None;
     }
-    for _ in 0..24 {
-        let between = f64::midpoint(low, high);
-        if (function(between) > 0.0) == sign {
-            low = between;
-        } else {
-            high = between;
+    let count = (2.0 * REACH_PX / STEP_PX) as usize;
+    for away in (1..=count).map(|step| edge + REACH_PX - STEP_PX * step as f64) {
+        let here = light(away);
+        if here >= level {
+            return Some(away + STEP_PX * (here - level) / (here - beyond));
         }
+        beyond = here;
     }
-    Some(f64::midpoint(low, high))
+    None
 }
