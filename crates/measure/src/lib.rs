@@ -28,6 +28,7 @@
 mod blemish;
 mod circle;
 mod contour;
+mod course;
 mod disc;
 mod edge;
 mod error;
