@@ -70,6 +70,12 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
         spots.retain(|spot| {
             spot.len() as f64 >= least.max(2.0) && ends(spot, &residual, &held, disc.width, off)
         });
+        // Its border is where half of its difference is left, as seen through pixels that are averaged.
+        for spot in &mut spots {
+            let mut own: Vec<f64> = spot.iter().map(|&at| difference[at]).collect();
+            let level = 0.5 * median(&mut own);
+            spot.retain(|&at| difference[at] >= level);
+        }
         spots
     };
     let percent = |spots: &[Vec<usize>]| {
