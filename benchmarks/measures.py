@@ -24,15 +24,18 @@ SCENES = ("paper", "north-window-black", "booth")
 NACRE = ("akoya-r-1.0", "akoya-rg-1.0", "akoya-g-1.0")
 PIGMENTS = ("none", "white", "cream", "pink")
 FIELD_MM = 14.0
+#: Blemishes on the whole pearl, of the kind that is swept.
+SPOTS = 24
 
-#: By name: the least and the greatest of each knob. Roundness and blemishes are no keys of a pearl
-#: file yet: pictures are stretched, and painted.
+#: By name: the least and the greatest of each knob. Roundness is no key of a pearl file yet:
+#: pictures are stretched. Spots and pits are swept by `blemishes.area`; elsewhere there are none.
 KNOBS = {
     "diameter_mm": (5.0, 10.0),
     "roundness": (0.0, 0.045),
     "facet_spread_rad": (0.03, 0.14),
     "disorder_nm": (5.0, 50.0),
-    "blemished": (0.0, 0.03),
+    "chalky_spots": (0.0, 0.1),
+    "pits": (0.0, 0.1),
     "depth": (0.2, 0.9),
     "grain": (0.0, 1.0),
     "waviness_rad": (0.0, 0.15),
@@ -53,7 +56,9 @@ MEASURES: dict[str, Callable[[Measures], float]] = {
 
 def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, size: int) -> Measures:
     """What is measured in the picture of one setting."""
+    kinds = [kind for kind in ("chalky_spots", "pits") if setting[kind] > 0]
     pearl = nc.Pearl(
+        blemishes={"area": sum(setting[kind] for kind in kinds)} | dict.fromkeys(kinds, SPOTS),
         diameter_mm=setting["diameter_mm"],
         depth=setting["depth"],
         grain=setting["grain"],
@@ -68,23 +73,8 @@ def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, siz
     overrides = [("camera.field_mm", str(FIELD_MM)), ("table.kind", "plain")]
     place = nc.Scene.load(scene, overrides)
     linear = nc.render(pearl, place, size=size, samples=4).linear
-    linear = painted(linear, setting["blemished"], setting["diameter_mm"])
     linear = stretched(linear, setting["roundness"])
     return measure(linear, mm_per_pixel=FIELD_MM / size)
-
-
-def painted(linear: NDArray[np.float32], share: float, diameter_mm: float) -> NDArray[np.float32]:
-    """Four dark spots on the pearl's lower right, of so much of its disc."""
-    size = len(linear)
-    radius = 0.5 * size * diameter_mm / FIELD_MM
-    spot = radius * np.sqrt(share / 4)
-    rows, columns = np.ogrid[:size, :size]
-    keep = np.ones((size, size))
-    for right, down in ((0.55, 0.1), (0.3, 0.5), (0.62, 0.45), (-0.1, 0.62)):
-        x, y = 0.5 * size + right * radius, 0.5 * size + down * radius
-        away = np.hypot(columns + 0.5 - x, rows + 0.5 - y)
-        keep -= 0.4 * np.clip(spot - away + 0.5, 0, 1) * (spot > 0)
-    return (linear * keep[..., None]).astype(np.float32)
 
 
 def stretched(linear: NDArray[np.float32], roundness: float) -> NDArray[np.float32]:
@@ -118,6 +108,7 @@ def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
     for _ in range(settings):
         setting = {name: random.uniform(*ends) for name, ends in KNOBS.items()}
         words = [str(random.choice(choices)) for choices in (SCENES, NACRE, PIGMENTS)]
+        setting |= {"chalky_spots": 0.0, "pits": 0.0}
         values = np.linspace(*KNOBS[knob], STEPS)
         found = [picture(setting | {knob: value}, *words, size) for value in values]
         columns = [np.array([*map(of, found)]) for of in MEASURES.values()]

@@ -1,8 +1,11 @@
 //! Blemishes: spots that differ from the pearl around them.
 
-use libm::{cos, fabs, sin, sqrt};
+use std::collections::HashSet;
+
+use libm::{fabs, sqrt};
 use serde::Serialize;
 
+use crate::course::residuals;
 use crate::disc::{Disc, Pixel};
 use crate::lamp::Highlight;
 use crate::value::median;
@@ -12,16 +15,13 @@ use crate::{Circle, Value};
 const FARTHEST: f64 = 0.9;
 /// What is left out around the lamp's image: half-widths, and degrees of the normal.
 const CLEAR: (f64, f64) = (1.6, 8.0);
-/// How far to both sides of a place the pearl around it is looked at, in radii: spots up to this across
-/// are seen whole **(ours)**.
-const REACH: f64 = 0.2;
-/// Directions in which that is done, and how many of them must lie on what is looked at.
-const DIRECTIONS: usize = 8;
-const LEAST_DIRECTIONS: usize = 5;
-/// Difference from there, in CIELAB, from which a pixel belongs to a spot, and the same in medians
-/// over the pearl, whose own texture differs too **(ours)**.
-const LEAST_DIFFERENCE: f64 = 3.0;
-const DEVIATIONS: f64 = 5.0;
+/// Difference from the pearl's own course of colour, in CIELAB, from which a pixel belongs to a spot: about
+/// one that is just seen; and the same in medians over the pearl, whose own texture differs too **(ours)**.
+const LEAST_DIFFERENCE: f64 = 1.0;
+const DEVIATIONS: f64 = 3.5;
+/// A spot ends: so far off it, in radii, at most this share of its difference is left **(ours)**.
+const OFF: f64 = 0.06;
+const LEFT: f64 = 0.5;
 /// The smallest spot, in shares of the disc.
 const LEAST_SPOT: f64 = 2e-4;
 
@@ -57,14 +57,25 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
     if looked_at < 0.1 {
         return None;
     }
-    let difference = differences(disc, &held, circle.radius_px);
+    let residual = residuals(disc, &held, circle)?;
+    let difference: Vec<f64> =
+        residual.iter().map(|[l, a, b]| sqrt(l * l + a * a + b * b)).collect();
+    let off = ((OFF * circle.radius_px / disc.factor as f64).round() as usize).max(2);
     let mut sizes: Vec<f64> =
         difference.iter().zip(&held).filter(|(_, held)| **held).map(|(one, _)| *one).collect();
     let threshold = (DEVIATIONS * median(&mut sizes)).max(LEAST_DIFFERENCE);
     let least = LEAST_SPOT * std::f64::consts::PI / (unit * unit);
     let at = |threshold: f64| {
         let mut spots = spots(disc, &difference, &held, threshold);
-        spots.retain(|spot| spot.len() as f64 >= least.max(2.0));
+        spots.retain(|spot| {
+            spot.len() as f64 >= least.max(2.0) && ends(spot, &residual, &held, disc.width, off)
+        });
+        // Its border is where half of its difference is left, as seen through pixels that are averaged.
+        for spot in &mut spots {
+            let mut own: Vec<f64> = spot.iter().map(|&at| difference[at]).collect();
+            let level = 0.5 * median(&mut own);
+            spot.retain(|&at| difference[at] >= level);
+        }
         spots
     };
     let percent = |spots: &[Vec<usize>]| {
@@ -88,38 +99,24 @@ fn areas(disc: &Disc, circle: &Circle) -> Vec<f64> {
     disc.pixels.iter().map(area).collect()
 }
 
-/// How far each pixel's colour is from that of the pearl around it, in CIELAB.
-///
-/// A spot differs in the same way from the mean of its two neighbours in every direction: of all the least
-/// difference counts. Slopes have none, edges that pass through, such as a mirrored horizon, none along them,
-/// and a glow other signs along and across.
-fn differences(disc: &Disc, held: &[bool], radius_px: f64) -> Vec<f64> {
-    let own = |at: usize| disc.pixels[at].as_ref().filter(|_| held[at]).map(|pixel| pixel.lab);
-    let colours: Vec<Option<[f64; 3]>> = (0..held.len()).map(own).collect();
-    let reach = REACH * radius_px / disc.factor as f64;
-    let steps: Vec<isize> = (0..DIRECTIONS)
-        .map(|at| std::f64::consts::PI * at as f64 / DIRECTIONS as f64)
-        .map(|turn| ((reach * cos(turn)).round() as isize, (reach * sin(turn)).round() as isize))
-        .map(|(right, down)| down * disc.width.cast_signed() + right)
-        .collect();
-    (0..held.len()).map(|at| least_difference(&colours, at, &steps)).collect()
-}
-
-fn least_difference(colours: &[Option<[f64; 3]>], at: usize, steps: &[isize]) -> f64 {
-    let Some(own) = colours[at] else { return 0.0 };
-    let there = |step: isize| at.checked_add_signed(step).and_then(|near| *colours.get(near)?);
-    let difference = |step: &isize| {
-        let (one, other) = (there(*step)?, there(-*step)?);
-        Some([0, 1, 2].map(|channel| own[channel] - 0.5 * (one[channel] + other[channel])))
-    };
-    let found: Vec<[f64; 3]> = steps.iter().filter_map(difference).collect();
-    if found.len() < LEAST_DIRECTIONS {
-        return 0.0;
+/// Whether the difference of a spot is gone a little off it: that of a slow course of colour is not.
+fn ends(spot: &[usize], residual: &[[f64; 3]], held: &[bool], width: usize, off: usize) -> bool {
+    let mut own = [0.0; 3];
+    for &at in spot {
+        own = [0, 1, 2].map(|i| own[i] + residual[at][i] / spot.len() as f64);
     }
-    let sum = [0, 1, 2].map(|channel| found.iter().map(|one| one[channel]).sum::<f64>());
-    let length = sqrt(sum.iter().map(|part| part * part).sum());
-    let along = |one: &[f64; 3]| one.iter().zip(&sum).map(|(part, of)| part * of).sum::<f64>();
-    found.iter().map(along).fold(f64::INFINITY, f64::min).max(0.0) / length.max(1e-12)
+    let within: HashSet<usize> = spot.iter().copied().collect();
+    let (mut left, mut count) = (0.0, 0.0);
+    for &at in spot {
+        for near in [at.wrapping_sub(off), at + off, at.wrapping_sub(off * width), at + off * width]
+        {
+            if held.get(near).copied().unwrap_or(false) && !within.contains(&near) {
+                left += (0..3).map(|i| residual[near][i] * own[i]).sum::<f64>();
+                count += 1.0;
+            }
+        }
+    }
+    count > 0.0 && left < LEFT * count * own.iter().map(|one| one * one).sum::<f64>()
 }
 
 /// Pixels beyond a threshold that hang together.

@@ -2,6 +2,7 @@
 
 use libm::{cos, sin, sqrt};
 
+use crate::rim::half_level;
 use crate::{Circle, Picture};
 
 /// Step along a ray, and the half of the span over which light is compared, in pixels.
@@ -25,8 +26,9 @@ pub struct Edge {
 
 /// The edge near `expected`, within `reach` pixels to both sides of it, along a ray.
 ///
-/// The steepest place is looked for in the root of light, of about equal visibility; the edge there is the
-/// mean place of the change in linear light, which pixels that are covered in part leave where it is.
+/// The steepest place is looked for in the root of light, of about equal visibility. Near it the edge is where
+/// light is half-way between the pearl's own there and that beyond (`rim`); where that has no answer, the
+/// mean place of the change in linear light.
 pub fn edge(picture: &Picture<'_>, middle: Circle, turn: f64, expected: f64, reach: f64) -> Edge {
     let reach = reach.max(STEP_PX * (SPAN + 1) as f64);
     let first = (expected - reach).max(STEP_PX);
@@ -45,7 +47,8 @@ pub fn edge(picture: &Picture<'_>, middle: Circle, turn: f64, expected: f64, rea
             steepest = (rise, at);
         }
     }
-    let away = first + STEP_PX * middle_of_change(&line, steepest.1);
+    let about = first + STEP_PX * middle_of_change(&line, steepest.1);
+    let away = half_level(picture, middle, (c, s), about).unwrap_or(about);
     let (x, y) = (middle.x_px + c * away, middle.y_px + s * away);
     let (width, height) = (picture.width() as f64, picture.height() as f64);
     let within = x > 0.0 && y > 0.0 && x < width && y < height;

@@ -107,15 +107,16 @@ pub fn lamp_image(picture: &Picture<'_>, white: &White, disc: &Disc, circle: &Ci
     let Some(highlight) = cap(&pixels, circle, disc.factor) else {
         return refused("no lamp's image stands out from the light around it");
     };
+    let clipped = pixels.iter().filter(|pixel| pixel.clipped).count();
+    let percent = (100 * clipped).div_ceil(pixels.len());
+    let ends = format!("the highlight is clipped in {percent} % of its pixels");
     let on_rim = pixels.iter().filter(|pixel| pixel.away > FARTHEST - 0.04).count();
     if highlight.half_width > WIDEST || 5 * on_rim > pixels.len() {
-        return refused("the brightest light runs into the outline, or over much of the pearl");
+        let runs = "the brightest light runs into the outline, or over much of the pearl";
+        return refused(if clipped > 0 { &ends } else { runs });
     }
-    let clipped = pixels.iter().filter(|pixel| pixel.clipped).count();
     if clipped > 0 {
-        let percent = (100 * clipped).div_ceil(pixels.len());
-        let reason = format!("the highlight is clipped in {percent} % of its pixels");
-        return Found { highlight: Some(highlight), image: Err(reason) };
+        return Found { highlight: Some(highlight), image: Err(ends) };
     }
     let image = measured(picture, white, disc, circle, &highlight, peak, around);
     Found { highlight: Some(highlight), image }

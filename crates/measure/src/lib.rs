@@ -28,6 +28,7 @@
 mod blemish;
 mod circle;
 mod contour;
+mod course;
 mod disc;
 mod edge;
 mod error;
@@ -36,6 +37,7 @@ mod measures;
 mod outline;
 mod path;
 mod picture;
+mod rim;
 mod rings;
 mod search;
 mod solve;
