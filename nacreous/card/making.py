@@ -6,6 +6,8 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from nacreous.stream import STREAM
+
 if TYPE_CHECKING:
     from nacreous.card.card import Card
     from nacreous.spec import Pearl
@@ -18,9 +20,11 @@ _SIZE, _SAMPLES = 512, 16
 def command(cards: Sequence[Card], language: str, output: str) -> str | None:
     """The command that makes the page again; None where a pearl or the scene has no file."""
     first = cards[0]
-    if first.scene is None or any(card.given in (None, "-") for card in cards):
+    nowhere = (None, STREAM)
+    if first.scene in nowhere or any(card.given in nowhere for card in cards):
         return None
-    words = ["nacreous", "card", *(str(card.given) for card in cards), "--scene", first.scene]
+    words = ["nacreous", "card", *(str(card.given) for card in cards)]
+    words += ["--scene", str(first.scene)]
     if first.culture is not None:
         words += ["--type", first.culture]
     if language != "en":

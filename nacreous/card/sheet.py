@@ -142,7 +142,7 @@ def _cut(text: str, most: int) -> str:
 def _wrapped(text: str, columns: int) -> list[str]:
     """Lines of at most so many columns; Japanese breaks between any two signs."""
     if _wide(text) == len(text):
-        return wrap(text, columns)
+        return wrap(text, columns, break_on_hyphens=False)
     lines: list[str] = []
     line = ""
     for letter in text:
