@@ -152,6 +152,21 @@ def test_what_cannot_be_is_said_in_one_line_and_nothing_is_written(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_another_language_is_refused_in_python_too(cards, tmp_path) -> None:
+    with pytest.raises(nc.InputError, match="language is 'fr'; allowed: en, ja"):
+        save(tmp_path / "card.html", cards, "fr")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_page_never_takes_the_place_of_the_pearls_file(tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "pearl.toml").write_text("depth = 0.5")
+    (tmp_path / "card.html").symlink_to("pearl.toml")
+    assert cli.main(["card", "pearl.toml", "--size", "8"]) == 2
+    assert "is the same file as the input pearl.toml" in capsys.readouterr().err
+    assert (tmp_path / "pearl.toml").read_text() == "depth = 0.5"
+
+
 def test_a_picture_in_japanese_without_a_font_is_refused_with_the_line_that_installs_one(
     cards, tmp_path, monkeypatch
 ) -> None:
