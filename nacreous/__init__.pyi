@@ -1,4 +1,5 @@
 from . import body as body
+from . import card as card
 from . import colour as colour
 from . import file as file
 from . import iridescence as iridescence

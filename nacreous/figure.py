@@ -80,7 +80,7 @@ def sheet(path: Path, width_pt: float, height_pt: float) -> Iterator[Any]:
     # A dollar sign in a label is a dollar sign, and SVG's bytes shall not hang on this machine's
     # fonts: only a picture that holds the letters' shapes looks for Japanese ones.
     words = {"svg.fonttype": "none", "text.parse_math": False}
-    fonts = {} if kind == ".svg" else {"font.family": ["DejaVu Sans", *_japanese_fonts()]}
+    fonts = {} if kind == ".svg" else {"font.family": ["DejaVu Sans", *japanese_fonts()]}
     with _style(mpl, _STYLE | words | fonts), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font")
         drawing = Figure(figsize=(width_pt / 72, height_pt / 72))
@@ -115,7 +115,7 @@ def _matplotlib() -> Any:
     return mpl
 
 
-def _japanese_fonts() -> list[str]:
+def japanese_fonts() -> list[str]:
     """Those of the common Japanese fonts that are here."""
     from matplotlib.font_manager import fontManager
 

@@ -19,6 +19,7 @@ COMMANDS = (
     "paper",
     "crops",
     "measure",
+    "card",
     "scale",
     "study",
     "strand",
@@ -41,6 +42,7 @@ examples:
   nacreous sheets out            families, pigments and scenes on contact sheets
   nacreous paper out             the paper's figures again, measured, on one page
   nacreous measure pearl.png     size, colour by ring and lamp's image in numbers
+  nacreous card akoya-rg         its value factors in words and numbers, on a page
   nacreous scale paper           the paper's judgements as a scale, with a report
   nacreous study new paper       the paper's experiment, ready for participants
   nacreous study demo            a whole study on this computer, to look at

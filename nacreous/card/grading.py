@@ -1,0 +1,203 @@
+"""The trade's table, applied to a pearl's file and to what is measured in its picture."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import TYPE_CHECKING
+
+from nacreous import _core
+from nacreous.card.factor import Factor, Figure
+from nacreous.trade import word_of
+
+if TYPE_CHECKING:
+    from nacreous.measure import Colour, Measures, Ring
+    from nacreous.spec import Pearl
+
+__all__ = ["CULTURES", "graded"]
+
+#: Kinds of pearls that the table has words of nacre for.
+CULTURES = ("akoya", "tahitian", "south-sea")
+
+#: From so much variation on a word for the shape hangs on more than one picture shows.
+_NOT_ROUND_PERCENT = 5.0
+#: Rings of less chroma have no hue that anybody sees: the table's bound of an overtone.
+_LEAST_CHROMA = 2.0
+_BLEMISHES = ("pits", "bumps", "scratches", "wrinkles", "chalky_spots")
+
+
+def graded(pearl: Pearl, found: Measures | None, culture: str | None = None) -> tuple[Factor, ...]:
+    """The factors of a pearl, in the table's order.
+
+    found: what was measured in its picture; None where nothing could be. culture: one of
+    `CULTURES`; without it the nacre has a number and no word.
+
+    >>> from nacreous.spec import Pearl
+    >>> size, *_ = graded(Pearl(diameter_mm=7.2), None)
+    >>> size.word.en, size.figures[0].key
+    ('7.0-7.5 mm', 'diameter_mm')
+    """
+    body = _body_lab(pearl)
+    return (
+        _size(pearl),
+        _shape(found),
+        _bodycolour(pearl, body),
+        _overtone(found, body),
+        _orient(found),
+        _luster(pearl, found),
+        _surface(pearl, found),
+        _nacre(pearl, culture),
+        Factor("matching", None, (), "one_pearl"),
+    )
+
+
+def _size(pearl: Pearl) -> Factor:
+    figure = Figure("diameter_mm", pearl.diameter_mm, "mm", "file", "diameter_mm")
+    return Factor("size", word_of("size", pearl.diameter_mm), (figure,))
+
+
+def _shape(found: Measures | None) -> Factor:
+    """By the outline alone. A pearl file is of a ball, which has no rings, axis or taper."""
+    if found is None or found.roundness is None:
+        return Factor("shape", None, (), "unmeasured")
+    percent, error = found.roundness.value, found.roundness.error
+    name = "diameter_variation_percent"
+    figures = (Figure(name, percent, "%", "picture", error=error),)
+    if percent >= _NOT_ROUND_PERCENT:
+        return Factor("shape", None, figures, "one_side")
+    ball = {
+        "grooves": 0.0,
+        "asymmetry_percent": 0.0,
+        "height_over_width": 1.0,
+        "taper_percent": 0.0,
+    }
+    return Factor("shape", word_of("shape", {**ball, name: percent}), figures, "ball")
+
+
+def _body_lab(pearl: Pearl) -> tuple[float, float, float]:
+    """L*, a* and b* of the body alone under D65."""
+    from nacreous import colour
+    from nacreous.body import reflectance_of_body
+
+    if pearl.model == "illuminant":
+        xyz = colour.xyz_from_rgb(colour.linear_from_hex(pearl.body_colour))
+    else:
+        xyz = colour.xyz_from_spectrum(reflectance_of_body(pearl, _layers_mm(pearl)), "D65")
+    lightness, a, b = colour.lab_from_xyz(xyz).tolist()
+    return lightness, a, b
+
+
+def _bodycolour(pearl: Pearl, lab: tuple[float, float, float]) -> Factor:
+    key = "body_colour" if pearl.model == "illuminant" else "body"
+    chroma, hue_deg = _polar(lab[1], lab[2])
+    figures = (
+        Figure("lightness", min(lab[0], 100.0), "L*", "file", key),
+        Figure("chroma", chroma, "C*", "file", key),
+        Figure("hue_deg", hue_deg, "degrees", "file", key),
+    )
+    return _told("bodycolour", figures)
+
+
+def _overtone(found: Measures | None, body: tuple[float, float, float]) -> Factor:
+    """What is seen less the body, in (a*, b*), the body as light or dark as what is seen (ours).
+
+    Of a thing under less light, a* and b* shrink as L* + 16 does (CIE 015, above L* = 8).
+    """
+    seen = None if found is None else found.colour
+    if seen is None:
+        return Factor("overtone", None, (), "unmeasured")
+    a, b = _rectangular(seen)
+    share = (seen.lightness.value + 16) / (body[0] + 16)
+    chroma, hue_deg = _polar(a - share * body[1], b - share * body[2])
+    figures = (
+        Figure("chroma", chroma, "C*", "picture"),
+        Figure("hue_deg", hue_deg, "degrees", "picture"),
+    )
+    return _told("overtone", figures)
+
+
+def _told(name: str, figures: tuple[Figure, ...]) -> Factor:
+    return Factor(name, word_of(name, {one.quantity: one.value for one in figures}), figures)
+
+
+def _orient(found: Measures | None) -> Factor:
+    """The least arc that holds the hues of all rings that have one."""
+    if found is None or found.rings is None or found.interference is None:
+        return Factor("orient", None, (), "unmeasured")
+    hue_range_deg = _arc_deg(found.rings)
+    orient = found.interference.orient
+    figures = (
+        Figure("hue_range_deg", hue_range_deg, "degrees", "picture"),
+        Figure("orient", orient.value, "C*", "picture", error=orient.error),
+    )
+    return Factor("orient", word_of("orient", hue_range_deg), figures)
+
+
+def _arc_deg(rings: tuple[Ring, ...]) -> float:
+    hues = sorted(
+        ring.colour.hue_deg.value
+        for ring in rings
+        if ring.colour is not None
+        and ring.colour.hue_deg is not None
+        and ring.colour.chroma.value >= _LEAST_CHROMA
+    )
+    if len(hues) < 2:
+        return 0.0
+    gaps = [after - before for before, after in zip(hues, [*hues[1:], hues[0] + 360], strict=True)]
+    return 360.0 - max(gaps)
+
+
+def _luster(pearl: Pearl, found: Measures | None) -> Factor:
+    """By the facets, which the knob sets where the file does not; and the image as it is seen."""
+    name = "surface.facet_spread_rad"
+    spread_rad, key = pearl.surface.facet_spread_rad, name
+    if spread_rad is None:
+        spread_rad, key = _core.resolved_keys(pearl.model_dump_json())[name], "shininess"
+    figures = [Figure("facet_spread_rad", spread_rad, "rad", "file", key)]
+    if found is not None and found.lamp is not None:
+        width = found.lamp.half_width_deg
+        figures.append(
+            Figure("image_width_deg", width.value, "degrees", "picture", error=width.error)
+        )
+    return Factor("luster", word_of("luster", spread_rad), tuple(figures))
+
+
+def _surface(pearl: Pearl, found: Measures | None) -> Factor:
+    """By the file where it states the area, or has no blemishes; else by the visible half."""
+    if pearl.model == "illuminant":
+        return Factor("surface", None, (), "no_blemishes_key")
+    name, has_some = "blemished_percent", any(getattr(pearl.blemishes, one) for one in _BLEMISHES)
+    if not has_some:
+        figure = Figure(name, 0.0, "%", "file", "blemishes")
+    elif pearl.blemishes.area is not None:
+        figure = Figure(name, 100 * pearl.blemishes.area, "%", "file", "blemishes.area")
+    elif found is not None and found.blemishes is not None:
+        area = found.blemishes.area
+        figure = Figure(name, area.value, "%", "picture", error=area.error)
+    else:
+        return Factor("surface", None, (), "unmeasured")
+    return Factor("surface", word_of("surface", {name: figure.value}), (figure,))
+
+
+def _layers_mm(pearl: Pearl) -> float:
+    """Thickness of the layers of a file."""
+    stack, _ = _core.stack_of_nacre(json.dumps(pearl.model_dump(mode="json")["nacre"]))
+    return stack.total_um() / 1000
+
+
+def _nacre(pearl: Pearl, culture: str | None) -> Factor:
+    given = None if pearl.model == "illuminant" else pearl.body.nacre_mm
+    nacre_mm, key = (given, "body.nacre_mm") if given is not None else (_layers_mm(pearl), "nacre")
+    figures = (Figure("nacre_mm", nacre_mm, "mm", "file", key),)
+    if culture is None:
+        return Factor("nacre", None, figures, "no_culture")
+    return Factor("nacre", word_of(f"nacre-{culture}", nacre_mm), figures)
+
+
+def _polar(a: float, b: float) -> tuple[float, float]:
+    return math.hypot(a, b), math.degrees(math.atan2(b, a)) % 360
+
+
+def _rectangular(seen: Colour) -> tuple[float, float]:
+    hue = 0.0 if seen.hue_deg is None else math.radians(seen.hue_deg.value)
+    return seen.chroma.value * math.cos(hue), seen.chroma.value * math.sin(hue)

@@ -1,0 +1,100 @@
+"""`nacreous card`: pearls with their value factors in words and numbers, as a page."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from typing import TYPE_CHECKING
+
+from nacreous.commands.terminal import say
+
+if TYPE_CHECKING:
+    from nacreous.card import Card
+
+_EXAMPLES = """\
+examples:
+  nacreous card akoya-rg --type akoya              a page, card.html
+  nacreous card tahitian --type tahitian -o card.png    the same as a picture
+  nacreous card mine.toml --scene north-window-black --language ja
+  nacreous card akoya-rg akoya-r akoya-g -o batch.html  a batch: a table, and a card each
+  nacreous card akoya-rg --json card.json          all numbers for programs too
+"""
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Describe the command."""
+    parser = subparsers.add_parser(
+        "card",
+        help="make a grade card: a pearl's picture and its value factors in words and numbers",
+        description="Make a grade card of a pearl, or of several: picture, size, shape, colour, "
+        "luster, surface and nacre in the trade's words and in numbers, each from the file or "
+        "measured in the picture, and the file's keys. The words are those of one table (nacreous "
+        "words) applied to numbers; they are not a laboratory's grade.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "pearl", nargs="+", help="a pearl file, or a preset's name; up to 48, each by itself"
+    )
+    parser.add_argument("--scene", default="paper", help="a scene file or a preset's name (paper)")
+    parser.add_argument(
+        "--type",
+        choices=("akoya", "tahitian", "south-sea"),
+        help="what the pearls are, which decides what thick nacre is (no word for nacre)",
+    )
+    parser.add_argument(
+        "--language", choices=("en", "ja"), default="en", help="English or Japanese (en)"
+    )
+    parser.add_argument("--size", type=int, default=512, help="pixels a side, 1 to 8192 (512)")
+    parser.add_argument(
+        "--samples", type=int, default=16, help="samples a pixel at most, a square number (16)"
+    )
+    parser.add_argument("--json", metavar="OUT", help="all factors for programs, .json")
+    parser.add_argument("-o", "--output", default="card.html", help=".html or .png (card.html)")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Check everything, render and measure, write, say what was made."""
+    from nacreous import card, file
+    from nacreous.card.card import check_place
+    from nacreous.commands import standard
+    from nacreous.commands.progress import bar
+
+    check_place(args.output, args.language)
+    outputs = [args.output]
+    if args.json is not None:
+        file.check_output(args.json, [".json"])
+        outputs.append(args.json)
+    standard.require_apart(outputs, [*args.pearl, args.scene, *_files(args)])
+    begin = time.monotonic()
+    with bar("rendering") as show:
+        cards = card.make(args.pearl, args.scene, args.type, args.size, args.samples, show)
+    card.save(args.output, cards, args.language)
+    written = [_report(args.output, cards, time.monotonic() - begin)]
+    if args.json is not None:
+        with file.atomic(args.json) as temporary:
+            temporary.write_text(card.record(cards, args.output), encoding="utf-8")
+        written.append(f"{args.json}: all factors")
+    say("\n".join(written))
+    return 0
+
+
+def _files(args: argparse.Namespace) -> list[str]:
+    """The photographs, panoramas and spectra that pearls and scene name."""
+    from nacreous import image
+    from nacreous.recipe import recipe
+    from nacreous.stream import STREAM
+
+    named = dict.fromkeys(one for one in args.pearl if one != STREAM)
+    return [path for one in named for path in image.files_of(recipe(one, args.scene, 1, 1))]
+
+
+def _report(output: str, cards: list[Card], seconds: float) -> str:
+    """One line: what was made, and where."""
+    first = cards[0]
+    shown = f"pearl {first.pearl.name}" if len(cards) == 1 else f"{len(cards)} pearls"
+    return (
+        f"{output}: grade {'card' if len(cards) == 1 else 'cards'} of {shown} in scene "
+        f"{first.scene_name}, {seconds:.1f} s; the words are the table's, no laboratory's grade"
+    )

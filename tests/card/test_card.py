@@ -1,0 +1,189 @@
+"""Grade cards: words are the table's for the numbers, in two languages, on pages that are whole."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from string import Formatter
+
+import pytest
+
+import nacreous as nc
+from nacreous import cli, figure
+from nacreous.card import CULTURES, Card, graded, html, make, record, save
+from nacreous.card.translation import texts
+from nacreous.measure import Measures
+from nacreous.spec import Pearl
+from nacreous.trade import word_of
+
+
+@pytest.fixture(scope="module")
+def cards() -> list[Card]:
+    return make(["akoya-rg", "paper"], culture="akoya", size=48, samples=1)
+
+
+def test_every_word_is_the_tables_for_the_numbers_beside_it(cards: list[Card]) -> None:
+    for card in cards:
+        for factor in card.factors:
+            if factor.word is None:
+                assert factor.note, factor.name
+                continue
+            numbers = {one.quantity: one.value for one in factor.figures}
+            assert factor.word.holds(numbers), factor.name
+            assert {one.quantity for one in factor.word.ranges} & set(numbers), factor.name
+            assert factor.word in nc.trade.words(factor.word.factor)
+
+
+def test_a_number_of_the_file_names_its_key_and_a_measured_one_has_none(cards: list[Card]) -> None:
+    for one in (one for card in cards for factor in card.factors for one in factor.figures):
+        assert bool(one.key) == (one.origin == "file")
+
+
+def _factor(pearl: Pearl, name: str, found: Measures | None = None, culture: str | None = None):
+    return next(one for one in graded(pearl, found, culture) if one.name == name)
+
+
+def test_luster_is_by_the_facets_where_the_file_says_them_and_by_the_knob_where_not() -> None:
+    for knob in (0.1, 0.3, 0.5, 0.7, 0.9):
+        found = _factor(Pearl(shininess=knob), "luster")
+        assert (found.word, found.figures[0].key) == (
+            word_of("luster", {"shininess": knob}),
+            "shininess",
+        )
+    found = _factor(Pearl(surface={"facet_spread_rad": 0.12}), "luster")
+    assert (found.word.en, found.figures[0].key) == ("Fair", "surface.facet_spread_rad")
+
+
+@pytest.mark.parametrize("culture", CULTURES)
+def test_nacre_has_a_word_only_where_the_kind_of_pearl_is_said(culture: str) -> None:
+    pearl = Pearl(body={"nacre_mm": 0.9})
+    assert _factor(pearl, "nacre").word is None
+    assert _factor(pearl, "nacre").figures[0].value == 0.9
+    assert _factor(pearl, "nacre", culture=culture).word == word_of(f"nacre-{culture}", 0.9)
+
+
+def test_blemishes_count_by_the_files_area_and_without_one_by_the_picture() -> None:
+    assert _factor(Pearl(), "surface").word.en == "clean"
+    stated = Pearl(blemishes={"pits": 3, "area": 0.06})
+    assert _factor(stated, "surface").word.en == "moderately spotted"
+    assert _factor(Pearl(blemishes={"area": 0.06}), "surface").word.en == "clean"  # of none
+    assert _factor(Pearl(blemishes={"pits": 3}), "surface").note == "unmeasured"
+
+
+def test_of_the_illuminant_model_is_told_what_can_be_told(cards: list[Card]) -> None:
+    factors = {factor.name: factor for factor in cards[1].factors}
+    assert [name for name, one in factors.items() if one.word is None] == ["surface", "matching"]
+    assert factors["bodycolour"].figures[0].key == "body_colour"
+
+
+def test_a_picture_too_small_to_measure_leaves_words_out_and_says_so() -> None:
+    (card,) = make(["akoya-rg"], size=8, samples=1)
+    unmeasured = [one.name for one in card.factors if one.note == "unmeasured"]
+    assert unmeasured == ["shape", "overtone", "orient"]
+    assert texts("en")["note.unmeasured"] in html([card])
+
+
+def _places(text: str) -> set[str]:
+    return {name for _, name, _, _ in Formatter().parse(text) if name}
+
+
+def test_both_languages_have_the_same_keys_and_places() -> None:
+    english, japanese = texts("en"), texts("ja")
+    assert list(english) == list(japanese)
+    for key, text in english.items():
+        assert _places(text) == _places(japanese[key]), key
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_a_page_says_what_it_is_and_how_it_is_made_again(cards, language: str) -> None:
+    page = html(cards, language, "out.html")
+    assert texts(language)["not_graded"] in page
+    assert "nacreous card akoya-rg paper --scene paper --type akoya" in page
+    assert page.count("data:image/png;base64,") == 2
+    assert 'class="batch"' in page
+    assert not re.search(r'(src|href)="(?!data:|#)', page)  # it asks for nothing
+    luster = next(one for one in cards[0].factors if one.name == "luster")
+    assert f"{luster.word.text(language)}</td>" in page
+
+
+def test_a_name_of_the_pearl_is_text_on_the_page() -> None:
+    (card,) = make([Pearl(name="<b>&")], size=8, samples=1)
+    assert "<b>&" not in html([card])
+    assert texts("en")["no_command"] in html([card])
+
+
+@pytest.mark.parametrize("ending", [".html", ".png"])
+def test_the_same_call_gives_the_same_bytes(cards, tmp_path: Path, ending: str) -> None:
+    pages = []
+    for folder in ("one", "two"):
+        (tmp_path / folder).mkdir()
+        place = tmp_path / folder / f"card{ending}"
+        save(place, cards)
+        pages.append(place.read_bytes())
+    assert pages[0] == pages[1]
+
+
+def test_the_record_has_both_languages_and_every_number(cards: list[Card]) -> None:
+    held = json.loads(record(cards))
+    size = held["cards"][0]["factors"][0]
+    assert size["word"] == {"en": "8.0-8.5 mm", "ja": "8.0～8.5 mm"}
+    assert size["numbers"][0]["from"] == "file"
+    assert Pearl.from_toml(held["cards"][0]["file"]) == cards[0].pearl
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["akoya-rg", "--language", "fr"], "--language is 'fr'; allowed: en, ja"),
+        (["akoya-rg", "--type", "akoja"], "--type is 'akoja'; did you mean akoya?"),
+        (["akoya-rgg"], "is neither a file nor a pearl preset; did you mean akoya-rg?"),
+        (["akoya-rg", "-o", "card.pdf"], "card.pdf: the ending is .pdf; allowed: .html, .png"),
+        (["akoya-rg", "--json", "card.txt"], "card.txt: the ending is .txt; allowed: .json"),
+        (["akoya-rg"] * 49, "the number of pearls is 49; allowed: a whole number, 1 to 48"),
+    ],
+)
+def test_what_cannot_be_is_said_in_one_line_and_nothing_is_written(
+    tmp_path, monkeypatch, capsys, words: list[str], message: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["card", *words, "--size", "8"]) == 2
+    assert message in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_another_language_is_refused_in_python_too(cards, tmp_path) -> None:
+    with pytest.raises(nc.InputError, match="language is 'fr'; allowed: en, ja"):
+        save(tmp_path / "card.html", cards, "fr")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_page_never_takes_the_place_of_the_pearls_file(tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "pearl.toml").write_text("depth = 0.5")
+    (tmp_path / "card.html").symlink_to("pearl.toml")
+    assert cli.main(["card", "pearl.toml", "--size", "8"]) == 2
+    assert "is the same file as the input pearl.toml" in capsys.readouterr().err
+    assert (tmp_path / "pearl.toml").read_text() == "depth = 0.5"
+
+
+def test_a_picture_in_japanese_without_a_font_is_refused_with_the_line_that_installs_one(
+    cards, tmp_path, monkeypatch
+) -> None:
+    monkeypatch.setattr(figure, "japanese_fonts", list)
+    with pytest.raises(nc.InputError, match="sudo apt install fonts-noto-cjk"):
+        save(tmp_path / "card.png", cards, "ja")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_page_that_fails_half_way_leaves_the_old_one(cards, tmp_path, monkeypatch) -> None:
+    place = tmp_path / "card.html"
+    place.write_text("old")
+
+    def fail(*_: object) -> str:
+        raise RuntimeError
+
+    monkeypatch.setattr("nacreous.card.page.html", fail)
+    with pytest.raises(RuntimeError):
+        save(place, cards)
+    assert [one.read_text() for one in tmp_path.iterdir()] == ["old"]
