@@ -188,6 +188,8 @@ def _write_video(place: Path, codes: Iterator[NDArray[np.uint8]], size: int, fps
     encoder, options = _VIDEO[place.suffix.lower()]
     with av.open(str(place), "w") as container:
         stream = container.add_stream(encoder, rate=fps, options=options)
+        if not isinstance(stream, av.VideoStream):
+            raise InputError(f"{place}: the PyAV here makes no pictures of {encoder}")
         stream.width = stream.height = size
         stream.pix_fmt = "yuv420p"
         context = stream.codec_context

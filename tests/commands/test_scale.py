@@ -172,7 +172,10 @@ def test_options_reach_the_fit(desk: Path) -> None:
         (["answers.csv", "--level", "95"], "--level is 95; allowed: 0.5 to 0.9999"),
         (["answers.csv", "--level", "nan"], "--level is nan; allowed: 0.5 to 0.9999"),
         (["answers.csv", "--prior", "wide"], "argument --prior: 'wide' is none of: none, hier"),
-        (["answers.csv", "--bootstrap", "-5"], "--bootstrap is -5; allowed: a whole number, 0 to 100000"),
+        (
+            ["answers.csv", "--bootstrap", "-5"],
+            "--bootstrap is -5; allowed: a whole number, 0 to 100000",
+        ),
         (["answers.csv", "--seed", "-1"], "--seed is -1; allowed: a whole number, 0 to "),
         (["answers.csv", "--prior", "-1"], "--prior is -1"),
         (["answers.csv", "--prior", "nan"], "--prior is nan"),

@@ -30,7 +30,7 @@ JUSTIFIED = {
     ("nacreous/paper/sight.py", "position_mm"),
     ("nacreous/paper/sight.py", "distance_mm"),
     ("nacreous/paper/circle.py", "distance_mm"),
-    # Lights that go round the pearl go from where they stand: a light in no place is refused before.
+    # Lights go round from where they stand: one in no place is refused before.
     ("nacreous/turn/motion.py", "azimuth_deg"),
     ("nacreous/turn/motion.py", "elevation_deg"),
     ("nacreous/turn/motion.py", "position_mm"),
