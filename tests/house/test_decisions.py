@@ -35,6 +35,11 @@ JUSTIFIED = {
     ("nacreous/turn/motion.py", "elevation_deg"),
     ("nacreous/turn/motion.py", "position_mm"),
     ("nacreous/turn/motion.py", "facing"),
+    # A card tells where each number comes from: the file, or else the renderer, which is asked.
+    ("nacreous/card/grading.py", "facet_spread_rad"),
+    ("nacreous/card/grading.py", "nacre_mm"),
+    ("nacreous/card/grading.py", "area"),
+    ("nacreous/card/card.py", "field_mm"),
 }
 
 
