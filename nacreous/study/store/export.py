@@ -109,9 +109,11 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
         for part in answering.counting_parts(connection, study, question, simulated=simulated):
             columns.add(dict(zip(part.column_names, part.columns, strict=True)))
         known = people.by_session(connection, study)
-    table = columns.table()
-    if not table.num_rows:
-        raise InputError(f"no answers to {question!a} count yet; wanted: at least one")
+        table = columns.table()
+        if not table.num_rows:
+            other = answering.counting_parts(connection, study, question, simulated=not simulated)
+            hint = _hint_of(simulated) if any(part.num_rows for part in other) else ""
+            raise InputError(f"no answers to {question!a} count yet; wanted: at least one{hint}")
     held = {name: table[name] for name in table.column_names if name != "who"}
     person, given = _of_people(table["who"].combine_chunks(), known)
     del table  # each column is as large as all that a part of the answers takes
@@ -120,6 +122,12 @@ def answers_of(store: Store, study: str, question: str, *, simulated: bool = Fal
     del held, person, given, groups
     give_back()
     return found
+
+
+def _hint_of(simulated: bool) -> str:
+    """Where answers of the other kind would count."""
+    way, whose = ("without", "people") if simulated else ("with", "simulated observers")
+    return f"; those of {whose} do {way} --simulated"
 
 
 def _of_people(
