@@ -86,6 +86,11 @@ def test_nothing_that_differs_is_an_even_pearl_to_the_byte(none: dict[str, Any])
     assert np.array_equal(render(**none), render(**even))
 
 
+def test_the_grain_stays_where_it_is_under_a_coat() -> None:
+    coat = {"thickness_spread": 1e-6}
+    assert abs(render(coat=coat, grain=1.0) - render(grain=1.0)).max() < 1e-3
+
+
 def test_thickness_moves_hue_and_relief_does_not() -> None:
     def hues(**pearl: Any) -> np.ndarray:
         scene = Scene.load("north-window-black")

@@ -216,14 +216,7 @@ fn profiles(
     highlight: &Highlight,
 ) -> Vec<Profile> {
     let normal = highlight.normal;
-    // Two directions across the normal; which way they turn does not matter.
-    let flat = sqrt(normal[1] * normal[1] + normal[2] * normal[2]);
-    let down = [0.0, normal[2] / flat, -normal[1] / flat];
-    let right = [
-        normal[1] * down[2] - normal[2] * down[1],
-        normal[2] * down[0] - normal[0] * down[2],
-        normal[0] * down[1] - normal[1] * down[0],
-    ];
+    let [down, right] = across(normal);
     let step = 0.5 / circle.radius_px;
     let farthest = (3.0 * highlight.half_width + HAZE).min(1.2);
     (0..AZIMUTHS)
@@ -333,8 +326,8 @@ fn measured(
     })
 }
 
-fn place_of(circle: &Circle, highlight: &Highlight, turn: f64, away: f64) -> [f64; 2] {
-    let normal = highlight.normal;
+/// Two directions across a normal; which way they turn does not matter.
+fn across(normal: [f64; 3]) -> [[f64; 3]; 2] {
     let flat = sqrt(normal[1] * normal[1] + normal[2] * normal[2]);
     let down = [0.0, normal[2] / flat, -normal[1] / flat];
     let right = [
@@ -342,6 +335,12 @@ fn place_of(circle: &Circle, highlight: &Highlight, turn: f64, away: f64) -> [f6
         normal[2] * down[0] - normal[0] * down[2],
         normal[0] * down[1] - normal[1] * down[0],
     ];
+    [down, right]
+}
+
+fn place_of(circle: &Circle, highlight: &Highlight, turn: f64, away: f64) -> [f64; 2] {
+    let normal = highlight.normal;
+    let [down, right] = across(normal);
     let (c, s, ca, sa) = (cos(turn), sin(turn), cos(away), sin(away));
     let (x, y) =
         circle.place([0, 1, 2].map(|i| ca * normal[i] + sa * (c * right[i] + s * down[i])));

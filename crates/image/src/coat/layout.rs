@@ -20,7 +20,7 @@ const UNEVEN: f64 = 0.4;
 /// Darts for each blemish before it may lie on another.
 const DARTS: usize = 400;
 
-/// The blemishes of a pearl of `pearl_mm`, its radius.
+/// The blemishes of a pearl of `pearl_mm`, its radius; none that have no area.
 pub(crate) fn layout(blemishes: &Blemishes, pearl_mm: f64) -> Vec<Blemish> {
     let mut random = ChaCha8Rng::from_seed(key(blemishes.seed));
     let mut all: Vec<Blemish> = Vec::new();
@@ -47,6 +47,7 @@ pub(crate) fn layout(blemishes: &Blemishes, pearl_mm: f64) -> Vec<Blemish> {
             blemish.radius_mm *= factor;
         }
     }
+    all.retain(|blemish| blemish.radius_mm > 0.0);
     // The largest find their place first.
     all.sort_by(|a, b| b.reach_mm().total_cmp(&a.reach_mm()));
     for i in 0..all.len() {
@@ -126,6 +127,11 @@ mod tests {
                 .sum();
             assert!((covered / area - 1.0).abs() < 0.03, "{area}: {covered}");
         }
+    }
+
+    #[test]
+    fn blemishes_without_an_area_are_none() {
+        assert!(of(&[(Kind::Pit, 5), (Kind::Scratch, 2)], Some(0.0), 1).is_empty());
     }
 
     #[test]

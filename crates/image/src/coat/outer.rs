@@ -115,19 +115,14 @@ impl Coat {
         self.terraces.is_some() || self.spots.is_some()
     }
 
-    /// A direction of the scene, seen from the pearl.
-    pub(crate) fn own(&self, outward: DVec3) -> DVec3 {
-        self.made_from.pose.own(outward)
-    }
-
-    /// A direction of the pearl, in the scene.
-    pub(crate) fn scene(&self, own: DVec3) -> DVec3 {
-        self.made_from.pose.scene(own)
+    /// How the pearl is turned.
+    pub(crate) fn pose(&self) -> &Pose {
+        &self.made_from.pose
     }
 
     /// The place in a direction of the scene from the pearl's middle, as wide as `footprint_mm`.
     pub(crate) fn at(&self, outward: DVec3, footprint_mm: f64) -> Local {
-        let own = self.own(outward);
+        let own = self.pose().own(outward);
         let mut local = Local::EVEN;
         if let Some(fields) = &self.fields {
             local = local.and(self.smooth(fields, own, footprint_mm));
@@ -141,7 +136,7 @@ impl Coat {
         if let Some(slices) = &self.slices {
             local.inside = slices.at(own, self.made_from.radius_mm, footprint_mm);
         }
-        Local { slope: self.scene(local.slope), ..local }
+        Local { slope: self.pose().scene(local.slope), ..local }
     }
 
     /// What the fields make of a place.

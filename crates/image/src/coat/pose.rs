@@ -5,7 +5,7 @@
 
 use glam::{DMat3, DVec3};
 
-/// How a pearl is turned in its place: from the scene's directions to the pearl's own, whose pole is its axis of growth.
+/// How a pearl is turned in its place: from the scene's directions to those that it had before it was turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose(DMat3);
 
@@ -13,29 +13,38 @@ impl Pose {
     /// The axis of growth leans `tilt_rad` from the upright, towards the eye at azimuth 0 turned by `turn_rad`; about it
     /// the pearl is turned by `spin_rad`.
     pub fn new(turn_rad: f64, tilt_rad: f64, spin_rad: f64) -> Self {
-        let upright = DMat3::from_cols(DVec3::Y, DVec3::Z, DVec3::X);
-        let about = |turn: f64, axis: DVec3| {
-            let (sin, cos) = libm::sincos(turn);
-            turned(axis, sin, cos)
+        let turn = |angle: f64, axis: DVec3| {
+            let (sin, cos) = libm::sincos(angle);
+            about(axis, sin, cos)
         };
-        let pose =
-            about(turn_rad, DVec3::Y) * about(tilt_rad, DVec3::X) * about(spin_rad, DVec3::Y);
-        Self(upright * pose.transpose())
+        let pose = turn(turn_rad, DVec3::Y) * turn(tilt_rad, DVec3::X) * turn(spin_rad, DVec3::Y);
+        Self(pose.transpose())
     }
 
-    /// A direction of the scene, seen from the pearl.
-    pub(crate) fn own(&self, direction: DVec3) -> DVec3 {
+    /// A direction of the scene as it was before the turn, as the grain has it.
+    pub(crate) fn unturned(&self, direction: DVec3) -> DVec3 {
         self.0 * direction
+    }
+
+    /// The way back.
+    pub(crate) fn turned(&self, direction: DVec3) -> DVec3 {
+        self.0.transpose() * direction
+    }
+
+    /// A direction of the scene, seen from the pearl: its pole is the axis of growth.
+    pub(crate) fn own(&self, direction: DVec3) -> DVec3 {
+        let before = self.unturned(direction);
+        DVec3::new(before.z, before.x, before.y)
     }
 
     /// A direction of the pearl, in the scene.
     pub(crate) fn scene(&self, own: DVec3) -> DVec3 {
-        self.0.transpose() * own
+        self.turned(DVec3::new(own.y, own.z, own.x))
     }
 }
 
 /// A turn about an axis, counterclockwise against it.
-fn turned(axis: DVec3, sin: f64, cos: f64) -> DMat3 {
+fn about(axis: DVec3, sin: f64, cos: f64) -> DMat3 {
     let (x, y, z) = (axis.x, axis.y, axis.z);
     let cross =
         DMat3::from_cols(DVec3::new(0.0, z, -y), DVec3::new(-z, 0.0, x), DVec3::new(y, -x, 0.0));

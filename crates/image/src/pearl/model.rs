@@ -174,23 +174,23 @@ impl Pearl {
 
     /// The grain's relief: as steep as its brightness changes.
     fn grained(&self, texture: &Texture, outward: DVec3, footprint_rad: f64) -> Local {
-        let (gradient, seen) = texture.relief(self.own(outward), footprint_rad);
+        let (gradient, seen) = texture.relief(self.unturned(outward), footprint_rad);
         let slope = gradient * self.grain.relief_rad;
-        let slope = self.coat.as_ref().map_or(slope, |coat| coat.scene(slope));
+        let slope = self.coat.as_ref().map_or(slope, |coat| coat.pose().turned(slope));
         let fine_slope2 = 2.0 * self.grain.relief_rad.powi(2) * (1.0 - seen);
         Local { slope, fine_slope2, ..Local::EVEN }
     }
 
-    /// A direction of the scene, seen from the pearl.
-    fn own(&self, outward: DVec3) -> DVec3 {
-        self.coat.as_ref().map_or(outward, |coat| coat.own(outward))
+    /// A direction of the scene as it was before the pearl was turned.
+    fn unturned(&self, outward: DVec3) -> DVec3 {
+        self.coat.as_ref().map_or(outward, |coat| coat.pose().unturned(outward))
     }
 
     /// What goes from the point towards the eye.
     pub fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let radius_mm = surroundings.balls[sight.ball].radius_mm;
         let texture = self.texture.as_ref().map_or([0.0; 3], |texture| {
-            texture.at(self.own(sight.outward), sight.pixel_mm / radius_mm).map(f64::from)
+            texture.at(self.unturned(sight.outward), sight.pixel_mm / radius_mm).map(f64::from)
         });
         Shade { texture, ..self.model.shade(surroundings, sight) }
     }
