@@ -162,6 +162,7 @@ def make(
             near = nearest(str(name), list(NAMES))
             hint = f"did you mean {near}?" if near else f"allowed: {', '.join(NAMES)}"
             raise InputError(f"sheet is {said(name)}; {hint}")
+    names = tuple(dict.fromkeys(names))
     size = whole_of("size", size, 32, 1024)
     drawn = {name: _SHEETS[name]() for name in names}
     count = sum(len(row) for rows in drawn.values() for row in rows)
