@@ -143,5 +143,6 @@ def _is_kept(place: Path, made: Recipe) -> bool:
     except InputError:  # cut off, by whatever copied it
         return False
     texts = moved(made.texts, relative_to(place.parent))
-    same = ("pearl", "scene", "settings")
+    # Of several different pearls each has a text of its own: pearl.0, pearl.1 and so on.
+    same = [name for name in texts if name.partition(".")[0] in {"pearl", "scene", "settings"}]
     return all(found.get(PREFIX + name) == texts[name] for name in same)

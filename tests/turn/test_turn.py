@@ -288,3 +288,12 @@ def test_ctrl_c_keeps_finished_frames_of_a_folder_and_nothing_of_a_file(
     left = sorted(path.name for path in tmp_path.rglob("*") if path.is_file())
     assert left == ([*left[:-1], "turn.json"] if output == "out" else [])
     assert all(name.startswith("frame-") for name in left[:-1])
+
+
+def test_frames_of_several_different_pearls_are_kept_too(tmp_path: Path) -> None:
+    tray = ROOM.replace(rows=[{"pearls": ["*", "akoya-rg-0.0"]}])
+    how = {"count": 2, "degrees": 90.0, "size": 16, "samples": 1}
+    nc.turn.save(tmp_path / "out", PATCHED, tray, **how)
+    before = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    nc.turn.save(tmp_path / "out", PATCHED, tray, **how)
+    assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
