@@ -6,6 +6,7 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from nacreous.problem import InputError
 from nacreous.stream import STREAM
 
 if TYPE_CHECKING:
@@ -18,7 +19,12 @@ _SIZE, _SAMPLES = 512, 16
 
 
 def command(cards: Sequence[Card], language: str, output: str) -> str | None:
-    """The command that makes the page again; None where a pearl or the scene has no file."""
+    """The command that makes the page again; None where a pearl or the scene has no file.
+
+    Raises `InputError` where there is no card.
+    """
+    if not cards:
+        raise InputError("there is no card; wanted: at least one")
     first = cards[0]
     nowhere = (None, STREAM)
     if first.scene in nowhere or any(card.given in nowhere for card in cards):

@@ -81,13 +81,14 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _files(args: argparse.Namespace) -> list[str]:
-    """The photographs, panoramas and spectra that pearls and scene name."""
+    """The photographs, panoramas and spectra that pearls and scene name, beside standard input."""
     from nacreous import image
     from nacreous.recipe import recipe
     from nacreous.stream import STREAM
 
     named = dict.fromkeys(one for one in args.pearl if one != STREAM)
-    return [path for one in named for path in image.files_of(recipe(one, args.scene, 1, 1))]
+    scene = "paper" if args.scene == STREAM else args.scene
+    return [path for one in named for path in image.files_of(recipe(one, scene, 1, 1))]
 
 
 def _report(output: str, cards: list[Card], seconds: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
 from pathlib import Path
@@ -187,3 +188,17 @@ def test_a_page_that_fails_half_way_leaves_the_old_one(cards, tmp_path, monkeypa
     with pytest.raises(RuntimeError):
         save(place, cards)
     assert [one.read_text() for one in tmp_path.iterdir()] == ["old"]
+
+
+def test_no_card_is_no_page(tmp_path) -> None:
+    for path in ("none.html", "none.png"):
+        with pytest.raises(nc.InputError, match="there is no card"):
+            save(tmp_path / path, [])
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_scene_is_read_from_standard_input_once(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b'name = "given"\n')))
+    assert cli.main(["card", "akoya-rg", "--scene", "-", "--size", "64", "-o", "c.html"]) == 0
+    assert "given" in (tmp_path / "c.html").read_text(encoding="utf-8")
