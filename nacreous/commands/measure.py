@@ -168,13 +168,13 @@ def _white(given: str, linear: NDArray[np.float32]) -> tuple[float, float, float
         return red, green, blue
     try:
         x, y, side = (float(part) for part in given.split(","))
-    except ValueError:
+        left, top, wide = round(x - side / 2), round(y - side / 2), round(side)
+    except (ValueError, OverflowError):  # of no number, and of nan and inf
         raise InputError(
             f"--white is {given!r}; allowed: '#rrggbb', or X,Y,SIDE in pixels"
         ) from None
     height, width = linear.shape[:2]
-    left, top = round(x - side / 2), round(y - side / 2)
-    right, below = left + round(side), top + round(side)
+    right, below = left + wide, top + wide
     if not (0 <= left < right <= width and 0 <= top < below <= height):
         raise InputError(
             f"--white is the square {given}, which leaves the picture of {width} x {height} pixels;"

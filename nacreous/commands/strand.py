@@ -177,14 +177,15 @@ def show(args: argparse.Namespace) -> int:
         sorting = Sorting(sorting.strands[number - 1 : number], sorting.spare[:0])
     first = number or 1
     shown = _json(lot, sorting, first) if args.json else _lines(lot, sorting.strands, first)
-    say(shown, [] if args.output is None else [args.output])
     if args.output is not None:
-        _picture(args, lot.take(sorting.strands[0].pearls))
+        _picture(args, shown, lot.take(sorting.strands[0].pearls))
+    else:
+        say(shown, [])
     return 0
 
 
-def _picture(args: argparse.Namespace, strand: Lot) -> None:
-    """Render the strand's pearls in rows."""
+def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
+    """Say what is `shown` and render the strand's pearls in rows, once all of it can be."""
     import sys
 
     from nacreous import image
@@ -196,9 +197,10 @@ def _picture(args: argparse.Namespace, strand: Lot) -> None:
 
     found = hung(strand, Pearl.load(args.pearl), args.seed)
     scene = laid_out(len(strand), Scene.load(args.scene))
+    made = recipe(found.pearls, scene, args.size, args.samples)
+    say(shown, [args.output])
     begin = time.monotonic()
     with bar("rendering") as progress:
-        made = recipe(found.pearls, scene, args.size, args.samples)
         picture = image.render_recipe(made, progress)
     picture.save(sys.stdout.buffer if args.output == STREAM else args.output)
     say(

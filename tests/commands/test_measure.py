@@ -67,6 +67,8 @@ def test_white_is_given_by_codes_or_by_place(
         (["--plot", "out.gif"], "out.gif: the ending is .gif"),
         (["--json", "photo.json", "--plot", "photo.png"], "photo.png: is the same file as"),
         ([], "photo.png: no pearl"),
+        (["--white", "nan,1,1"], "--white is 'nan,1,1'; allowed: '#rrggbb', or X,Y,SIDE"),
+        (["--white", "inf,1,1"], "--white is 'inf,1,1'; allowed: '#rrggbb', or X,Y,SIDE"),
     ],
 )
 def test_mistakes_end_with_one_line_and_nothing_is_written(
