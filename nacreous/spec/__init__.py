@@ -22,6 +22,7 @@ from nacreous.spec.pose import Pose
 from nacreous.spec.row import Row
 from nacreous.spec.scene import Scene, Sky, Table, Walls
 from nacreous.spec.schema import json_schema
+from nacreous.spec.shape import Shape
 from nacreous.spec.surface import Surface
 from nacreous.spec.texture import Texture
 from nacreous.spec.window import Window
@@ -42,6 +43,7 @@ __all__ = [
     "Pose",
     "Row",
     "Scene",
+    "Shape",
     "Sky",
     "Surface",
     "Table",

@@ -20,6 +20,7 @@ from nacreous.spec.medium import is_isotropic, loss
 from nacreous.spec.model import own_keys, strangers
 from nacreous.spec.nacre import Layers
 from nacreous.spec.pose import Pose
+from nacreous.spec.shape import Shape
 from nacreous.spec.specfile import SpecFile
 from nacreous.spec.surface import Surface
 from nacreous.spec.texts import COLOUR, NAME, Colour, Name
@@ -96,6 +97,7 @@ class Pearl(SpecFile):
     texture: Texture = section("The grain of the surface.")
     coat: Coat = section("What differs from place to place.", model="transport")
     blemishes: Blemishes = section("Pits, bumps and the like.", model="transport")
+    shape: Shape = section("What makes the pearl other than round.", model="transport")
     pose: Pose = section("How the pearl is turned.", model="transport")
 
     def contradictions(self) -> Iterator[Contradiction]:

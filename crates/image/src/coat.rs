@@ -1,6 +1,7 @@
 //! What differs from place to place on a pearl: relief, terraces, blemishes, thickness of the layers.
 
 pub(crate) mod blemish;
+pub(crate) mod drill;
 pub(crate) mod fields;
 pub(crate) mod layout;
 pub(crate) mod local;

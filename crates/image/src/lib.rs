@@ -25,6 +25,7 @@ mod surroundings;
 mod view;
 
 pub use coat::blemish::{Blemishes, Kind as BlemishKind};
+pub use coat::drill::Drill;
 pub use coat::local::Local;
 pub use coat::nucleus::NucleusBands;
 pub use coat::outer::{Coat, CoatParameters};
@@ -53,6 +54,10 @@ pub use picture::sampler::Sampler;
 pub use progress::Progress;
 pub use rgb::Rgb;
 pub use shape::ball::{Ball, Hit};
+pub use shape::form::FormParameters;
+pub use shape::hull::Hull;
+pub use shape::rest::Rest;
+pub use shape::solid::Solid;
 pub use surface::coating::Surface;
 pub use surface::facets::Facets;
 pub use surface::film::Film;

@@ -14,5 +14,6 @@ pub(crate) mod reflection_cache;
 pub(crate) mod response;
 pub(crate) mod shade;
 pub(crate) mod sight;
+pub(crate) mod solid_light;
 pub(crate) mod subsurface;
 pub(crate) mod transport;

@@ -1,4 +1,9 @@
-//! What takes up room: the balls, where a ray meets them, and who lies near whom.
+//! What takes up room: balls, pearls that are not round, where a ray meets them, and who lies near whom.
 
 pub(crate) mod ball;
+pub(crate) mod form;
+mod horizon;
+pub(crate) mod hull;
 pub(crate) mod neighbours;
+pub(crate) mod rest;
+pub(crate) mod solid;

@@ -8,6 +8,7 @@ pub(crate) mod irradiance;
 pub(crate) mod lamp;
 pub(crate) mod light_map;
 pub(crate) mod lit;
+pub(crate) mod outline;
 pub(crate) mod pane;
 pub(crate) mod panorama;
 pub(crate) mod seen;

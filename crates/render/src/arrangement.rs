@@ -1,13 +1,17 @@
 //! Which pearl lies where, and what that leaves room for.
 
+use std::sync::Arc;
+
 use glam::DVec3;
-use nacreous_image::{Ball, Camera, Projection};
+use nacreous_image::{Ball, Camera, Hull, Projection, Solid};
 
 use crate::{
     RenderError,
     frame::Frame,
+    pearl::shape::solid_key,
     spec::{
         Recipe,
+        pearl::PearlSpec,
         scene::{CameraSpec, ProjectionSpec, SceneSpec},
     },
 };
@@ -31,9 +35,16 @@ pub struct Place {
     pub pearl: usize,
     /// Its middle.
     pub centre_mm: DVec3,
-    /// Its radius.
+    /// Its radius; half its width where it is not round.
     pub radius_mm: f64,
+    /// The farthest that it reaches from its middle.
+    pub reach_mm: f64,
+    /// What stands for it where it is not round and others see it.
+    pub hull: Option<Hull>,
 }
+
+/// The forms of the pearls given that are not round, by their number.
+pub(crate) type Solids = [Option<Arc<Solid>>];
 
 /// The pearls of a picture in their places, clear of each other and of everything else.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,24 +57,34 @@ pub struct Arrangement {
 
 impl Arrangement {
     /// Puts the pearls into the scene's rows; the origin is the middle of the rows, as high as the centre of
-    /// the largest.
+    /// the deepest.
     ///
     /// # Errors
     /// [`RenderError::Scene`] for a scene without a place for each pearl, and for pearls that touch each
     /// other, a wall, a lamp, a window or the eye.
     pub fn new(recipe: &Recipe) -> Result<Self, RenderError> {
+        let solid = |pearl| solid_key(pearl).map(|key| Arc::new(key.solid()));
+        let solids: Vec<Option<Arc<Solid>>> = recipe.pearls.iter().map(solid).collect();
+        Self::of_forms(recipe, &solids)
+    }
+
+    /// The same where the forms of pearls that are not round are known.
+    pub(crate) fn of_forms(recipe: &Recipe, solids: &Solids) -> Result<Self, RenderError> {
         let Recipe { pearls, scene, .. } = recipe;
-        let diameters_mm: Vec<f64> =
-            pearls.iter().map(|pearl| pearl.common().diameter_mm).collect();
-        let largest_mm = diameters_mm.iter().copied().fold(0.0, f64::max);
+        let sizes: Vec<Size> = pearls
+            .iter()
+            .zip(solids)
+            .map(|(pearl, solid)| Size::of(pearl, solid.as_deref()))
+            .collect();
+        let largest_mm = sizes.iter().map(|size| 2.0 * size.reach_mm).fold(0.0, f64::max);
         let places = if scene.rows.is_empty() {
-            let [diameter_mm] = diameters_mm[..] else {
+            let [size] = sizes[..] else {
                 let fault = format!("has a place for one pearl, not {}", pearls.len());
                 return Err(RenderError::scene(&scene.name, fault));
             };
-            vec![Place { pearl: 0, centre_mm: DVec3::ZERO, radius_mm: 0.5 * diameter_mm }]
+            vec![size.placed(0, DVec3::ZERO)]
         } else {
-            let places = in_rows(scene, &diameters_mm, largest_mm)?;
+            let places = in_rows(scene, &sizes, largest_mm)?;
             check_clearance(scene, &places)?;
             places
         };
@@ -95,13 +116,17 @@ impl Arrangement {
 
     /// The pearls' shapes in their places, dark.
     pub fn balls(&self) -> Vec<Ball> {
-        let ball = |place: &Place| Ball { centre: place.centre_mm, ..Ball::alone(place.radius_mm) };
+        let ball = |place: &Place| Ball {
+            centre: place.centre_mm,
+            hull: place.hull,
+            ..Ball::alone(place.radius_mm)
+        };
         self.places.iter().map(ball).collect()
     }
 
     /// The camera, in front of all pearls.
     pub fn camera(&self) -> Camera {
-        let reach = |place: &Place| place.centre_mm.length() + place.radius_mm;
+        let reach = |place: &Place| place.centre_mm.length() + place.reach_mm;
         let reach_mm = self.places.iter().map(reach).fold(0.0, f64::max);
         camera(&self.camera, self.field_mm).in_front_of(reach_mm)
     }
@@ -117,9 +142,43 @@ impl Arrangement {
             return 1.0;
         }
         let (back, eye_mm) = (camera(&self.camera, 1.0).back(), self.camera.distance_mm);
-        let ahead = |place: &Place| eye_mm - place.centre_mm.dot(back) - place.radius_mm;
+        let ahead = |place: &Place| eye_mm - place.centre_mm.dot(back) - place.reach_mm;
         let ahead_mm = self.places.iter().map(ahead).fold(f64::INFINITY, f64::min);
         (ahead_mm / eye_mm).clamp(0.0, 1.0)
+    }
+}
+
+impl Place {
+    /// How far below its middle it reaches.
+    fn below_mm(&self) -> f64 {
+        self.hull.map_or(self.radius_mm, |hull| hull.below_mm())
+    }
+}
+
+/// The room that a pearl takes.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    radius_mm: f64,
+    reach_mm: f64,
+    below_mm: f64,
+    hull: Option<Hull>,
+}
+
+impl Size {
+    fn of(pearl: &PearlSpec, solid: Option<&Solid>) -> Self {
+        let radius_mm = 0.5 * pearl.common().diameter_mm;
+        let hull = solid.map(Solid::hull);
+        Self {
+            radius_mm,
+            reach_mm: hull.map_or(radius_mm, |hull| hull.reach_mm()),
+            below_mm: hull.map_or(radius_mm, |hull| hull.below_mm()),
+            hull,
+        }
+    }
+
+    fn placed(&self, pearl: usize, centre_mm: DVec3) -> Place {
+        let Self { radius_mm, reach_mm, hull, .. } = *self;
+        Place { pearl, centre_mm, radius_mm, reach_mm, hull }
     }
 }
 
@@ -133,25 +192,21 @@ fn camera(spec: &CameraSpec, field_mm: f64) -> Camera {
     Camera::new(projection, elevation_rad, azimuth_rad, field_mm)
 }
 
-fn in_rows(
-    scene: &SceneSpec,
-    diameters_mm: &[f64],
-    largest_mm: f64,
-) -> Result<Vec<Place>, RenderError> {
-    let rows = numbered(scene, diameters_mm.len())?;
+fn in_rows(scene: &SceneSpec, sizes: &[Size], largest_mm: f64) -> Result<Vec<Place>, RenderError> {
+    let rows = numbered(scene, sizes.len())?;
     let pitch_mm = distance(scene, "pitch_mm", scene.pitch_mm, largest_mm)?;
     let gap_mm = distance(scene, "row_gap_mm", scene.row_gap_mm, largest_mm)?;
     let middle = |count: usize| 0.5 * (count as f64 - 1.0);
+    let deepest_mm = sizes.iter().map(|size| size.below_mm).fold(0.0, f64::max);
     let mut places = Vec::new();
     for (line, row) in rows.iter().enumerate() {
         for (column, &pearl) in row.iter().enumerate() {
-            let diameter_mm = diameters_mm[pearl];
             let centre_mm = DVec3::new(
                 (column as f64 - middle(row.len())) * pitch_mm,
-                0.5 * (diameter_mm - largest_mm),
+                sizes[pearl].below_mm - deepest_mm,
                 (line as f64 - middle(rows.len())) * gap_mm,
             );
-            places.push(Place { pearl, centre_mm, radius_mm: 0.5 * diameter_mm });
+            places.push(sizes[pearl].placed(pearl, centre_mm));
         }
     }
     Ok(places)
@@ -204,14 +259,14 @@ fn distance(
 fn check_clearance(scene: &SceneSpec, places: &[Place]) -> Result<(), RenderError> {
     let fault = |text: String| Err(RenderError::scene(&scene.name, text));
     let most = |reach: fn(&Place) -> f64| places.iter().map(reach).fold(0.0, f64::max);
-    let least_mm = CLEAR * most(|place| place.centre_mm.length() + place.radius_mm);
+    let least_mm = CLEAR * most(|place| place.centre_mm.length() + place.reach_mm);
     let eye_mm = scene.camera.distance_mm;
     if scene.camera.projection == ProjectionSpec::Perspective && eye_mm < least_mm {
         let allowed = format!("at least {} mm, clear of all rows", four_digits(least_mm));
         return fault(format!("camera.distance_mm is {eye_mm:?}; allowed: {allowed}"));
     }
     let side_mm =
-        most(|place| place.centre_mm.x.abs().max(place.centre_mm.z.abs()) + place.radius_mm);
+        most(|place| place.centre_mm.x.abs().max(place.centre_mm.z.abs()) + place.reach_mm);
     if let Some(walls) = &scene.walls
         && walls.half_width_mm < side_mm
     {
@@ -222,8 +277,7 @@ fn check_clearance(scene: &SceneSpec, places: &[Place]) -> Result<(), RenderErro
     }
     for (number, lamp) in scene.lamps.iter().enumerate() {
         let Some(position_mm) = lamp.position_mm else { continue };
-        let inside =
-            |place: &Place| place.centre_mm.distance(position_mm.into()) <= place.radius_mm;
+        let inside = |place: &Place| place.centre_mm.distance(position_mm.into()) <= place.reach_mm;
         if places.iter().any(inside) {
             return fault(format!(
                 "lamps.{number}.position_mm is {position_mm:?}; allowed: outside of every pearl of the rows"
@@ -237,18 +291,18 @@ fn check_clearance(scene: &SceneSpec, places: &[Place]) -> Result<(), RenderErro
 fn frames(scene: &SceneSpec, places: &[Place]) -> Result<Vec<Frame>, RenderError> {
     let lowest_mm = places
         .iter()
-        .map(|place| place.centre_mm.y - place.radius_mm)
+        .map(|place| place.centre_mm.y - place.below_mm())
         .fold(f64::INFINITY, f64::min);
     let mut frames = Vec::new();
     for (number, window) in scene.windows.iter().enumerate() {
         let frame = Frame::of(window, lowest_mm);
         for place in places {
             let apart_mm = frame.distance_mm(place.centre_mm);
-            if apart_mm < place.radius_mm {
+            if apart_mm < place.reach_mm {
                 let fault = format!(
                     "windows.{number} passes {} mm from a pearl's centre; allowed: at least its radius of {} mm",
                     digits(apart_mm, 3),
-                    place.radius_mm,
+                    place.reach_mm,
                 );
                 return Err(RenderError::scene(&scene.name, fault));
             }
@@ -268,7 +322,7 @@ fn field_of(spec: &CameraSpec, places: &[Place]) -> f64 {
     let reach = |place: &Place| {
         let ahead_mm = eye_mm - place.centre_mm.dot(camera.back());
         let reach =
-            |axis: DVec3| outline_mm(place.centre_mm.dot(axis), place.radius_mm, ahead_mm, eye_mm);
+            |axis: DVec3| outline_mm(place.centre_mm.dot(axis), place.reach_mm, ahead_mm, eye_mm);
         reach(camera.right()).max(reach(camera.up()))
     };
     2.0 * places.iter().map(reach).fold(0.0, f64::max)

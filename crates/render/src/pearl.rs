@@ -8,4 +8,5 @@ pub mod columns;
 pub mod grain;
 pub mod knobs;
 pub mod nacre;
+pub(crate) mod shape;
 pub mod spectra;

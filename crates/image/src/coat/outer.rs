@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use crate::coat::{
     blemish::{Blemishes, THICKER},
+    drill::Drill,
     fields::Fields,
     layout::layout,
     local::Local,
@@ -43,6 +44,8 @@ pub struct CoatParameters {
     pub blemishes: Blemishes,
     /// What shows of the nucleus.
     pub nucleus: NucleusBands,
+    /// The hole along its axis.
+    pub drill: Drill,
 }
 
 /// What a pearl's outer layers are like at every place.
@@ -71,6 +74,7 @@ impl CoatParameters {
     pub fn is_even(&self) -> bool {
         !self.has_fields()
             && self.nucleus.contrast <= 0.0
+            && self.drill.radius_mm <= 0.0
             && self.blemishes.counts.iter().all(|(_, count)| *count == 0)
     }
 
@@ -107,12 +111,13 @@ impl Coat {
 
     /// Whether it is the same everywhere.
     pub(crate) fn is_even(&self) -> bool {
-        self.fields.is_none() && self.spots.is_none() && self.slices.is_none()
+        let is_drilled = self.made_from.drill.radius_mm > 0.0;
+        self.fields.is_none() && self.spots.is_none() && self.slices.is_none() && !is_drilled
     }
 
     /// Whether it may have edges as fine as a pixel.
     pub(crate) fn has_edges(&self) -> bool {
-        self.terraces.is_some() || self.spots.is_some()
+        self.terraces.is_some() || self.spots.is_some() || self.made_from.drill.radius_mm > 0.0
     }
 
     /// How the pearl is turned.
@@ -135,6 +140,12 @@ impl Coat {
         }
         if let Some(slices) = &self.slices {
             local.inside = slices.at(own, self.made_from.radius_mm, footprint_mm);
+        }
+        let drill = &self.made_from.drill;
+        if drill.radius_mm > 0.0
+            && let Some(here) = drill.at(own, footprint_mm)
+        {
+            local = local.and(here);
         }
         Local { slope: self.pose().scene(local.slope), ..local }
     }

@@ -129,12 +129,13 @@ impl Model {
                 let part = (number, DISC_POINTS);
                 let cos_view = (1.0 - across * across - up * up).sqrt();
                 let normal = x * across + y * up + towards * cos_view;
-                let point = surroundings.balls[ball].centre + normal * radius_mm;
+                let point = surroundings.farthest(ball, normal);
                 let hit = Hit { point, normal, cos_view };
                 let pixel_mm = 0.2 * radius_mm;
                 let spread = Spread::round(0.4 / cos_view);
                 let (view, around) = (towards, Arounds::default());
-                let (outward, local) = (normal, Local::EVEN);
+                let outward = surroundings.outward(ball, &hit);
+                let local = Local::EVEN;
                 let mut sight =
                     Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
                 if let Self::Transport(model) = self {

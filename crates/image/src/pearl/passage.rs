@@ -21,6 +21,15 @@ pub(crate) struct Passage {
     palette: Palette,
     /// What is left of waves of light when they are about to leave, by degree.
     shares: Vec<Bands>,
+    /// What the surface lets in, by degree and by cosine.
+    entering_moments: Vec<Bands>,
+    entering: Vec<Bands>,
+    /// Of light spread evenly inside, what leaves.
+    leaving_evenly: Bands,
+    /// Share of even light that comes back.
+    albedo: Bands,
+    /// How far light wanders.
+    spread: f64,
     /// RGB of what leaves, by band: by the thickness of the layers and the cosine of the view angle, and through a film
     /// without colour.
     leaving: Films<Vec<[[f32; BANDS]; 3]>>,
@@ -31,6 +40,9 @@ pub(crate) struct Passage {
 
 /// The highest degree of the waves; what a point lamp leaves out at its terminator is 0.3 % of its light.
 const TOP: usize = 40;
+
+/// The highest degree of light around a pearl that is not round, which is looked up by normal before it wanders.
+pub(crate) const TOP_AROUND: usize = 24;
 
 /// Degrees of which less than this is left, of a point lamp's light at its brightest, are left out: the step
 /// between 8-bit codes is hundreds of times as large.
@@ -54,10 +66,15 @@ impl Passage {
     pub(crate) fn new((surfaces, step): (&[Surface], f64), body: &Body, palette: &Palette) -> Self {
         let surface = &surfaces[surfaces.len() / 2];
         let leaving = surface.leaving(&body.reflectance);
-        let moments = surface.moments(top(body.spread)).into_iter().enumerate();
-        let share = |(l, enters): (usize, Bands)| {
+        let top = top(body.spread);
+        let moments = surface.moments(top.max(TOP_AROUND));
+        let share = |(l, enters): (usize, &Bands)| {
             let fading = fading(l, body.spread);
             std::array::from_fn(|band| fading * enters[band] * leaving[band])
+        };
+        let albedo = |band: usize| {
+            let enters = moments[0][band];
+            1.0 - enters + enters * enters * leaving[band]
         };
         let whole = surface.entering_from_all_sides();
         let plain = rgb::luminance(palette.rgb(&palette.bands_of_white(&whole)));
@@ -66,7 +83,12 @@ impl Passage {
             cosines().map(|cosine| coloured(surfaces[film].entering(cosine))).collect()
         };
         Self {
-            shares: moments.map(share).collect(),
+            shares: moments[..=top].iter().enumerate().map(share).collect(),
+            albedo: std::array::from_fn(albedo),
+            entering_moments: moments,
+            entering: cosines().map(|cosine| surface.entering(cosine)).collect(),
+            leaving_evenly: leaving,
+            spread: body.spread,
             leaving: Films::new(parallel::map(surfaces.len(), through), step),
             leaving_plain: by_channel(palette, |_| plain),
             plain,
@@ -87,6 +109,31 @@ impl Passage {
     /// What is left of waves of a degree when they are about to leave.
     pub(crate) fn share(&self, l: usize) -> &Bands {
         &self.shares[l]
+    }
+
+    /// What wandering inside leaves of waves of a degree.
+    pub(crate) fn fading(&self, l: usize) -> f64 {
+        fading(l, self.spread)
+    }
+
+    /// What the surface lets in of waves, by degree.
+    pub(crate) fn entering_moments(&self) -> &[Bands] {
+        &self.entering_moments
+    }
+
+    /// What the surface lets in, by the [`row`] of the cosine to the normal.
+    pub(crate) fn entering(&self) -> &[Bands] {
+        &self.entering
+    }
+
+    /// Of light spread evenly inside what is about to leave.
+    pub(crate) fn leaving_evenly(&self) -> &Bands {
+        &self.leaving_evenly
+    }
+
+    /// The share of even light that comes back, mirrored or from inside.
+    pub(crate) fn albedo(&self) -> &Bands {
+        &self.albedo
     }
 
     /// What leaves, by the thickness of the layers: RGB, channel by channel, for light in each band, by the [`row`] of

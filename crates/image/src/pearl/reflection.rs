@@ -21,6 +21,7 @@ use crate::{
         sight::{Sight, Spread},
     },
     rgb::{self, Rgb},
+    shape::ball::Hit,
     surface::{facets::Facets, sampling::FacetSample},
     surroundings::{lamp::Lamp, lit::Lit, viewpoint::Viewpoint},
     view::camera::Camera,
@@ -81,6 +82,7 @@ impl Reflection {
         let (hit, colours) = (&sight.hit, self.colours());
         let films = self.response.films();
         let around = sight.around[self.number].unwrap_or_else(|| self.around(surroundings, sight));
+        let around = self.past_itself(surroundings, sight, around);
         let mirrored = |lobes: &Vec<LobeColours>| {
             apply(lobes[self.number].mirrored_by_all(hit.cos_view), around.light)
         };
@@ -93,10 +95,28 @@ impl Reflection {
             let image = glint(lamp, &colours.facets(), sight, reflected);
             if image.iter().any(|part| *part > 0.0) {
                 let past = surroundings.lamp_past(lamp, hit.point, Some(sight.ball));
-                rgb::add(&mut mirror, rgb::scaled(image, past));
+                let (toward, width_rad) = (lamp.toward(hit.point), 2.0 * lamp.angular_radius_rad());
+                let hidden =
+                    surroundings.hidden_by_itself(sight.ball, sight.outward, toward, width_rad);
+                rgb::add(&mut mirror, rgb::scaled(image, past * (1.0 - hidden)));
             }
         }
         mirror
+    }
+
+    /// The surroundings past the pearl's own bulges, which show their glow in place of what they hide.
+    fn past_itself(&self, surroundings: &Lit, sight: &Sight, around: Around) -> Around {
+        let (mirrored, width_rad) = self.lobe(sight, LOBE_WIDTH);
+        let Sight { ball, outward, .. } = *sight;
+        let hidden = surroundings.hidden_by_itself(ball, outward, mirrored, width_rad);
+        if hidden <= 0.0 {
+            return around;
+        }
+        let own = surroundings.balls[ball].glow.at(-mirrored);
+        Around {
+            light: rgb::mix(around.light, own, hidden),
+            rest: rgb::scaled(around.rest, 1.0 - hidden),
+        }
     }
 
     /// The surroundings in some of the facets that the eye sees, each standing for its part of the lobe:
@@ -188,12 +208,21 @@ impl Reflection {
         let usual = self.samples.last().map_or(0, Vec::len) as f64;
         let looked_at = pixels * (usual + NEAR_EDGES * at_edges as f64);
         let at_edges = facets.lattice(KNOT_AT_EDGES);
-        ReflectionCache::new(place, camera, &facets, looked_at, |hit, view, samples| {
+        let (axis, far_mm) = camera.toward_eye(place.centre);
+        let least_mm = surroundings.least_mm(ball);
+        if far_mm <= least_mm {
+            return None;
+        }
+        let seen = (axis, libm::acos(least_mm / far_mm));
+        ReflectionCache::new(seen, &facets, looked_at, |normal, samples| {
+            let point = surroundings.farthest(ball, normal);
+            let view = camera.toward_eye(point).0;
+            let hit = Hit { point, normal, cos_view: normal.dot(view).max(0.02) };
             let spread = Spread::of_square(pixel_mm / place.radius_mm, hit.cos_view);
             let sight = Sight {
                 ball,
                 hit,
-                outward: hit.normal,
+                outward: surroundings.outward(ball, &hit),
                 local: Local::EVEN,
                 view,
                 pixel_mm,
@@ -278,6 +307,9 @@ const EDGE_REACH: f64 = 2.5;
 fn far_facets(spread_rad: f64) -> usize {
     (libm::ceil((spread_rad / 0.1).powi(2)) as usize).min(16)
 }
+
+/// A lobe is about so many standard deviations of its facets' lean wide, to either side, as an edge moves across it.
+const LOBE_WIDTH: f64 = 2.0;
 
 /// So many standard deviations of the facets' lean a lobe reaches, as far as the edge of a window shows in it: with
 /// fewer facets beyond, no 8-bit code of 70 small pictures moves by more than 1 **(ours)**.

@@ -10,9 +10,7 @@ use glam::DVec3;
 use crate::{
     parallel,
     rgb::{self, Rgb},
-    shape::ball::{Ball, Hit},
     surface::{facets::Facets, sampling::FacetSample},
-    view::camera::Camera,
 };
 
 /// What a satin pearl's facets show of the surroundings, cached at the knots of a grid over the side that the eye
@@ -56,20 +54,14 @@ const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;
 
 impl ReflectionCache {
-    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots.
-    /// `gather` works out a knot for a point, the direction to the eye, and samples of facets.
+    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots. The eye sees
+    /// normals within `reach_rad` of `axis`. `gather` works out a knot for a normal and samples of facets.
     pub(crate) fn new(
-        ball: &Ball,
-        camera: &Camera,
+        (axis, reach_rad): (DVec3, f64),
         lobe: &Facets<'_>,
         facets: f64,
-        gather: impl Fn(Hit, DVec3, &[FacetSample]) -> Around + Sync,
+        gather: impl Fn(DVec3, &[FacetSample]) -> Around + Sync,
     ) -> Option<Self> {
-        let (axis, far_mm) = camera.toward_eye(ball.centre);
-        if far_mm <= ball.radius_mm {
-            return None;
-        }
-        let reach_rad = libm::acos(ball.radius_mm / far_mm);
         let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / lobe.spread_rad()) as usize;
         let side = 2 * (half + BORDER) + 1;
         // The knots lie in the disc; those beside it cost nothing.
@@ -83,10 +75,7 @@ impl ReflectionCache {
         let knot = |i: usize| {
             let at = |i: usize| (i as f64 - (half + BORDER) as f64) / half as f64;
             let normal = cache.normal(at(i % side), at(i / side))?;
-            let point = ball.centre + normal * ball.radius_mm;
-            let view = camera.toward_eye(point).0;
-            let cos_view = normal.dot(view).max(0.02);
-            Some(gather(Hit { point, normal, cos_view }, view, &samples))
+            Some(gather(normal, &samples))
         };
         cache.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
         Some(cache)
@@ -141,19 +130,23 @@ fn cubic(t: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{surface::microfacets::Microfacets, view::camera::Projection};
+    use crate::{
+        shape::ball::Ball,
+        surface::microfacets::Microfacets,
+        view::camera::{Camera, Projection},
+    };
 
-    fn wave(hit: Hit) -> Rgb {
-        [0, 1, 2].map(|i| 1.0 + libm::sin(8.0 * hit.normal[i]))
+    fn wave(normal: DVec3) -> Rgb {
+        [0, 1, 2].map(|i| 1.0 + libm::sin(8.0 * normal[i]))
     }
 
     fn cache(projection: Projection, spread_rad: f64) -> Option<ReflectionCache> {
         let camera = Camera::new(projection, 0.3, -0.5, 12.0);
         let gather =
-            |hit, _, _: &[FacetSample]| Around { light: wave(hit), rest: [hit.cos_view; 3] };
+            |normal: DVec3, _: &[FacetSample]| Around { light: wave(normal), rest: [normal.x; 3] };
+        let (axis, far_mm) = camera.toward_eye(DVec3::ZERO);
         ReflectionCache::new(
-            &Ball::alone(4.0),
-            &camera,
+            (axis, libm::acos(4.0 / far_mm)),
             &Facets::new(Microfacets::grooves(spread_rad), None),
             1e7,
             gather,
@@ -170,7 +163,7 @@ mod tests {
                 let (x, y) = (f64::from(i % 20) / 14.0 - 0.68, f64::from(i / 20) / 14.0 - 0.68);
                 let Some(hit) = Ball::alone(4.0).hit(&camera.ray(x, y)) else { continue };
                 let found = cache.at(hit.normal).light;
-                let expected = wave(hit);
+                let expected = wave(hit.normal);
                 assert!((0..3).all(|i| (found[i] - expected[i]).abs() < 0.01), "{hit:?} {found:?}");
             }
         }

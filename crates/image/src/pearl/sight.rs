@@ -56,9 +56,15 @@ impl Spread {
     /// A mirrored ray turns by twice the normal's angle, whose sine is the place on the disc: between depths below the rim
     /// of half the width more and less, no less than none, the cosine's square differs by twice the width.
     pub fn of_square(width: f64, cos_view: f64) -> Self {
-        let square = cos_view * cos_view;
-        let outward_rad = 2.0 * ((square + width).sqrt() - (square - width).max(0.0).sqrt());
-        Self { outward_rad, around_rad: 2.0 * width * cos_view }
+        Self::of_bent(width, cos_view, [1.0; 2])
+    }
+
+    /// The same where the surface is `bend` times as curved as a ball's, outward and around.
+    pub(crate) fn of_bent(width: f64, cos_view: f64, [outward, around]: [f64; 2]) -> Self {
+        let (square, width_outward) = (cos_view * cos_view, width * outward);
+        let outward_rad =
+            2.0 * ((square + width_outward).sqrt() - (square - width_outward).max(0.0).sqrt());
+        Self { outward_rad, around_rad: 2.0 * (width * around) * cos_view }
     }
 
     /// The same in all directions.

@@ -14,7 +14,8 @@ use crate::{
     parallel,
     pearl::{
         films::FilmAt,
-        passage::{Passage, row},
+        passage::{Passage, TOP_AROUND, row},
+        solid_light::{LEAST_ROWS, SolidLight, entering},
     },
     rgb::Rgb,
     surface::coating::legendre,
@@ -66,14 +67,32 @@ impl Subsurface {
         ball: usize,
         beams: &[Beam],
     ) -> Self {
-        let outside = Outside::new(&passage, surroundings, ball, beams);
-        let rows = rows(passage.top());
+        let solid = surroundings.solid(ball);
+        let rows = match solid {
+            None => rows(passage.top()),
+            Some(_) => rows(passage.top()).max(LEAST_ROWS),
+        };
+        let outside = Outside::new((&passage, rows), surroundings, ball, beams);
+        let light = solid.map(|solid| SolidLight::new(&passage, solid, rows));
+        let hidden = |outward: DVec3, beam: &Beam| {
+            let width_rad = 2.0 * beam.angular_radius_rad;
+            surroundings.hidden_by_itself(ball, outward, beam.direction, width_rad)
+        };
         let mut places = vec![[0.0_f32; PLACE]; 2 * rows * rows];
         let mut grid = vec![[0.0_f64; CHANNELS]; 2 * rows * rows];
         for first in (0..BANDS).step_by(CHANNELS) {
             let bands: [usize; CHANNELS] = std::array::from_fn(|i| (first + i).min(BANDS - 1));
-            let waves = outside.waves(bands);
-            synthesise(&waves, passage.top(), (rows, 2 * rows), |texel| texel, &mut grid);
+            match &light {
+                None => {
+                    let waves = outside.waves(bands);
+                    let size = (rows, 2 * rows);
+                    synthesise(&waves, passage.top(), size, |texel| texel, &mut grid);
+                }
+                Some(light) => {
+                    let around = entering(&passage, &outside.around, bands);
+                    grid = light.leaving(bands, &around, beams, hidden);
+                }
+            }
             for (place, values) in places.iter_mut().zip(&grid) {
                 for (value, band) in values.iter().zip(bands) {
                     // A cut-off sum of waves swings below zero beside a lamp's terminator.
@@ -142,11 +161,11 @@ fn dot(weights: &[f32; BANDS], place: &[f32; PLACE]) -> f32 {
 }
 
 /// The grid's pole is the scene's zenith.
-fn to_grid(direction: DVec3) -> DVec3 {
+pub(crate) fn to_grid(direction: DVec3) -> DVec3 {
     DVec3::new(direction.z, direction.x, direction.y)
 }
 
-fn from_grid(direction: DVec3) -> DVec3 {
+pub(crate) fn from_grid(direction: DVec3) -> DVec3 {
     DVec3::new(direction.y, direction.z, direction.x)
 }
 
@@ -161,9 +180,15 @@ struct Outside<'a> {
 }
 
 impl<'a> Outside<'a> {
-    fn new(passage: &'a Passage, surroundings: &Lit, ball: usize, beams: &'a [Beam]) -> Self {
+    fn new(
+        (passage, rows): (&'a Passage, usize),
+        surroundings: &Lit,
+        ball: usize,
+        beams: &'a [Beam],
+    ) -> Self {
         let unit = |beam: &Beam| point(to_grid(beam.direction), passage.top());
-        let around = around(passage, surroundings, ball);
+        let top = surroundings.solid(ball).map_or(passage.top(), |_| TOP_AROUND);
+        let around = around((passage, rows, top), surroundings, ball);
         Self { passage, around, beams, lamps: beams.iter().map(unit).collect() }
     }
 
@@ -199,8 +224,11 @@ impl<'a> Outside<'a> {
 }
 
 /// The light around in waves, as amounts of the palette's curves.
-fn around(passage: &Passage, surroundings: &Lit, ball: usize) -> Coefficients {
-    let rows = rows(passage.top());
+fn around(
+    (passage, rows, top): (&Passage, usize, usize),
+    surroundings: &Lit,
+    ball: usize,
+) -> Coefficients {
     let step_rad = PI / rows as f64;
     let directions: Vec<DVec3> =
         directions_of_grid(rows).map(|(direction, _)| from_grid(direction)).collect();
@@ -208,10 +236,10 @@ fn around(passage: &Passage, surroundings: &Lit, ball: usize) -> Coefficients {
     let values = parallel::map(directions.len(), |i| {
         amounts(surroundings.seen_without_windows(ball, directions[i], step_rad))
     });
-    let mut waves = analyse(rows, &values, passage.top());
+    let mut waves = analyse(rows, &values, top);
     for (along, solid_angle, more) in surroundings.window_points(ball) {
         let amounts = amounts(more).map(|amount| amount * solid_angle);
-        waves.add(&point(to_grid(along), passage.top()), amounts);
+        waves.add(&point(to_grid(along), top), amounts);
     }
     waves
 }

@@ -80,12 +80,14 @@ impl Sampler {
         view: &mut View,
     ) {
         let ball = view.balls[place];
-        let (at, pixel_mm) = (&self.surroundings.balls[ball], self.pixel_mm[ball]);
-        let hit = at.nearest(ray);
-        let width = BETWEEN / lines as f64 * pixel_mm / at.radius_mm;
+        let hit = self.surroundings.nearest(ball, ray);
+        let width =
+            BETWEEN / lines as f64 * self.pixel_mm[ball] / self.surroundings.balls[ball].radius_mm;
+        let bend = self.surroundings.bend(ball, &hit, -ray.along);
         let spread = Spread {
-            outward_rad: FULL_ANGLE * piece.cosine_spread,
-            ..Spread::of_square(width, hit.cos_view)
+            // Next to the rim the square of the cosine grows as fast as the surface is bent.
+            outward_rad: FULL_ANGLE * piece.cosine_spread * bend[0].sqrt(),
+            ..Spread::of_bent(width, hit.cos_view, bend)
         };
         let weight = piece.share / lines as f64;
         let sight = self.sight((ball, hit), -ray.along, spread, part);
@@ -96,7 +98,7 @@ impl Sampler {
     /// Whether lines upright cross the nearest rim more steeply than level ones.
     fn is_upright(&self, at: (usize, usize), view: &View) -> bool {
         let square = |ball: usize, down, aside| {
-            self.surroundings.balls[ball].cos_view_squared(&self.ray(at, down, aside))
+            self.surroundings.view_square(ball, &self.ray(at, down, aside))
         };
         let middle = |ball: &usize| square(*ball, 0.0, 0.0).abs();
         let nearest = view.balls.iter().copied().min_by(|a, b| middle(a).total_cmp(&middle(b)));
@@ -109,9 +111,9 @@ impl Sampler {
     /// The balls that a line meets, by place in the view.
     fn chords(&self, view: &View, ray_at: impl Fn(f64) -> Ray) -> Vec<(usize, Chord)> {
         let chord = |(place, &ball): (usize, &usize)| {
-            let ball = &self.surroundings.balls[ball];
-            let chord = Chord::new(|x| ball.cos_view_squared(&ray_at(x)))?;
-            ball.is_ahead(&ray_at(0.0)).then_some((place, chord))
+            let chord = Chord::new(|x| self.surroundings.view_square(ball, &ray_at(x)))?;
+            let is_ahead = self.surroundings.balls[ball].is_ahead(&ray_at(0.0));
+            is_ahead.then_some((place, chord))
         };
         view.balls.iter().enumerate().filter_map(chord).collect()
     }
@@ -132,8 +134,8 @@ impl Sampler {
             let middle = 0.5 * (from + to);
             let ray = ray_at(middle);
             let far_mm = |(place, _): &(usize, &Chord)| {
-                let ball = &self.surroundings.balls[view.balls[*place]];
-                ball.nearest(&ray).point.distance_squared(ray.from)
+                let hit = self.surroundings.nearest(view.balls[*place], &ray);
+                hit.point.distance_squared(ray.from)
             };
             let covering = chords.iter().filter(|(_, c)| c.from < middle && middle < c.to);
             let ball = covering

@@ -50,6 +50,9 @@ pub struct Sampler {
     pub(super) reflections: Arc<Reflections>,
 }
 
+/// So near to a silhouette, in pixels, a pixel has to know how far off it is.
+const NEAR_PX: f64 = 4.0;
+
 /// Width of an even disc that spreads as a pixel's tent does.
 const PIXEL_PX: f64 = 1.633;
 
@@ -105,7 +108,7 @@ impl Sampler {
         let (_, y) = self.place(row, 0, 0.0, 0.0);
         let near = |&i: &usize| {
             let ball = &self.surroundings.balls[i];
-            self.camera.off_row_mm(y, ball.centre) < ball.radius_mm + 2.0 * self.pixel_mm[i]
+            self.camera.off_row_mm(y, ball.centre) < ball.reach_mm() + 2.0 * self.pixel_mm[i]
         };
         let balls: Vec<usize> = (0..self.pearls.len()).filter(near).collect();
         let mut view = View::default();
@@ -124,7 +127,7 @@ impl Sampler {
         let ray = self.camera.ray(x, y);
         let near = |&i: &usize| {
             let ball = &self.surroundings.balls[i];
-            ball.passing_mm(&ray) < ball.radius_mm + 2.0 * self.pixel_mm[i]
+            ball.passing_mm(&ray) < ball.reach_mm() + 2.0 * self.pixel_mm[i]
         };
         view.balls.clear();
         view.balls.extend(balls.iter().copied().filter(near));
@@ -218,11 +221,11 @@ impl Sampler {
     /// view angle, so neither may the samples of it.
     fn lay_rings(&self, (row, column): (usize, usize), view: &mut View) {
         let ([ball], [part]) = (&view.balls[..], &mut view.parts[..]) else { return };
-        let (ball, place, mut sum) = (*ball, &self.surroundings.balls[*ball], [0.0; 3]);
+        let (ball, mut sum) = (*ball, [0.0; 3]);
         for &down in &self.offsets {
             for &aside in &self.offsets {
                 let (x, y) = self.place(row, column, down, aside);
-                let hit = place.hit(&self.camera.ray(x, y));
+                let hit = self.surroundings.hit(ball, &self.camera.ray(x, y));
                 let rings = hit.and_then(|hit| self.pearls[ball].model.rings(hit.cos_view));
                 rgb::add(&mut sum, rgb::scaled(rings.unwrap_or_default(), self.weight()));
             }
@@ -239,10 +242,8 @@ impl Sampler {
     fn detail(&self, row: usize, column: usize, view: &View) -> Detail {
         let many = self.offsets.len() >= FEWEST_ALIKE;
         let ray = self.ray((row, column), 0.0, 0.0);
-        let inside_mm = |ball: usize| {
-            let place = &self.surroundings.balls[ball];
-            place.radius_mm - place.passing_mm(&ray)
-        };
+        let inside_mm =
+            |ball: usize| self.surroundings.inside_mm(ball, &ray, NEAR_PX * self.pixel_mm[ball]);
         let crossed = |&ball: &usize| inside_mm(ball).abs() < RIM_PX * self.pixel_mm[ball];
         if view.balls.iter().any(crossed) {
             return Detail::Rim;
@@ -256,6 +257,10 @@ impl Sampler {
         let rim_mm = inside_mm(ball);
         if rim_mm <= 3.0 * pixel_mm {
             return Detail::Rim;
+        }
+        if self.surroundings.solid(ball).is_some_and(|solid| solid.horizon().is_some()) {
+            // One part of the pearl may stand before another.
+            return if many { Detail::Unknown } else { Detail::Edges };
         }
         let cached = self.reflections.are_cached(ball);
         if !self.pearls[ball].model.is_smooth() {
@@ -280,11 +285,11 @@ impl Sampler {
         ray: &Ray,
         something: impl Fn(&Model, &Lit, &Sight) -> bool,
     ) -> bool {
-        let (place, pixel_mm) = (&self.surroundings.balls[ball], self.pixel_mm[ball]);
-        let hit = place.nearest(ray);
-        let spread = Spread::of_square(PIXEL_PX * pixel_mm / place.radius_mm, hit.cos_view);
+        let pixel_mm = self.pixel_mm[ball];
+        let hit = self.surroundings.nearest(ball, ray);
+        let spread = self.spread(ball, &hit, -ray.along, PIXEL_PX);
         let (view, part, around) = (-ray.along, (0, 1), Arounds::default());
-        let (outward, local) = (hit.normal, Local::EVEN);
+        let (outward, local) = (self.surroundings.outward(ball, &hit), Local::EVEN);
         let sight = Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
         something(&self.pearls[ball].model, &self.surroundings, &sight)
     }
@@ -295,13 +300,17 @@ impl Sampler {
             return self.behind(ray, weight, self.width_px, view);
         };
         let ball = view.balls[place];
-        let pixel_mm = self.pixel_mm[ball];
-        let width = self.width_px * pixel_mm / self.surroundings.balls[ball].radius_mm;
-        let spread = Spread::of_square(width, hit.cos_view);
+        let spread = self.spread(ball, &hit, -ray.along, self.width_px);
         let sight = self.sight((ball, hit), -ray.along, spread, part);
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);
         shade.light()
+    }
+
+    /// What a point of a ball mirrors to so many pixels' width of the picture.
+    pub(super) fn spread(&self, ball: usize, hit: &Hit, view: DVec3, width_px: f64) -> Spread {
+        let width = width_px * self.pixel_mm[ball] / self.surroundings.balls[ball].radius_mm;
+        Spread::of_bent(width, hit.cos_view, self.surroundings.bend(ball, hit, view))
     }
 
     /// A point of a ball under the eye, with the relief of its coat.
@@ -312,13 +321,14 @@ impl Sampler {
         spread: Spread,
         part: (usize, usize),
     ) -> Sight {
-        let (pearl, pixel_mm, outward) = (&self.pearls[ball], self.pixel_mm[ball], hit.normal);
+        let (pearl, pixel_mm) = (&self.pearls[ball], self.pixel_mm[ball]);
+        let outward = self.surroundings.outward(ball, &hit);
         if !pearl.has_relief() {
-            let (local, around) = (Local::EVEN, self.reflections.around(ball, outward));
+            let (local, around) = (Local::EVEN, self.reflections.around(ball, hit.normal));
             return Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
         }
         let local = pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
-        let normal = local.normal(outward, view);
+        let normal = local.normal(hit.normal, view);
         let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
         let spread = spread.over_slopes(local.fine_slope2);
         let around = self.reflections.around(ball, normal);
@@ -335,9 +345,8 @@ impl Sampler {
 
     /// Where a line of sight meets the first ball of a view, by place in it.
     fn front(&self, ray: &Ray, view: &View) -> Option<(usize, Hit)> {
-        let met = |(place, &ball): (usize, &usize)| {
-            Some((place, self.surroundings.balls[ball].hit(ray)?))
-        };
+        let met =
+            |(place, &ball): (usize, &usize)| Some((place, self.surroundings.hit(ball, ray)?));
         let far_mm = |hit: &Hit| hit.point.distance_squared(ray.from);
         let hits = view.balls.iter().enumerate().filter_map(met);
         hits.min_by(|a, b| far_mm(&a.1).total_cmp(&far_mm(&b.1)))

@@ -1,11 +1,15 @@
 //! A ball: where a ray meets it, what it hides.
 //!
-//! Spheres and discs in closed form; the form factor of a sphere above a plane.
-//! Left out: pearls that are not round; an edge is straight across a narrow cone.
+//! Spheres and discs in closed form; the form factor of a sphere above a plane. A pearl that is not round hides what the
+//! ellipsoid around it does.
+//! Left out: an edge is straight across a narrow cone.
 
 use glam::DVec3;
 
-use crate::{light::glow::Glow, view::ray::Ray};
+use crate::{light::glow::Glow, shape::hull::Hull, view::ray::Ray};
+
+/// What a hull is once space is stretched.
+const UNIT: Ball = Ball { centre: DVec3::ZERO, radius_mm: 1.0, glow: Glow::BLACK, hull: None };
 
 /// How far inside the silhouette a line of sight that grazes it is taken to hit.
 const RIM: f64 = 1.0 - 1e-9;
@@ -15,10 +19,12 @@ const RIM: f64 = 1.0 - 1e-9;
 pub struct Ball {
     /// Its middle.
     pub centre: DVec3,
-    /// Radius in mm.
+    /// Radius in mm; half the width of a pearl that is not round.
     pub radius_mm: f64,
     /// The light that its neighbours and the table get from it.
     pub glow: Glow,
+    /// What stands for a pearl that is not round where others see it.
+    pub hull: Option<Hull>,
 }
 
 /// Where a line of sight meets a pearl.
@@ -35,7 +41,17 @@ pub struct Hit {
 impl Ball {
     /// A dark ball around the origin.
     pub fn alone(radius_mm: f64) -> Self {
-        Self { centre: DVec3::ZERO, radius_mm, glow: Glow::BLACK }
+        Self { centre: DVec3::ZERO, radius_mm, glow: Glow::BLACK, hull: None }
+    }
+
+    /// The farthest that it reaches from its middle.
+    pub(crate) fn reach_mm(&self) -> f64 {
+        self.hull.map_or(self.radius_mm, |hull| hull.reach_mm())
+    }
+
+    /// How far below its middle it reaches.
+    pub(crate) fn below_mm(&self) -> f64 {
+        self.hull.map_or(self.radius_mm, |hull| hull.below_mm())
     }
 
     /// The pearl along `ray`, or nothing.
@@ -73,7 +89,22 @@ impl Ball {
 
     /// (distance, share) of a cone of light of full angle `spread_rad` around `ray` that the ball
     /// stops, if any: the area that two discs have in common, over the cone's.
+    #[inline]
     pub(crate) fn stops(&self, ray: &Ray, spread_rad: f64) -> Option<(f64, f64)> {
+        match &self.hull {
+            None => self.stops_round(ray, spread_rad),
+            Some(hull) => {
+                let (from, along, [length, angle]) =
+                    hull.stretched(ray.from - self.centre, ray.along);
+                let stretched = Ray { from, along };
+                let (far, share) = UNIT.stops_round(&stretched, spread_rad * angle)?;
+                Some((far / length, share))
+            }
+        }
+    }
+
+    #[inline]
+    fn stops_round(&self, ray: &Ray, spread_rad: f64) -> Option<(f64, f64)> {
         let from = ray.from - self.centre;
         let ahead_mm = -from.dot(ray.along);
         if ahead_mm <= 0.0 {
@@ -96,7 +127,7 @@ impl Ball {
         let rel = self.centre - point;
         let along_mm = rel.dot(toward);
         let passing2 = rel.length_squared() - along_mm * along_mm;
-        let needed_mm = self.radius_mm + along_mm * disc.0;
+        let needed_mm = self.reach_mm() + along_mm * disc.0;
         needed_mm <= 0.0 || passing2 * disc.1 * disc.1 >= needed_mm * needed_mm
     }
 
@@ -105,6 +136,10 @@ impl Ball {
     ///
     /// The pearl's edge is taken as straight across the disc, good while the disc is the smaller.
     pub fn light_past(&self, point: DVec3, toward: DVec3, disc_rad: f64) -> f64 {
+        if let Some(hull) = &self.hull {
+            let (from, along, [_, angle]) = hull.stretched(point - self.centre, toward);
+            return UNIT.light_past(from, along, disc_rad * angle);
+        }
         let from = point - self.centre;
         let distance_mm = from.length();
         let pearl_rad = libm::asin((self.radius_mm / distance_mm).min(1.0));
@@ -113,8 +148,11 @@ impl Ball {
     }
 
     /// The share of an even sky that a point on the table still receives beside the pearl that lies on
-    /// it. Exact: the form factor of a sphere wholly above a plane.
+    /// it. Exact for a ball: the form factor of a sphere wholly above a plane.
     pub fn sky_past(&self, point_on_table: DVec3) -> f64 {
+        if let Some(hull) = &self.hull {
+            return hull.sky_past(point_on_table - self.centre);
+        }
         1.0 - (self.radius_mm / (point_on_table - self.centre).length()).min(1.0).powi(3)
     }
 }
@@ -153,7 +191,7 @@ mod tests {
     use super::*;
 
     const BALL: Ball =
-        Ball { centre: DVec3::new(0.0, 0.0, -50.0), radius_mm: 4.0, glow: Glow::BLACK };
+        Ball { centre: DVec3::new(0.0, 0.0, -50.0), radius_mm: 4.0, glow: Glow::BLACK, hull: None };
 
     fn share(aside_mm: f64, spread_rad: f64) -> f64 {
         let ray = Ray { from: DVec3::new(aside_mm, 0.0, 0.0), along: DVec3::NEG_Z };

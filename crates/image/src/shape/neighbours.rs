@@ -47,7 +47,7 @@ impl Neighbours {
         let least = |of: &dyn Fn(usize) -> f64| {
             (0..balls.len()).map(of).reduce(f64::min).unwrap_or_default()
         };
-        let greatest_mm = -least(&|i| -balls[i].radius_mm);
+        let greatest_mm = -least(&|i| -balls[i].reach_mm());
         let corner_mm = [0, 1].map(|axis| least(&|i| places[i][axis]));
         let widths_mm = [0, 1].map(|axis| -least(&|i| -places[i][axis]) - corner_mm[axis]);
         // About one ball to a cell.
@@ -62,8 +62,8 @@ impl Neighbours {
         };
         let cells: Vec<[usize; 2]> = places.iter().map(cell).collect();
         Self {
-            low_mm: least(&|i| balls[i].centre.y - balls[i].radius_mm),
-            high_mm: -least(&|i| -balls[i].centre.y - balls[i].radius_mm),
+            low_mm: least(&|i| balls[i].centre.y - balls[i].reach_mm()),
+            high_mm: -least(&|i| -balls[i].centre.y - balls[i].reach_mm()),
             greatest_mm,
             corner_mm,
             cell_mm,

@@ -153,7 +153,7 @@ mod tests {
     fn clusters_hide_and_send_what_their_balls_do() {
         let glow = |i: usize| Glow::from_fn(|d| [1.0 + 0.3 * d.x, (i % 3) as f64, 0.5 - 0.4 * d.z]);
         let place = |i: usize| DVec3::new((i % 20) as f64 * 8.8, 0.0, (i / 20) as f64 * 8.8);
-        let ball = |i| Ball { centre: place(i), radius_mm: 4.0, glow: glow(i) };
+        let ball = |i| Ball { centre: place(i), glow: glow(i), ..Ball::alone(4.0) };
         let balls: Vec<Ball> = (0..400).map(ball).collect();
         let tree = ClusterTree::new(&balls);
         for i in 0..400 {

@@ -3,10 +3,12 @@
 //! Only what is stated, and the sky's light on the table.
 //! Left out: balls that overlap, and windows that hide one another.
 
+use std::sync::Arc;
+
 use crate::{
     light::glow::Glow,
     rgb::Rgb,
-    shape::{ball::Ball, neighbours::Neighbours},
+    shape::{ball::Ball, neighbours::Neighbours, solid::Solid},
     surroundings::{
         clusters::ClusterTree, lamp::Lamp, sky::Sky, table::Table, walls::Walls, window::Window,
     },
@@ -31,6 +33,8 @@ pub struct Surroundings {
     pub windows: Vec<Window>,
     /// The pearls, which throw shadows and give light.
     pub balls: Vec<Ball>,
+    /// The forms of those that are not round, in the order of the balls; empty where all are.
+    pub(crate) solids: Vec<Option<Arc<Solid>>>,
     pub(crate) neighbours: Neighbours,
     pub(crate) clusters: ClusterTree,
     /// Height of the table: that of the lowest ball's lowest point.
@@ -50,7 +54,7 @@ impl Surroundings {
         balls: Vec<Ball>,
     ) -> Self {
         let sky_on_table = sky.on_table();
-        let lowest = balls.iter().map(|ball| ball.centre.y - ball.radius_mm).reduce(f64::min);
+        let lowest = balls.iter().map(|ball| ball.centre.y - ball.below_mm()).reduce(f64::min);
         let table_y_mm = lowest.unwrap_or(0.0);
         Self {
             table,
@@ -61,6 +65,7 @@ impl Surroundings {
             neighbours: Neighbours::new(&balls),
             clusters: ClusterTree::new(&balls),
             balls,
+            solids: Vec::new(),
             table_y_mm,
             sky_on_table,
         }
@@ -70,6 +75,12 @@ impl Surroundings {
     #[must_use]
     pub fn with_windows(self, windows: Vec<Window>) -> Self {
         Self { windows, ..self }
+    }
+
+    /// The same with the forms of the pearls that are not round, in the order of the balls, which have their hulls.
+    #[must_use]
+    pub fn with_solids(self, solids: Vec<Option<Arc<Solid>>>) -> Self {
+        Self { solids, ..self }
     }
 
     /// The same with the light that each ball sends out.

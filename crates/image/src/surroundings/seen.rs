@@ -76,7 +76,7 @@ mod tests {
     const EVEN: Sky = Sky::Gradient { horizon: [1.0; 3], zenith: [1.0; 3] };
 
     fn glowing(centre: DVec3, radius_mm: f64) -> Ball {
-        Ball { centre, radius_mm, glow: Glow::from_fn(|_| [1.0; 3]) }
+        Ball { centre, glow: Glow::from_fn(|_| [1.0; 3]), ..Ball::alone(radius_mm) }
     }
 
     #[test]

@@ -1,11 +1,14 @@
 //! What differs from place to place on a pearl, and how many films tell it apart.
 
-use nacreous_image::{BlemishKind, Blemishes, CoatParameters, NucleusBands, Pose};
+use nacreous_image::{BlemishKind, Blemishes, CoatParameters, Drill, NucleusBands, Pose};
 
-use super::body::bands_left;
+use super::{
+    body::bands_left,
+    shape::{form_of, pose_of},
+};
 use crate::{
     RenderError,
-    spec::pearl::{CoatSpec, PearlSpec, PoseSpec, TransportSpec},
+    spec::pearl::{CoatSpec, PearlSpec, TransportSpec},
 };
 
 /// Films for layers of different thickness lie so far apart, as a share of it **(ours)**: 11 nm at green, a quarter of
@@ -32,18 +35,17 @@ pub(crate) fn parameters_of(pearl: &PearlSpec) -> Result<Option<CoatParameters>,
     let PearlSpec::Transport(pearl) = pearl else { return Ok(None) };
     let mut coat = coat_of(pearl);
     coat.nucleus.contrast = bands_left(pearl)?;
-    Ok((!coat.is_even() || pearl.pose != PoseSpec::default()).then_some(coat))
+    let is_turned = coat.pose != Pose::new(0.0, 0.0, 0.0);
+    Ok((!coat.is_even() || is_turned).then_some(coat))
 }
 
 fn coat_of(pearl: &TransportSpec) -> CoatParameters {
     let CoatSpec { thickness_spread, patch_mm, banding, hammering_rad, dent_mm, .. } = pearl.coat;
-    let (coat, blemishes, pose) = (&pearl.coat, &pearl.blemishes, &pearl.pose);
+    let (coat, blemishes) = (&pearl.coat, &pearl.blemishes);
     let seed = |given: Option<u64>| given.unwrap_or_else(|| pearl.nacre.seed());
-    let [turn_rad, tilt_rad, spin_rad] =
-        [pose.turn_deg, pose.tilt_deg, pose.spin_deg].map(f64::to_radians);
     CoatParameters {
         radius_mm: 0.5 * pearl.diameter_mm,
-        pose: Pose::new(turn_rad, tilt_rad, spin_rad),
+        pose: pose_of(pearl),
         seed: seed(coat.seed),
         thickness_spread,
         patch_mm,
@@ -64,6 +66,11 @@ fn coat_of(pearl: &TransportSpec) -> CoatParameters {
             depth_mm: 1e-3 * blemishes.depth_um,
             area: blemishes.area,
             seed: seed(blemishes.seed),
+        },
+        drill: Drill {
+            radius_mm: 0.5 * pearl.shape.drill_mm,
+            wear_mm: pearl.shape.drill_wear_mm,
+            ends_mm: form_of(pearl).ends().map(|end| end * 0.5 * pearl.diameter_mm),
         },
         nucleus: NucleusBands { contrast: 0.0, band_mm: pearl.body.nucleus_band_mm },
     }

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use super::{Colour, nacre::NacreSpec};
+use crate::pearl::shape::solid_key;
 
 /// A pearl in one of the two models.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -44,6 +45,8 @@ pub struct TransportSpec {
     pub coat: CoatSpec,
     /// Pits, bumps and the like.
     pub blemishes: BlemishesSpec,
+    /// What shape it has.
+    pub shape: ShapeSpec,
     /// How the pearl is turned.
     pub pose: PoseSpec,
 }
@@ -239,14 +242,43 @@ pub struct BlemishesSpec {
     pub area: Option<f64>,
 }
 
+/// What shape a pearl has; lengths without a unit are shares of half its width.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ShapeSpec {
+    /// Seed of lumps and circles; the growth's where left out.
+    pub seed: Option<u64>,
+    /// Length along the axis of growth over the width across it.
+    pub length: f64,
+    /// How much narrower a drop's end is.
+    pub taper: f64,
+    /// How much nearer to the middle a button's flat side is.
+    pub flattening: f64,
+    /// Difference of the widths across the axis, as a share of them.
+    pub out_of_round: f64,
+    /// Standard deviation of a baroque pearl's lumps.
+    pub lumps: f64,
+    /// Size of a lump, from its top to its foot.
+    pub lump_mm: f64,
+    /// Number of grooves about the axis.
+    pub circles: usize,
+    /// Depth of a groove.
+    pub circle_depth: f64,
+    /// Diameter of the drill hole along the axis; none where it is 0.
+    pub drill_mm: f64,
+    /// Width of the hole's worn edge.
+    pub drill_wear_mm: f64,
+}
+
 /// How a pearl is turned in its place.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PoseSpec {
     /// About the upright.
     pub turn_deg: f64,
-    /// Of the axis of growth from the upright towards the viewer.
-    pub tilt_deg: f64,
+    /// Of the axis of growth from the upright towards the viewer; left out, upright for a round pearl and at rest, across
+    /// the view, for another.
+    pub tilt_deg: Option<f64>,
     /// About the axis of growth.
     pub spin_deg: f64,
 }
@@ -292,7 +324,9 @@ impl PearlSpec {
         let mut same = self.clone();
         let (name, grain, texture) = match &mut same {
             Self::Transport(pearl) => {
-                pearl.pose = PoseSpec::default();
+                if solid_key(&Self::Transport(pearl.clone())).is_none() {
+                    pearl.pose = PoseSpec::default();
+                }
                 (&mut pearl.name, &mut pearl.grain, &mut pearl.texture)
             }
             Self::Illuminant(pearl) => (&mut pearl.name, &mut pearl.grain, &mut pearl.texture),

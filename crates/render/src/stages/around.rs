@@ -9,7 +9,7 @@ use nacreous_image::{
 
 use super::optics::{Optics, microfacets_of};
 use crate::{
-    arrangement::Arrangement,
+    arrangement::{Arrangement, Place, Solids},
     lights::Lights,
     spec::{
         pearl::PearlSpec,
@@ -26,6 +26,7 @@ pub(crate) struct Unlit<'a> {
     pub(crate) pearls: &'a [PearlSpec],
     pub(crate) optics: &'a [Optics],
     pub(crate) arrangement: &'a Arrangement,
+    pub(crate) solids: &'a Solids,
     pub(crate) lights: &'a Lights,
     pub(crate) scene: &'a SceneSpec,
     pub(crate) samples_side: usize,
@@ -62,7 +63,11 @@ impl Unlit<'_> {
         let lamps = self.lights.lamps_for(self.pearls.iter().map(microfacets_of));
         let (table, walls) = (table(&self.scene.table), self.scene.walls.as_ref().map(walls));
         let (sky, balls) = (self.lights.sky.clone(), self.arrangement.balls());
-        Surroundings::new(table, walls, sky, lamps, balls).with_windows(self.lights.windows.clone())
+        let solid = |place: &Place| self.solids[place.pearl].clone();
+        let solids = self.arrangement.places().iter().map(solid).collect();
+        Surroundings::new(table, walls, sky, lamps, balls)
+            .with_windows(self.lights.windows.clone())
+            .with_solids(solids)
     }
 
     /// What each place's pearl does with the light that there is; `None` once `progress` says to stop, which

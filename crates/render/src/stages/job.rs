@@ -1,8 +1,8 @@
 //! A picture in the making, kept and asked again: only what changed is worked out anew.
 
-use std::sync::Arc;
+use std::{convert::Infallible, sync::Arc};
 
-use nacreous_image::{MAX_SIZE_PX, Model, Pearl, Progress, Reflections, Sampler};
+use nacreous_image::{MAX_SIZE_PX, Model, Pearl, Progress, Reflections, Sampler, Solid};
 
 use super::{
     around::{LitScene, Unlit},
@@ -15,6 +15,7 @@ use crate::{
     RenderError, Resources,
     arrangement::{Arrangement, Place},
     lights::{Lights, LightsKey},
+    pearl::shape::{SolidKey, solid_key},
     spec::{
         Recipe,
         pearl::PearlSpec,
@@ -33,6 +34,7 @@ pub const MAX_SAMPLES: usize = 1024;
 pub struct Job {
     recipe: Recipe,
     resources: Resources,
+    solids: Kept<SolidKey, Solid>,
     arrangement: Arrangement,
     samples_side: usize,
     lights: Kept<LightsKey, Lights>,
@@ -67,10 +69,12 @@ impl Job {
     /// # Errors
     /// [`RenderError`] for a size, a number of samples or an arrangement that cannot be.
     pub fn new(recipe: Recipe, resources: Resources) -> Result<Self, RenderError> {
-        let (arrangement, samples_side) = checked(&recipe)?;
+        let mut solids = Kept::default();
+        let (arrangement, samples_side) = checked(&recipe, &mut solids)?;
         Ok(Self {
             recipe,
             resources,
+            solids,
             arrangement,
             samples_side,
             lights: Kept::default(),
@@ -85,7 +89,7 @@ impl Job {
     /// # Errors
     /// As [`Job::new`]; then the job is as it was.
     pub fn change(&mut self, recipe: Recipe, resources: Resources) -> Result<(), RenderError> {
-        (self.arrangement, self.samples_side) = checked(&recipe)?;
+        (self.arrangement, self.samples_side) = checked(&recipe, &mut self.solids)?;
         (self.recipe, self.resources) = (recipe, resources);
         Ok(())
     }
@@ -153,6 +157,7 @@ impl Job {
             pearls: &recipe.pearls,
             optics: &optics,
             arrangement,
+            solids: &solids_of(&recipe.pearls, &mut self.solids),
             lights: &lights,
             scene: &recipe.scene,
             samples_side: self.samples_side,
@@ -201,7 +206,10 @@ impl SceneKey {
 }
 
 /// The arrangement of a recipe, and how many samples stand along a pixel's side.
-fn checked(recipe: &Recipe) -> Result<(Arrangement, usize), RenderError> {
+fn checked(
+    recipe: &Recipe,
+    solids: &mut Kept<SolidKey, Solid>,
+) -> Result<(Arrangement, usize), RenderError> {
     if !(1..=MAX_SIZE_PX).contains(&recipe.size) {
         let allowed = format!("a whole number from 1 to {MAX_SIZE_PX}");
         return Err(RenderError::out_of_range("size", recipe.size, allowed));
@@ -211,7 +219,16 @@ fn checked(recipe: &Recipe) -> Result<(Arrangement, usize), RenderError> {
         let allowed = format!("a square number from 1 to {MAX_SAMPLES}, such as 16");
         return Err(RenderError::out_of_range("samples", recipe.samples, allowed));
     }
-    Ok((Arrangement::new(recipe)?, samples_side))
+    Ok((Arrangement::of_forms(recipe, &solids_of(&recipe.pearls, solids))?, samples_side))
+}
+
+/// The forms of pearls that are not round.
+fn solids_of(pearls: &[PearlSpec], solids: &mut Kept<SolidKey, Solid>) -> Vec<Option<Arc<Solid>>> {
+    let keys: Vec<Option<SolidKey>> = pearls.iter().map(solid_key).collect();
+    let make = |key: &SolidKey| Ok::<_, Infallible>(Some(key.solid()));
+    let Ok(made) = solids.all(keys.iter().flatten().cloned().collect(), make);
+    let mut made = made.unwrap_or_default().into_iter();
+    keys.iter().map(|key| key.as_ref().and_then(|_| made.next())).collect()
 }
 
 #[cfg(test)]

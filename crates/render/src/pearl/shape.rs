@@ -1,0 +1,70 @@
+//! A pearl's shape and how it lies: what stands in place of values left open.
+
+use nacreous_image::{FormParameters, Pose, Rest, Solid};
+
+use crate::spec::pearl::{PearlSpec, PoseSpec, TransportSpec};
+
+/// What a pearl that is not round is made from.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SolidKey {
+    pub(crate) form: FormParameters,
+    pub(crate) pose: Pose,
+    pub(crate) radius_mm: f64,
+}
+
+impl SolidKey {
+    /// Makes it.
+    pub(crate) fn solid(&self) -> Solid {
+        Solid::new(&self.form, self.pose, self.radius_mm)
+    }
+}
+
+/// A pearl lies down only where that brings its middle lower by more than this share of half its width: one that is
+/// round to the eye stays as it is **(ours)**.
+const LEAST_DROP: f64 = 0.01;
+
+/// Of a pearl that is not round.
+pub(crate) fn solid_key(pearl: &PearlSpec) -> Option<SolidKey> {
+    let PearlSpec::Transport(pearl) = pearl else { return None };
+    let form = form_of(pearl);
+    let radius_mm = 0.5 * pearl.diameter_mm;
+    (!form.is_round()).then(|| SolidKey { form, pose: pose_of(pearl), radius_mm })
+}
+
+pub(crate) fn form_of(pearl: &TransportSpec) -> FormParameters {
+    let shape = &pearl.shape;
+    FormParameters {
+        length: shape.length,
+        taper: shape.taper,
+        flattening: shape.flattening,
+        out_of_round: shape.out_of_round,
+        lumps: shape.lumps,
+        lump_rad: shape.lump_mm / (0.5 * pearl.diameter_mm),
+        circles: shape.circles,
+        circle_depth: shape.circle_depth,
+        seed: shape.seed.unwrap_or_else(|| pearl.nacre.seed()),
+    }
+}
+
+/// How a pearl is turned. Left open, a pearl that is not round lies at rest with its axis across the view.
+pub(crate) fn pose_of(pearl: &TransportSpec) -> Pose {
+    let PoseSpec { turn_deg, tilt_deg, spin_deg } = pearl.pose;
+    let posed = |turn_deg: f64, tilt_deg: f64| {
+        let [turn, tilt, spin] = [turn_deg, tilt_deg, spin_deg].map(f64::to_radians);
+        Pose::new(turn, tilt, spin)
+    };
+    if let Some(tilt_deg) = tilt_deg {
+        return posed(turn_deg, tilt_deg);
+    }
+    let form = form_of(pearl);
+    if form.is_round() {
+        return posed(turn_deg, 0.0);
+    }
+    let rest = Rest::new(&form);
+    let height = |tilt: i32| rest.height(&posed(0.0, f64::from(tilt)));
+    let lowest = (0..=180).min_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap_or(0);
+    if height(0) - height(lowest) < LEAST_DROP {
+        return posed(turn_deg, 0.0);
+    }
+    posed(turn_deg + 90.0, f64::from(lowest))
+}
