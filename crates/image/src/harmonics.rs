@@ -8,6 +8,7 @@
 mod analysis;
 mod coefficients;
 mod fourier;
+mod knots;
 mod legendre;
 mod place;
 pub(crate) mod second_order;
@@ -15,5 +16,6 @@ mod synthesis;
 
 pub use analysis::{analyse, directions_of_grid, point};
 pub use coefficients::{CHANNELS, Coefficients};
-pub(crate) use place::Place;
+pub(crate) use knots::knots;
+pub(crate) use place::{Place, from_grid, to_grid};
 pub use synthesis::synthesise;

@@ -1,5 +1,6 @@
 //! What a pearl does with light, by either model, point by point.
 
+pub(crate) mod beam;
 pub(crate) mod body;
 pub(crate) mod films;
 pub(crate) mod gathered;

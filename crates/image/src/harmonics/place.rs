@@ -22,6 +22,16 @@ impl Place {
     }
 }
 
+/// A direction of the scene as grids have it: their pole is the scene's zenith.
+pub(crate) fn to_grid(direction: DVec3) -> DVec3 {
+    DVec3::new(direction.z, direction.x, direction.y)
+}
+
+/// The way back.
+pub(crate) fn from_grid(direction: DVec3) -> DVec3 {
+    DVec3::new(direction.y, direction.z, direction.x)
+}
+
 /// The angle of (x, y) from the x axis, like atan2, to 2e-7 rad: a texel is 10 000 times as wide.
 ///
 /// Without branches, since a picture asks for millions. The polynomial is the minimax fit of degree 15.

@@ -4,17 +4,18 @@
 //! weights on the places (Sinkhorn 1964) make that even again: as much leaves as enters, both ways between two places alike.
 //! Left out: that the way is shorter through a thin part, and which part of a bulge hides a window.
 
-use std::f64::consts::PI;
-
 use glam::DVec3;
 
 use crate::{
-    harmonics::{CHANNELS, Coefficients, analyse, directions_of_grid, synthesise},
+    harmonics::{
+        CHANNELS, Coefficients, Place, analyse, directions_of_grid, from_grid, knots, synthesise,
+        to_grid,
+    },
     light::bands::Bands,
     parallel,
     pearl::{
+        beam::Beam,
         passage::{Passage, TOP_AROUND, row},
-        subsurface::{Beam, from_grid, to_grid},
     },
     shape::solid::Solid,
 };
@@ -23,12 +24,12 @@ use crate::{
 pub(crate) struct SolidLight<'a> {
     passage: &'a Passage,
     rows: usize,
-    places: Vec<Place>,
+    spots: Vec<Spot>,
 }
 
-/// A place of a solid.
+/// A spot of a solid's surface.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct Spot {
     outward: DVec3,
     normal: DVec3,
     /// Its area over the solid angle that it fills.
@@ -51,12 +52,12 @@ impl<'a> SolidLight<'a> {
             let outward = directions[i];
             let open = solid.horizon().map_or(1.0, |horizon| horizon.open(solid.own(outward)));
             let (_, normal) = solid.surface(outward);
-            Place { outward, normal, area: solid.area_per_angle(outward), open, weight: 1.0 }
+            Spot { outward, normal, area: solid.area_per_angle(outward), open, weight: 1.0 }
         };
-        let mut light = Self { passage, rows, places: parallel::map(directions.len(), place) };
+        let mut light = Self { passage, rows, spots: parallel::map(directions.len(), place) };
         for _ in 0..WEIGHT_STEPS {
             let spread = light.wandered(|place| [place.weight * place.area; CHANNELS]);
-            for (place, spread) in light.places.iter_mut().zip(spread) {
+            for (place, spread) in light.spots.iter_mut().zip(spread) {
                 place.weight = (place.weight / spread[0].max(LEAST)).sqrt();
             }
         }
@@ -73,8 +74,8 @@ impl<'a> SolidLight<'a> {
         hidden: impl Fn(DVec3, &Beam) -> f64 + Sync,
     ) -> Vec<[f64; CHANNELS]> {
         let by_normal = self.synthesised(around);
-        let entered = parallel::map(self.places.len(), |i| {
-            let place = &self.places[i];
+        let entered = parallel::map(self.spots.len(), |i| {
+            let place = &self.spots[i];
             let mut light = self.between(&by_normal, place.normal).map(|light| light * place.open);
             for beam in beams {
                 let cosine = place.normal.dot(beam.direction);
@@ -92,25 +93,25 @@ impl<'a> SolidLight<'a> {
         });
         let spread = self
             .wandered_each(|i, place| entered[i].map(|light| light * place.weight * place.area));
-        let leaving = |(spread, place): ([f64; CHANNELS], &Place)| {
+        let leaving = |(spread, place): ([f64; CHANNELS], &Spot)| {
             std::array::from_fn(|i| {
                 spread[i] * place.weight * self.passage.leaving_evenly()[bands[i]]
             })
         };
-        spread.into_iter().zip(&self.places).map(leaving).collect()
+        spread.into_iter().zip(&self.spots).map(leaving).collect()
     }
 
-    fn wandered(&self, value: impl Fn(&Place) -> [f64; CHANNELS]) -> Vec<[f64; CHANNELS]> {
+    fn wandered(&self, value: impl Fn(&Spot) -> [f64; CHANNELS]) -> Vec<[f64; CHANNELS]> {
         self.wandered_each(|_, place| value(place))
     }
 
     /// Values at the places after they wandered as heat would.
     fn wandered_each(
         &self,
-        value: impl Fn(usize, &Place) -> [f64; CHANNELS],
+        value: impl Fn(usize, &Spot) -> [f64; CHANNELS],
     ) -> Vec<[f64; CHANNELS]> {
         let values: Vec<[f64; CHANNELS]> =
-            self.places.iter().enumerate().map(|(i, place)| value(i, place)).collect();
+            self.spots.iter().enumerate().map(|(i, place)| value(i, place)).collect();
         let top = self.passage.top();
         let mut waves = analyse(self.rows, &values, top);
         for l in 0..=top {
@@ -132,25 +133,10 @@ impl<'a> SolidLight<'a> {
 
     /// A field of the grid in a direction of the scene, between its four nearest knots.
     fn between(&self, grid: &[[f64; CHANNELS]], direction: DVec3) -> [f64; CHANNELS] {
-        let (rows, own) = (self.rows, to_grid(direction));
-        let scale = rows as f64 / PI;
-        let across = (libm::atan2(own.y, own.x) + 2.0 * PI) * scale;
-        let down = libm::acos(own.z.clamp(-1.0, 1.0)) * scale + 0.5;
-        let (column, row) = (across as usize, (down as usize).min(rows));
-        let (aside, below) = (across - column as f64, down - row as f64);
         let mut sum = [0.0; CHANNELS];
-        for (row, row_share) in [(row, 1.0 - below), (row + 1, below)] {
-            // Beyond a pole lies the same ring, half way round.
-            let (ring, turn) = match row {
-                0 => (0, rows),
-                row if row > rows => (rows - 1, rows),
-                row => (row - 1, 0),
-            };
-            for (column, share) in [(column, 1.0 - aside), (column + 1, aside)] {
-                let knot = &grid[ring * 2 * rows + (column + turn) % (2 * rows)];
-                for (sum, value) in sum.iter_mut().zip(knot) {
-                    *sum += value * share * row_share;
-                }
+        for (knot, share) in knots(self.rows, Place::towards(to_grid(direction))) {
+            for (sum, value) in sum.iter_mut().zip(grid[knot]) {
+                *sum += value * f64::from(share);
             }
         }
         sum

@@ -9,10 +9,14 @@ use glam::DVec3;
 use nacreous_colour::matrix::apply;
 
 use crate::{
-    harmonics::{CHANNELS, Coefficients, Place, analyse, directions_of_grid, point, synthesise},
-    light::bands::{BANDS, Bands},
+    harmonics::{
+        CHANNELS, Coefficients, Place, analyse, directions_of_grid, from_grid, knots, point,
+        synthesise, to_grid,
+    },
+    light::bands::BANDS,
     parallel,
     pearl::{
+        beam::Beam,
         films::FilmAt,
         passage::{Passage, TOP_AROUND, row},
         solid_light::{LEAST_ROWS, SolidLight, entering},
@@ -21,17 +25,6 @@ use crate::{
     surface::coating::legendre,
     surroundings::lit::Lit,
 };
-
-/// A lamp as the inside of a pearl meets it.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Beam {
-    /// Towards the lamp.
-    pub(crate) direction: DVec3,
-    /// Radius of its disc.
-    pub(crate) angular_radius_rad: f64,
-    /// Light in bands of a white matt surface that faces it.
-    pub(crate) power: Bands,
-}
 
 /// Light that has been inside, ready to be looked at.
 ///
@@ -122,27 +115,10 @@ impl Subsurface {
     /// Between the four nearest places.
     #[inline]
     fn light(&self, place: Place) -> [f32; PLACE] {
-        let scale = self.rows as f32 / std::f32::consts::PI;
-        let (columns, rows) = (2 * self.rows, self.rows as f32);
-        // A turn and a row more keep both positive.
-        let across = place.longitude * scale + columns as f32;
-        let down = (place.colatitude * scale + 0.5).min(rows + 0.4999);
-        let (column, row) = (across as usize, down as usize);
-        let (aside, below) = (across - column as f32, down - row as f32);
         let mut sum = [0.0; PLACE];
-        for (r, row_share) in [(row, 1.0 - below), (row + 1, below)] {
-            // Beyond a pole lies the same ring, half way round.
-            let (ring, turn) = match r {
-                0 => (0, self.rows),
-                r if r > self.rows => (self.rows - 1, self.rows),
-                r => (r - 1, 0),
-            };
-            for (c, share) in [(column, 1.0 - aside), (column + 1, aside)] {
-                let cell = &self.places[ring * columns + (c + turn) % columns];
-                let share = share * row_share;
-                for (sum, value) in sum.iter_mut().zip(cell) {
-                    *sum += share * value;
-                }
+        for (knot, share) in knots(self.rows, place) {
+            for (sum, value) in sum.iter_mut().zip(&self.places[knot]) {
+                *sum += share * value;
             }
         }
         sum
@@ -158,15 +134,6 @@ fn dot(weights: &[f32; BANDS], place: &[f32; PLACE]) -> f32 {
         }
     }
     sums.iter().sum()
-}
-
-/// The grid's pole is the scene's zenith.
-pub(crate) fn to_grid(direction: DVec3) -> DVec3 {
-    DVec3::new(direction.z, direction.x, direction.y)
-}
-
-pub(crate) fn from_grid(direction: DVec3) -> DVec3 {
-    DVec3::new(direction.y, direction.z, direction.x)
 }
 
 /// The light around a pearl in waves on the sphere of directions, before it enters.

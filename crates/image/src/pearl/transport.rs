@@ -8,12 +8,13 @@ use std::sync::Arc;
 use crate::{
     light::bands::Bands,
     pearl::{
+        beam::Beam,
         reflection::Reflection,
         reflection_cache::{Arounds, ReflectionCache},
         response::Response,
         shade::Shade,
         sight::Sight,
-        subsurface::{Beam, Subsurface},
+        subsurface::Subsurface,
     },
     rgb,
     surroundings::{lamp::Lamp, lit::Lit},

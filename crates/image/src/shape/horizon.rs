@@ -3,21 +3,25 @@
 //! Horizon maps (Max 1988) over the sphere of directions, each place with axes of its own.
 //! Left out: grooves finer than the map, and light that comes through below an overhang, which no form has.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use crate::{parallel, shape::form::Form};
+use crate::{
+    harmonics::{Place, directions_of_grid, knots},
+    parallel,
+    shape::form::Form,
+};
 
 /// The horizon above each place of a form.
 #[derive(Debug)]
 pub(crate) struct Horizon {
-    places: Vec<Place>,
+    spots: Vec<Spot>,
 }
 
 /// What a place sees of its own pearl.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct Spot {
     normal: DVec3,
     across: [DVec3; 2],
     /// Sine of the horizon's elevation by azimuth; 0 where nothing rises.
@@ -40,13 +44,9 @@ const EDGE: f64 = 0.1;
 impl Horizon {
     /// Of a form; `None` where it hides itself nowhere.
     pub(crate) fn of(form: &Form) -> Option<Self> {
-        let places = parallel::map(2 * ROWS * ROWS, |i| {
-            let colatitude = ((i / (2 * ROWS)) as f64 + 0.5) * PI / ROWS as f64;
-            let longitude = (i % (2 * ROWS)) as f64 * PI / ROWS as f64;
-            let ((sin, cos), (up, along)) = (libm::sincos(colatitude), libm::sincos(longitude));
-            Place::of(form, DVec3::new(sin * along, sin * up, cos))
-        });
-        places.iter().any(|place| place.highest > 0.0).then_some(Self { places })
+        let towards: Vec<DVec3> = directions_of_grid(ROWS).map(|(towards, _)| towards).collect();
+        let spots = parallel::map(towards.len(), |i| Spot::of(form, towards[i]));
+        spots.iter().any(|place| place.highest > 0.0).then_some(Self { spots })
     }
 
     /// The share of light towards a direction, `width` wide as a sine, that the pearl itself hides from a place; place and
@@ -57,37 +57,17 @@ impl Horizon {
 
     /// The share of the light on a matt surface that the pearl leaves it, from an even sky all around.
     pub(crate) fn open(&self, place: DVec3) -> f64 {
-        self.between(place, Place::open)
+        self.between(place, Spot::open)
     }
 
     /// Between the four nearest places.
-    fn between(&self, place: DVec3, value: impl Fn(&Place) -> f64) -> f64 {
-        let scale = ROWS as f64 / PI;
-        let across = (libm::atan2(place.y, place.x) + TAU) * scale;
-        let down = libm::acos(place.z.clamp(-1.0, 1.0)) * scale + 0.5;
-        let (column, row) = (across as usize, (down as usize).min(ROWS));
-        let (aside, below) = (across - column as f64, down - row as f64);
-        let mut sum = 0.0;
-        for (row, row_share) in [(row, 1.0 - below), (row + 1, below)] {
-            // Beyond a pole lies the same ring, half way round.
-            let (ring, turn) = match row {
-                0 => (0, ROWS),
-                row if row > ROWS => (ROWS - 1, ROWS),
-                row => (row - 1, 0),
-            };
-            for (column, share) in [(column, 1.0 - aside), (column + 1, aside)] {
-                let share = share * row_share;
-                if share > 0.0 {
-                    sum +=
-                        share * value(&self.places[ring * 2 * ROWS + (column + turn) % (2 * ROWS)]);
-                }
-            }
-        }
-        sum
+    fn between(&self, place: DVec3, value: impl Fn(&Spot) -> f64) -> f64 {
+        let knots = knots(ROWS, Place::towards(place));
+        knots.iter().map(|&(knot, share)| f64::from(share) * value(&self.spots[knot])).sum()
     }
 }
 
-impl Place {
+impl Spot {
     /// The horizon in a direction from the middle.
     fn of(form: &Form, towards: DVec3) -> Self {
         let (radius, gradient) = form.at(towards);
