@@ -6,11 +6,21 @@
 Range(2 to 5 %)
 """
 
-from nacreous.trade.setting import overrides_of
+from nacreous.trade.setting import overrides_of, with_words
 from nacreous.trade.table import factors, range_of, word_of, words
 from nacreous.trade.word import Factor, Range, Word
 
-__all__ = ["Factor", "Range", "Word", "factors", "overrides_of", "range_of", "word_of", "words"]
+__all__ = [
+    "Factor",
+    "Range",
+    "Word",
+    "factors",
+    "overrides_of",
+    "range_of",
+    "with_words",
+    "word_of",
+    "words",
+]
 
 
 def __dir__() -> list[str]:
