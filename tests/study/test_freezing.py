@@ -304,9 +304,9 @@ def test_a_study_is_never_frozen_over_another_nor_among_other_files(desk: Path) 
         (
             _OVERRIDES,
             'words = ["nacre-akoya=thin", "nacre-tahitian=thin"]',
-            'stimuli.0: words "nacre-tahitian=thin": sets body.nacre_mm, as "nacre-akoya=thin" does',
+            'stimuli.0: words "nacre-tahitian=thin": sets body.nacre_mm, as "nacre-akoya=thin"',
         ),
-        ('"photograph.png"', '"none.png"\nwords = ["luster=Fair"]', "stimuli.1.words cannot stand"),
+        ('"photograph.png"', '"none.png"\nwords = ["luster=Fair"]', "stimuli.1.words cannot"),
         ('"photograph.png"', '"none.png"', "stimuli.1: "),
         ('"photograph.png"', '"huge.png"', "stimuli.1: picture has 4097 x 2 pixels; allowed: up"),
         ("size_px = 96", "size_px = 32", "stimuli.2: radius is"),
