@@ -152,9 +152,9 @@ def _whole(name: str, value: int) -> int:
     most, allowed = _COUNTS[name]
     if type(value).__module__ == "numpy":
         value = alone(value)
-    if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
-        if name != "samples" or isqrt(value) ** 2 == value:
-            return int(value)
+    whole = isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most
+    if whole and (name != "samples" or isqrt(value) ** 2 == value):
+        return int(value)
     raise InputError(f"{name} is {said(value)}; allowed: {allowed}")
 
 

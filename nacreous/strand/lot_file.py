@@ -52,6 +52,8 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
     table = _table(path)
     lot = _lot_of(table)
     if _PLACED[0] not in table.columns:
+        if len(lot) < 2:
+            raise InputError(f"{table.place}: holds 1 pearl; allowed in a strand: at least two")
         everyone = np.arange(len(lot))
         return lot, Sorting((_strand(lot, everyone, _even(lot)),), everyone[:0])
     faults = table.faults()
@@ -85,17 +87,18 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
 
 def _say_odd_strands(number: Array, place: Array, faults: Faults) -> None:
     """Two pearls at one place of a strand, and a strand of one pearl."""
+
+    def alone(row: int) -> str:
+        return f"strand is {number[row]:g} for this pearl alone; allowed: at least two pearls"
+
+    def again(row: int) -> str:
+        return f"place is {place[row]:g} in strand {number[row]:g} again; allowed: each once"
+
     for one in np.unique(number[~np.isnan(number)]):
         pearls = np.flatnonzero(number == one)
-        if len(pearls) == 1:
-            faults.say_of_rows(
-                pearls, lambda _: f"strand {one:g} is this pearl; allowed: 2 or more"
-            )  # noqa: B023
-        _, first = np.unique(place[pearls], return_index=True)
-        faults.say_of_rows(
-            np.delete(pearls, first),
-            lambda row: f"place is {place[row]:g} in strand {one:g} again; allowed: each once",  # noqa: B023
-        )
+        faults.say_of_rows(pearls if len(pearls) == 1 else pearls[:0], alone)
+        first = np.unique(place[pearls], return_index=True)[1]
+        faults.say_of_rows(np.delete(pearls, first), again)
 
 
 def write_lot(path: Path, lot: Lot) -> None:
