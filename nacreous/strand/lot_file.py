@@ -62,13 +62,7 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
     number, place, target_mm = (number_column(table, one, None, faults, 0) for one in _PLACED)
     hung = ~np.isnan(number)
     for name, column in ((_PLACED[0], number), (_PLACED[1], place)):
-        whole = np.isnan(column) | ((column >= 1) & (column == np.floor(column)))
-        faults.say_of_rows(
-            np.flatnonzero(~whole),
-            lambda row, name=name, column=column: (
-                f"{name} is {column[row]:g}; allowed: a whole number from 1 on"
-            ),
-        )
+        _say_unwhole(name, column, faults)
     faults.say_of_rows(
         np.flatnonzero(hung & (np.isnan(place) | np.isnan(target_mm))),
         lambda row: "place or target_mm is empty; allowed: numbers, as nacreous strand sort writes",
@@ -83,6 +77,15 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
     if not strands:
         raise InputError(f"{table.place}: no pearl is in a strand; allowed: at least two")
     return lot, Sorting(tuple(strands), np.flatnonzero(~hung))
+
+
+def _say_unwhole(name: str, column: Array, faults: Faults) -> None:
+    """Numbers of strands and places that cannot be counted."""
+    whole = np.isnan(column) | ((column >= 1) & (column == np.floor(column)))
+    faults.say_of_rows(
+        np.flatnonzero(~whole),
+        lambda row: f"{name} is {column[row]:g}; allowed: a whole number from 1 on",
+    )
 
 
 def _say_odd_strands(number: Array, place: Array, faults: Faults) -> None:
