@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from nacreous.image import render
+from nacreous.linear_light import luminance
 from nacreous.problem import InputError
 from nacreous.spec import Scene
 
@@ -18,9 +19,6 @@ METER = "akoya-rg-0.0"
 #: Share of its disc that stays below a screen's white: all but the lamps' images, which take 8 to
 #: 12 % of it in the scenes that come with the package, and their edges **(ours)**.
 BELOW_WHITE = 0.85
-
-#: Luminance of sRGB's primaries (IEC 61966-2-1).
-_LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 #: Pixels a side: twice as many move no scene's exposure by more than 1 %.
 _SIZE_PX = 128
@@ -42,7 +40,7 @@ def metered_exposure(scene: str | Path | Scene) -> float:
     camera = given.camera.replace(exposure=1.0, field_mm=None)
     image = render(METER, given.replace(camera=camera, rows=()), size=_SIZE_PX)
     disc = image.layers["coverage"][..., 0] > 0.999
-    brightest = float(np.quantile(image.linear[disc] @ _LUMINANCE, BELOW_WHITE))
+    brightest = float(np.quantile(luminance(image.linear[disc]), BELOW_WHITE))
     if brightest <= 0:
         raise InputError("the scene sends no light to a pearl; allowed: a lamp, a window or a sky")
     return 1 / brightest

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["layers_of", "linear_of", "texts_of"]
+__all__ = ["layers_of", "linear_of", "luminance", "texts_of"]
 
 
 def linear_of(linear: ArrayLike) -> NDArray[np.float32]:
@@ -31,6 +31,18 @@ def linear_of(linear: ArrayLike) -> NDArray[np.float32]:
     if array.ndim != 3 or array.shape[2] != 3 or not array.size:
         raise InputError(f"linear has the shape {array.shape}; allowed: [row, column, 3]")
     return array
+
+
+def luminance(linear: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Luminance Y of linear sRGB [..., 3] (IEC 61966-2-1).
+
+    >>> import numpy as np
+    >>> luminance(np.ones(3)).round(6).tolist()
+    1.0
+    """
+    import numpy as np
+
+    return np.asarray(linear @ np.array([0.2126, 0.7152, 0.0722]))
 
 
 def layers_of(

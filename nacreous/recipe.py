@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import platform
 from collections.abc import Sequence
+from math import isqrt
 from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     Spec = TypeVar("Spec", Pearl, Scene)
     Given: TypeAlias = str | Path | Pearl
 
-__all__ = ["PREFIX", "Recipe", "recipe"]
+__all__ = ["PREFIX", "Recipe", "loaded", "recipe"]
 
 #: What the keywords of a recipe's texts begin with in a picture file.
 PREFIX = "nacreous:"
@@ -120,7 +121,7 @@ def _read(
     from nacreous.rows import fill
     from nacreous.spec import Scene
 
-    filled = fill(_given(pearl), _loaded(Scene, scene))
+    filled = fill(_given(pearl), loaded(Scene, scene))
     pearls = [_Written(one.model_dump_json(), one.to_toml()) for one in filled.pearls]
     return pearls, _Written(filled.scene.model_dump_json(), filled.scene.to_toml())
 
@@ -130,13 +131,14 @@ def _given(pearl: Given | Sequence[Given]) -> list[Pearl]:
     from nacreous.spec.row import MOST_PEARLS
 
     if isinstance(pearl, str | Path | Pearl) or not isinstance(pearl, Sequence):
-        return [_loaded(Pearl, pearl)]
+        return [loaded(Pearl, pearl)]
     if not 1 <= len(pearl) <= MOST_PEARLS:
         raise InputError(f"pearl is a list of {len(pearl)}; allowed: 1 to {MOST_PEARLS} pearls")
-    return [_loaded(Pearl, one) for one in pearl]
+    return [loaded(Pearl, one) for one in pearl]
 
 
-def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
+def loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
+    """A model as it is; a file, or a preset's name, as a model. Raises `InputError`."""
     if isinstance(given, model):
         return given
     if isinstance(given, str | Path):
@@ -146,11 +148,12 @@ def _loaded(model: type[Spec], given: str | Path | Spec) -> Spec:
 
 
 def _whole(name: str, value: int) -> int:
-    """A whole number within its range; that samples is a square is for the renderer to see."""
+    """A whole number within its range; of samples a square."""
     most, allowed = _COUNTS[name]
     if type(value).__module__ == "numpy":
         value = alone(value)
-    if isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most:
+    whole = isinstance(value, Integral) and not isinstance(value, bool) and 1 <= value <= most
+    if whole and (name != "samples" or isqrt(value) ** 2 == value):
         return int(value)
     raise InputError(f"{name} is {said(value)}; allowed: {allowed}")
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-__all__ = ["DEEPEST", "TooDeepError", "loads"]
+__all__ = ["DEEPEST", "TooDeepError", "flat", "loads"]
 
 #: Levels of brackets, and parts of a key, that are read.
 DEEPEST = 32
@@ -46,6 +47,19 @@ def loads(text: str) -> dict[str, Any]:
     """
     _check_depth(text)
     return tomllib.loads(text)
+
+
+def flat(table: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """The values of all tables inside each other, by dotted key.
+
+    >>> dict(flat({"a": 1, "b": {"c": 2, "d": {"e": 3}}}))
+    {'a': 1, 'b.c': 2, 'b.d.e': 3}
+    """
+    for key, value in table.items():
+        if isinstance(value, Mapping):
+            yield from ((f"{key}.{inner}", one) for inner, one in flat(value))
+        else:
+            yield key, value
 
 
 def _check_depth(text: str) -> None:

@@ -18,6 +18,8 @@ from nacreous.number import said, whole_of
 from nacreous.problem import InputError
 from nacreous.recipe import recipe
 from nacreous.spec import Pearl, Scene
+from nacreous.spec.load import shared_out
+from nacreous.trade import with_words
 from nacreous.value import value_class
 
 if TYPE_CHECKING:
@@ -27,6 +29,9 @@ if TYPE_CHECKING:
 
 __all__ = ["ENDINGS", "MOST_PEARLS", "Card", "make", "save"]
 
+#: Neutral grey under a diffuse panel of D65 (ISO 3668), as a grading laboratory's: brown squares
+#: under light of equal energy, as in the scene paper, would tint the overtone **(ours)**.
+SCENE = "booth"
 #: What a page of cards can be.
 ENDINGS = (".html", ".png")
 #: The most cards on a page: of more, a PNG would be taller than matplotlib draws **(ours)**.
@@ -39,7 +44,8 @@ class Card:
 
     given: what the pearl was loaded from, as a command names it; None of a model without a file.
     scene: what the scene was loaded from, likewise; scene_name: what it is called. codes: uint8
-    [row, column, rgb], the picture in sRGB. samples: the most that a pixel took.
+    [row, column, rgb], the picture in sRGB. samples: the most that a pixel took. words, overrides:
+    what changed the files, as `--word` and `--set` have it.
     """
 
     pearl: Pearl
@@ -50,6 +56,8 @@ class Card:
     codes: NDArray[np.uint8]
     samples: int
     factors: tuple[Factor, ...]
+    words: tuple[str, ...] = ()
+    overrides: tuple[str, ...] = ()
 
     @property
     def size(self) -> int:
@@ -68,25 +76,28 @@ class Card:
 
 def make(
     pearls: Sequence[Given],
-    scene: str | Path | Scene = "paper",
+    scene: str | Path | Scene = SCENE,
     culture: str | None = None,
     size: int = 512,
     samples: int = 16,
     progress: Callable[[float], None] | None = None,
+    words: Sequence[str] = (),
+    overrides: Sequence[str] = (),
 ) -> list[Card]:
     """Render, measure and grade each pearl by itself.
 
     pearls: 1 to `MOST_PEARLS` files, presets' names or models. scene, size, samples: as for
     `nacreous.render`. culture: one of `CULTURES`, for the word of the nacre. progress: called with
-    the finished share. Raises `InputError`, before the first picture.
+    the finished share. words, overrides: "luster=Fair" and "depth=0.7", for every pearl and for the
+    scene, of files and presets alone; where both set a key, the latter counts. Raises `InputError`,
+    before the first picture.
     """
     if isinstance(pearls, str | Path | Pearl):
         pearls = [pearls]
     whole_of("the number of pearls", len(pearls), 1, MOST_PEARLS)
     if culture is not None and culture not in CULTURES:
         raise InputError(f"culture is {said(culture)}; allowed: {', '.join(CULTURES)}")
-    around = scene if isinstance(scene, Scene) else Scene.load(scene)
-    loaded = [one if isinstance(one, Pearl) else Pearl.load(one) for one in pearls]
+    loaded, around = loaded_with(pearls, scene, words, overrides)
     recipes = [recipe(one, around, size, samples) for one in loaded]
     cards = []
     for number, (pearl, given, made) in enumerate(zip(loaded, pearls, recipes, strict=True)):
@@ -95,8 +106,25 @@ def make(
         codes = np.asarray(picture.develop()[0], np.uint8)
         named = None if isinstance(given, Pearl) else str(given)
         scene_given = None if isinstance(scene, Scene) else str(scene)
-        cards.append(Card(pearl, named, scene_given, around.name, culture, codes, samples, factors))
+        how = (named, scene_given, around.name, culture, codes, samples, factors)
+        cards.append(Card(pearl, *how, tuple(words), tuple(overrides)))
     return cards
+
+
+def loaded_with(
+    pearls: Sequence[Given],
+    scene: str | Path | Scene,
+    words: Sequence[str],
+    overrides: Sequence[str],
+) -> tuple[list[Pearl], Scene]:
+    """Files and presets, with what words and overrides set; models as they are."""
+    settings = with_words(words, overrides)
+    models = isinstance(scene, Scene) or any(isinstance(one, Pearl) for one in pearls)
+    if settings and models:
+        raise InputError("words or overrides are given with a model; allowed: with files, presets")
+    of_pearl, of_scene = shared_out(settings)
+    around = scene if isinstance(scene, Scene) else Scene.load(scene, of_scene)
+    return [one if isinstance(one, Pearl) else Pearl.load(one, of_pearl) for one in pearls], around
 
 
 def save(path: str | Path, cards: Sequence[Card], language: str = "en") -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from nacreous import _core
 from nacreous.card.factor import Factor, Figure
-from nacreous.trade import word_of
+from nacreous.trade import Stated, stated_luster, stated_size, stated_surface, word_of
 
 if TYPE_CHECKING:
     from nacreous.measure import Colour, Measures, Ring
@@ -23,7 +23,6 @@ CULTURES = ("akoya", "tahitian", "south-sea")
 _NOT_ROUND_PERCENT = 5.0
 #: Rings of less chroma have no hue that anybody sees: the table's bound of an overtone.
 _LEAST_CHROMA = 2.0
-_BLEMISHES = ("pits", "bumps", "scratches", "wrinkles", "chalky_spots")
 
 
 def graded(pearl: Pearl, found: Measures | None, culture: str | None = None) -> tuple[Factor, ...]:
@@ -52,8 +51,12 @@ def graded(pearl: Pearl, found: Measures | None, culture: str | None = None) -> 
 
 
 def _size(pearl: Pearl) -> Factor:
-    figure = Figure("diameter_mm", pearl.diameter_mm, "mm", "file", "diameter_mm")
-    return Factor("size", word_of("size", pearl.diameter_mm), (figure,))
+    found = stated_size(pearl)
+    return Factor("size", found.word, (_figure(found, "mm"),))
+
+
+def _figure(found: Stated, unit: str) -> Figure:
+    return Figure(found.quantity, found.value, unit, "file", found.key)
 
 
 def _shape(found: Measures | None) -> Factor:
@@ -148,35 +151,29 @@ def _arc_deg(rings: tuple[Ring, ...]) -> float:
 
 
 def _luster(pearl: Pearl, found: Measures | None) -> Factor:
-    """By the facets, which the knob sets where the file does not; and the image as it is seen."""
-    name = "surface.facet_spread_rad"
-    spread_rad, key = pearl.surface.facet_spread_rad, name
-    if spread_rad is None:
-        spread_rad, key = _core.resolved_keys(pearl.model_dump_json())[name], "shininess"
-    figures = [Figure("facet_spread_rad", spread_rad, "rad", "file", key)]
+    """By the facets; and the image as it is seen."""
+    luster = stated_luster(pearl)
+    figures = [_figure(luster, "rad")]
     if found is not None and found.lamp is not None:
         width = found.lamp.half_width_deg
         figures.append(
             Figure("image_width_deg", width.value, "degrees", "picture", error=width.error)
         )
-    return Factor("luster", word_of("luster", spread_rad), tuple(figures))
+    return Factor("luster", luster.word, tuple(figures))
 
 
 def _surface(pearl: Pearl, found: Measures | None) -> Factor:
     """By the file where it states the area, or has no blemishes; else by the visible half."""
     if pearl.model == "illuminant":
         return Factor("surface", None, (), "no_blemishes_key")
-    name, has_some = "blemished_percent", any(getattr(pearl.blemishes, one) for one in _BLEMISHES)
-    if not has_some:
-        figure = Figure(name, 0.0, "%", "file", "blemishes")
-    elif pearl.blemishes.area is not None:
-        figure = Figure(name, 100 * pearl.blemishes.area, "%", "file", "blemishes.area")
-    elif found is not None and found.blemishes is not None:
-        area = found.blemishes.area
-        figure = Figure(name, area.value, "%", "picture", error=area.error)
-    else:
+    surface = stated_surface(pearl)
+    if surface is not None:
+        return Factor("surface", surface.word, (_figure(surface, "%"),))
+    if found is None or found.blemishes is None:
         return Factor("surface", None, (), "unmeasured")
-    return Factor("surface", word_of("surface", {name: figure.value}), (figure,))
+    area = found.blemishes.area
+    figure = Figure("blemished_percent", area.value, "%", "picture", error=area.error)
+    return Factor("surface", word_of("surface", {figure.quantity: figure.value}), (figure,))
 
 
 def _layers_mm(pearl: Pearl) -> float:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from nacreous.problem import InputError
+from nacreous.spec.toml import written
 from nacreous.stream import STREAM
+from nacreous.toml_text import flat
 
 if TYPE_CHECKING:
     from nacreous.card.card import Card
@@ -31,6 +33,8 @@ def command(cards: Sequence[Card], language: str, output: str) -> str | None:
         return None
     words = ["nacreous", "card", *(str(card.given) for card in cards)]
     words += ["--scene", str(first.scene)]
+    words += [part for word in first.words for part in ("--word", word)]
+    words += [part for setting in first.overrides for part in ("--set", setting)]
     if first.culture is not None:
         words += ["--type", first.culture]
     if language != "en":
@@ -43,25 +47,17 @@ def command(cards: Sequence[Card], language: str, output: str) -> str | None:
 
 
 def own_keys(pearl: Pearl) -> list[str]:
-    """The keys of a pearl that are not at their defaults, each as key = value.
+    r"""The keys of a pearl that are not at their defaults, each as key = value.
 
     >>> from nacreous.spec import Pearl
-    >>> own_keys(Pearl(depth=0.7, body={"nacre_mm": 0.5}))
-    ['depth = 0.7', 'body.nacre_mm = 0.5']
+    >>> own_keys(Pearl(name='my "best"', body={"nacre_mm": 0.5}))
+    ['name = "my \\"best\\""', 'body.nacre_mm = 0.5']
     """
     given = pearl.model_dump(mode="json", exclude_defaults=True, exclude_none=True)
-    return [f"{path} = {_shown(value)}" for path, value in _flat(given, "")]
-
-
-def _flat(table: Mapping[str, object], prefix: str) -> Iterator[tuple[str, object]]:
-    for key, value in table.items():
-        if isinstance(value, Mapping):
-            yield from _flat(value, f"{prefix}{key}.")
-        else:
-            yield prefix + key, value
+    return [f"{path} = {_shown(value)}" for path, value in flat(given)]
 
 
 def _shown(value: object) -> str:
     if isinstance(value, list) and len(value) > 4:
-        return f"[{value[0]}, ..., {value[-1]}]"
-    return f'"{value}"' if isinstance(value, str) else str(value)
+        return f"[{written(value[0])}, ..., {written(value[-1])}]"
+    return written(value)

@@ -76,7 +76,10 @@ def _batch(cards: Sequence[Card], texts: Texts) -> str:
 
 
 def _row(card: Card, number: int, texts: Texts) -> str:
-    cells = "".join(f"<td>{_short(factor, texts)}</td>" for factor in card.factors[:-1])
+    cells = "".join(
+        f'<td data-head="{_safe(texts.name(factor))}">{_short(factor, texts)}</td>'
+        for factor in card.factors[:-1]
+    )
     name = f'<a href="#pearl-{number}">{_safe(card.pearl.name)}</a>'
     return f'<tr><th scope="row">{name}</th>{cells}</tr>\n'
 

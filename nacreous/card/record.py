@@ -15,12 +15,15 @@ if TYPE_CHECKING:
 __all__ = ["record"]
 
 
-def record(cards: Sequence[Card], output: str | None = None) -> str:
-    """All factors as JSON, words in both languages; null where there is no word or error."""
+def record(cards: Sequence[Card], output: str | None = None, language: str = "en") -> str:
+    """All factors as JSON, words in both languages; null where there is no word or error.
+
+    output, language: of the page, for the command that makes it again.
+    """
     held = {
         "virtual": True,
         "graded_by": "the table of nacreous.trade, applied to numbers; no laboratory",
-        "command": command(cards, "en", output or "card.html"),
+        "command": command(cards, language, output or "card.html"),
         "cards": [_card(card) for card in cards],
     }
     return json.dumps(held, ensure_ascii=False, indent=2) + "\n"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nacreous import toml_text
 from nacreous.number import said
 from nacreous.problem import InputError
 
@@ -81,14 +81,4 @@ class Texts:
 def texts(language: str) -> dict[str, str]:
     """The texts of a language by dotted key."""
     content = Path(__file__).with_name(f"{language}.toml").read_text(encoding="utf-8")
-    return dict(_flat(tomllib.loads(content), ""))
-
-
-def _flat(table: dict[str, object], prefix: str) -> list[tuple[str, str]]:
-    found: list[tuple[str, str]] = []
-    for key, value in table.items():
-        if isinstance(value, dict):
-            found += _flat(value, f"{prefix}{key}.")
-        else:
-            found.append((prefix + key, str(value)))
-    return found
+    return dict(toml_text.flat(toml_text.loads(content)))

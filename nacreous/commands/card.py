@@ -17,6 +17,7 @@ examples:
   nacreous card tahitian --type tahitian -o card.png    the same as a picture
   nacreous card mine.toml --scene north-window-black --language ja
   nacreous card akoya-rg akoya-r akoya-g -o batch.html  a batch: a table, and a card each
+  nacreous card akoya-rg --word luster=Fair --set camera.elevation_deg=60   one change each
   nacreous card akoya-rg --json card.json          all numbers for programs too
 """
 
@@ -36,7 +37,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument(
         "pearl", nargs="+", help="a pearl file, or a preset's name; up to 48, each by itself"
     )
-    parser.add_argument("--scene", default="paper", help="a scene file or a preset's name (paper)")
+    parser.add_argument("--scene", default="booth", help="a scene file or a preset's name (booth)")
     parser.add_argument(
         "--type",
         choices=("akoya", "tahitian", "south-sea"),
@@ -48,6 +49,17 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     parser.add_argument("--size", type=int, default=512, help="pixels a side, 1 to 8192 (512)")
     parser.add_argument(
         "--samples", type=int, default=16, help="samples a pixel at most, a square number (16)"
+    )
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
+    )
+    parser.add_argument(
+        "--word",
+        action="append",
+        default=[],
+        metavar="FACTOR=WORD",
+        help="set the keys that a word of the trade stands for, such as luster=Excellent; --set "
+        "goes before it",
     )
     parser.add_argument("--json", metavar="OUT", help="all factors for programs, .json")
     parser.add_argument("-o", "--output", default="card.html", help=".html or .png (card.html)")
@@ -69,12 +81,14 @@ def run(args: argparse.Namespace) -> int:
     standard.require_apart(outputs, [*args.pearl, args.scene, *_files(args)])
     begin = time.monotonic()
     with bar("rendering") as show:
-        cards = card.make(args.pearl, args.scene, args.type, args.size, args.samples, show)
+        how = (args.type, args.size, args.samples, show, args.word, args.set)
+        cards = card.make(args.pearl, args.scene, *how)
     card.save(args.output, cards, args.language)
     written = [_report(args.output, cards, time.monotonic() - begin)]
     if args.json is not None:
+        held = card.record(cards, args.output, args.language)
         with file.atomic(args.json) as temporary:
-            temporary.write_text(card.record(cards, args.output), encoding="utf-8")
+            temporary.write_text(held, encoding="utf-8")
         written.append(f"{args.json}: all factors")
     say("\n".join(written))
     return 0
@@ -83,12 +97,14 @@ def run(args: argparse.Namespace) -> int:
 def _files(args: argparse.Namespace) -> list[str]:
     """The photographs, panoramas and spectra that pearls and scene name, beside standard input."""
     from nacreous import image
+    from nacreous.card.card import SCENE, loaded_with
     from nacreous.recipe import recipe
     from nacreous.stream import STREAM
 
-    named = dict.fromkeys(one for one in args.pearl if one != STREAM)
-    scene = "paper" if args.scene == STREAM else args.scene
-    return [path for one in named for path in image.files_of(recipe(one, scene, 1, 1))]
+    named = [one for one in dict.fromkeys(args.pearl) if one != STREAM]
+    scene = SCENE if args.scene == STREAM else args.scene
+    pearls, around = loaded_with(named, scene, args.word, args.set)
+    return [path for one in pearls for path in image.files_of(recipe(one, around, 1, 1))]
 
 
 def _report(output: str, cards: list[Card], seconds: float) -> str:

@@ -144,11 +144,10 @@ def _first(args: argparse.Namespace) -> _Job:
 def _settings(args: argparse.Namespace) -> list[str]:
     """What --word and --set say, as key=value; where both set a key, the latter counts."""
     if not args.word:
-        return list(args.set)
-    from nacreous.trade import overrides_of
+        return list(args.set)  # without reading the table
+    from nacreous.trade import with_words
 
-    said = [f"{key}={value}" for word in args.word for key, value in overrides_of(word)]
-    return [*said, *args.set]
+    return with_words(args.word, args.set)
 
 
 def _again(args: argparse.Namespace, output: str) -> _Job:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import argparse
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nacreous.commands.scale_data import PAPER, check_group, data_of, settings_of
 from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
     from nacreous.scaling.report.analysis import Analysis
+    from nacreous.scaling.report.called import Called
     from nacreous.scaling.report.settings import Settings
 
 _EXAMPLES = """\
@@ -19,6 +20,7 @@ examples:
   nacreous scale answers.csv -o report.html -o scale.csv
   nacreous scale answers.csv --question "Which shines more?" --group sex --language ja
   nacreous scale answers.csv --column left=first --column right=second --unit JOD
+  nacreous scale answers.csv --stimuli numbers.csv   with the trade's words for their numbers
   nacreous scale counts.csv --counts               a square table: row chosen over column
 """
 
@@ -86,6 +88,12 @@ def _add_data(parser: argparse.ArgumentParser) -> None:
     data.add_argument("--repeats", action="store_true", help="take answers given twice")
     data.add_argument("--group", metavar="COLUMN", help="compare the groups of this column")
     data.add_argument(
+        "--stimuli",
+        metavar="PLACE",
+        help="say the trade's words of the stimuli in the report, by their numbers: a frozen "
+        "study's folder, or a table with the columns stimulus and, say, facet_spread_rad",
+    )
+    data.add_argument(
         "--simulated", action="store_true", help="nobody gave the answers, and the report says so"
     )
 
@@ -127,6 +135,8 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Check everything, compute, write, say what was found."""
+    from dataclasses import replace
+
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
     from nacreous.commands.scale_lines import told
@@ -137,21 +147,33 @@ def run(args: argparse.Namespace) -> int:
     outputs = args.output or ["report.html"]
     for output in outputs:
         standard.check_output(output, SUFFIXES)
-    standard.require_apart(outputs, [] if args.answers == PAPER else [args.answers])
+    read = [] if args.answers == PAPER else [args.answers]
+    read += [] if args.stimuli is None else [args.stimuli]
+    standard.require_apart(outputs, read)
     with standard.reading(args.answers, ".csv") as args.answers, spoken(args.answers):
         data = data_of(args)
         settings = _settings(args, settings_of(args))
         check_group(data, args.group)
+        called = _called(args, data)
     begin = time.monotonic()
     with bar("resampling") as show, spoken(args.answers):
         found = analyse(data, settings, example=args.answers == PAPER, progress=show)
-    _write(found, outputs, args.language)
+    _write(replace(found, called=called), outputs, args.language)
     say(told(found, time.monotonic() - begin), outputs)
     for line in of_people(data):
         say(line, outputs)
     for output in outputs:
         say(f"{output}: written", outputs)
     return 0
+
+
+def _called(args: argparse.Namespace, data: Any) -> dict[str, tuple[Called, ...]]:
+    """What the trade calls the stimuli, where their numbers are given."""
+    if args.stimuli is None:
+        return {}
+    from nacreous.commands.scale_words import called_of
+
+    return called_of(args.stimuli, data.stimuli)
 
 
 def _prior(text: str) -> float | str:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.linear_light import luminance
 from nacreous.paper.circle import Circle
-from nacreous.paper.lamp_image import luminance
 from nacreous.paper.outline import reduced
 from nacreous.problem import InputError
 

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from nacreous import colour
 from nacreous.image import Image
+from nacreous.linear_light import luminance
 from nacreous.paper.component import alone
 from nacreous.paper.exhibit import Exhibit, Plate
-from nacreous.paper.lamp_image import luminance
 from nacreous.paper.measurement import Measurement
 from nacreous.paper.pictures import Pictures
 from nacreous.paper.sight import Sight, direction_of

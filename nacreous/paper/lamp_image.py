@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nacreous.linear_light import luminance
 from nacreous.paper.sight import Sight
 
-__all__ = ["LampImage", "luminance"]
+__all__ = ["LampImage"]
 
 Array = NDArray[np.float64]
 
@@ -56,15 +57,6 @@ class LampImage:
     def inside(self) -> NDArray[np.bool_]:
         """The pixels of the image, out to the end of its edge: a tenth of the peak and more."""
         return np.asarray((self.share >= 0.1) & (self.away_deg <= 4 * self.half_width_deg))
-
-
-def luminance(linear: NDArray[np.floating]) -> Array:
-    """Luminance Y of linear sRGB [..., 3] (IEC 61966-2-1).
-
-    >>> luminance(np.ones(3)).round(6).tolist()
-    1.0
-    """
-    return np.asarray(linear @ np.array([0.2126, 0.7152, 0.0722]))
 
 
 def _reach_deg(share: Array, away_deg: Array, level: float) -> float:

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.paper.lamp_image import luminance
+from nacreous.linear_light import luminance
 from nacreous.paper.sight import Sight
 
 __all__ = ["REACHES_MM", "contrast", "fading"]

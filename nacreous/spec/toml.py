@@ -37,16 +37,21 @@ def _heads(value: Any) -> bool:
 
 
 def _line(key: str, value: Any) -> str:
-    return f"{key} = {_written(value)}\n"
+    return f"{key} = {written(value)}\n"
 
 
-def _written(value: Any) -> str:
+def written(value: Any) -> str:
+    """A value as TOML writes it.
+
+    >>> written(True), written("a"), written([1, 2.5])
+    ('true', '"a"', '[1, 2.5]')
+    """
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(_written(item) for item in value) + "]"
+        return "[" + ", ".join(written(item) for item in value) + "]"
     if isinstance(value, Mapping):
         return "{ " + ", ".join(_line(*item).rstrip() for item in value.items()) + " }"
     if isinstance(value, int | float):

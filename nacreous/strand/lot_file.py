@@ -52,6 +52,8 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
     table = _table(path)
     lot = _lot_of(table)
     if _PLACED[0] not in table.columns:
+        if len(lot) < 2:
+            raise InputError(f"{table.place}: holds 1 pearl; allowed in a strand: at least two")
         everyone = np.arange(len(lot))
         return lot, Sorting((_strand(lot, everyone, _even(lot)),), everyone[:0])
     faults = table.faults()
@@ -59,10 +61,13 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
     faults.stop()
     number, place, target_mm = (number_column(table, one, None, faults, 0) for one in _PLACED)
     hung = ~np.isnan(number)
+    for name, column in ((_PLACED[0], number), (_PLACED[1], place)):
+        _say_unwhole(name, column, faults)
     faults.say_of_rows(
         np.flatnonzero(hung & (np.isnan(place) | np.isnan(target_mm))),
         lambda row: "place or target_mm is empty; allowed: numbers, as nacreous strand sort writes",
     )
+    _say_odd_strands(number, place, faults)
     faults.stop()
     strands = []
     for one in np.unique(number[hung]):
@@ -72,6 +77,31 @@ def read_sorted(path: str | PathLike[str]) -> tuple[Lot, Sorting]:
     if not strands:
         raise InputError(f"{table.place}: no pearl is in a strand; allowed: at least two")
     return lot, Sorting(tuple(strands), np.flatnonzero(~hung))
+
+
+def _say_unwhole(name: str, column: Array, faults: Faults) -> None:
+    """Numbers of strands and places that cannot be counted."""
+    whole = np.isnan(column) | ((column >= 1) & (column == np.floor(column)))
+    faults.say_of_rows(
+        np.flatnonzero(~whole),
+        lambda row: f"{name} is {column[row]:g}; allowed: a whole number from 1 on",
+    )
+
+
+def _say_odd_strands(number: Array, place: Array, faults: Faults) -> None:
+    """Two pearls at one place of a strand, and a strand of one pearl."""
+
+    def alone(row: int) -> str:
+        return f"strand is {number[row]:g} for this pearl alone; allowed: at least two pearls"
+
+    def again(row: int) -> str:
+        return f"place is {place[row]:g} in strand {number[row]:g} again; allowed: each once"
+
+    for one in np.unique(number[~np.isnan(number)]):
+        pearls = np.flatnonzero(number == one)
+        faults.say_of_rows(pearls if len(pearls) == 1 else pearls[:0], alone)
+        first = np.unique(place[pearls], return_index=True)[1]
+        faults.say_of_rows(np.delete(pearls, first), again)
 
 
 def write_lot(path: Path, lot: Lot) -> None:
@@ -131,10 +161,10 @@ def _lot_of(table: Table) -> Lot:
 
 def _numbers(table: Table, quantity: Quantity, faults: Faults) -> Array:
     """A column; each cell that is no number, or none in its range, is a fault."""
-    column, text_only = _column(table, quantity.name), table.faults()
-    values = number_column(table, column, None, text_only, -np.inf)
-    if text_only:
-        return number_column(table, column, None, faults, -np.inf)
+    column, unread = _column(table, quantity.name), table.faults()
+    values = number_column(table, column, None, unread, -np.inf)
+    if unread:
+        number_column(table, column, None, faults, -np.inf)  # says so with the other faults
     text = text_column(table, column)
 
     def verdict(row: int) -> str:
@@ -142,6 +172,7 @@ def _numbers(table: Table, quantity: Quantity, faults: Faults) -> Array:
         return f"{column} is {given}; allowed: {quantity.allowed}"
 
     inside = (values >= quantity.least) & (values <= quantity.most)
+    inside[sorted(unread.rows)] = True  # told already
     faults.say_of_rows(np.flatnonzero(~inside), verdict)
     return values
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from nacreous.number import number_of, seed_of, whole_of
+from nacreous.number import seed_of, whole_of, within
 from nacreous.problem import InputError
 from nacreous.spec.complaint import nearest, shown
 from nacreous.strand.lot import MOST_PEARLS, QUANTITIES, Lot
@@ -37,12 +37,9 @@ class Population:
                     f"{name} has {', '.join(given) or 'nothing'}; allowed: {', '.join(_NAMES)}"
                 )
         for quantity in QUANTITIES:
-            mean = number_of(f"mean {quantity.name}", self.mean[quantity.name])
-            if not quantity.least <= mean <= quantity.most:
-                raise InputError(f"mean {quantity.name} is {mean:g}; allowed: {quantity.allowed}")
-            spread = number_of(f"spread {quantity.name}", self.deviation[quantity.name])
-            if not 0 <= spread <= 100:
-                raise InputError(f"spread {quantity.name} is {spread:g}; allowed: 0 to 100")
+            name = quantity.name
+            within(f"mean {name}", self.mean[name], quantity.least, quantity.most)
+            within(f"spread {name}", self.deviation[name], 0, 100)
 
     def replace(self, mean: Mapping[str, float], deviation: Mapping[str, float]) -> Population:
         """With some of the means and deviations changed; another name is refused."""

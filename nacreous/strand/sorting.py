@@ -87,7 +87,7 @@ def sort_lot(
             best, least = groups, found
         if gain < _LEAST_GAIN:
             break
-    sorting = _hung(best, lot, form, looks)
+    sorting = _hung(best, lot, form, lambda group: looks[np.ix_(group, group)])
     show(1.0)
     return sorting
 
@@ -95,7 +95,8 @@ def sort_lot(
 def cut_lot(lot: Lot, form: Form, strands: int | None = None) -> Sorting:
     """A lot sorted and cut (`sort_and_cut`), to compare: each strand is ordered as well as ours."""
     strands = _count(lot, form, strands)
-    return _hung(sort_and_cut(lot, form, strands), lot, form, looks_apart(lot))
+    groups = sort_and_cut(lot, form, strands)
+    return _hung(groups, lot, form, lambda group: looks_apart(lot.take(group)))
 
 
 def _silent(share: float) -> None:
@@ -144,10 +145,10 @@ def _costs(groups: list[Pearls], lot: Lot, form: Form, looks: Array) -> Array:
     return costs
 
 
-def _hung(groups: list[Pearls], lot: Lot, form: Form, looks: Array) -> Sorting:
-    """The strands in order, and their matching."""
+def _hung(groups: list[Pearls], lot: Lot, form: Form, looks: Callable[[Pearls], Array]) -> Sorting:
+    """The strands in order, and their matching. looks: differences of a strand's pearls' looks."""
     strands = sorted(
-        (_strand(group, lot, form, looks) for group in groups),
+        (_strand(group, lot, form, looks(group)) for group in groups),
         key=lambda strand: strand.matching.score,
     )
     hung = np.concatenate([strand.pearls for strand in strands])
@@ -155,7 +156,7 @@ def _hung(groups: list[Pearls], lot: Lot, form: Form, looks: Array) -> Sorting:
 
 
 def _strand(group: Pearls, lot: Lot, form: Form, looks: Array) -> Strand:
-    size_mm, apart = lot.size_mm[group], looks[np.ix_(group, group)]
+    size_mm, apart = lot.size_mm[group], looks
     if form.graduation_mm == 0:
         apart = apart + SIZE_WEIGHT_PER_MM * np.abs(size_mm[:, None] - size_mm)
     pearls = group[ordered(apart, size_mm, form)]

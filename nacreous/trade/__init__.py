@@ -6,11 +6,27 @@
 Range(2 to 5 %)
 """
 
-from nacreous.trade.setting import overrides_of
+from nacreous.trade.setting import overrides_of, with_words
+from nacreous.trade.stated import Stated, stated, stated_luster, stated_size, stated_surface
 from nacreous.trade.table import factors, range_of, word_of, words
 from nacreous.trade.word import Factor, Range, Word
 
-__all__ = ["Factor", "Range", "Word", "factors", "overrides_of", "range_of", "word_of", "words"]
+__all__ = [
+    "Factor",
+    "Range",
+    "Stated",
+    "Word",
+    "factors",
+    "overrides_of",
+    "range_of",
+    "stated",
+    "stated_luster",
+    "stated_size",
+    "stated_surface",
+    "with_words",
+    "word_of",
+    "words",
+]
 
 
 def __dir__() -> list[str]:

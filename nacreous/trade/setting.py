@@ -2,12 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
 from nacreous.trade.table import factor_of, factors, word_named
 from nacreous.trade.word import Factor
 
-__all__ = ["overrides_of"]
+__all__ = ["overrides_of", "with_words"]
+
+
+def with_words(words: Iterable[str], settings: Iterable[str]) -> list[str]:
+    """What `--word` and `--set` say, as `key=value`; where both set a key, the latter counts.
+
+    Raises `InputError` as `overrides_of`, and for two words that set the same key.
+
+    >>> with_words(["luster=fair"], ["shininess=0.5"])
+    ['surface.facet_spread_rad=0.116', 'shininess=0.253', 'shininess=0.5']
+    """
+    said: dict[str, str] = {}
+    lines = []
+    for word in words:
+        for key, value in overrides_of(word):
+            if key in said:
+                raise InputError(
+                    f"--word {shown(word)}: sets {key}, as {shown(said[key])} does; "
+                    "allowed: one word for a key"
+                )
+            said[key] = word
+            lines.append(f"{key}={value}")
+    return [*lines, *settings]
 
 
 def overrides_of(setting: str) -> list[tuple[str, str]]:

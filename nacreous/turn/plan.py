@@ -6,13 +6,13 @@ import hashlib
 import json
 import math
 from pathlib import Path
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from nacreous import __version__
 from nacreous.named_files import hashes
-from nacreous.number import number_of, said, whole_of
+from nacreous.number import number_of, whole_of
 from nacreous.problem import InputError
-from nacreous.recipe import Recipe, recipe
+from nacreous.recipe import Recipe, loaded, recipe
 from nacreous.spec import Pearl, Scene
 from nacreous.turn.motion import check, turned
 
@@ -20,8 +20,6 @@ from nacreous.turn.motion import check, turned
 MOST_FRAMES = 2000
 #: The most degrees either way **(ours)**: ten times round.
 MOST_DEG = 3600.0
-
-_Spec = TypeVar("_Spec", Pearl, Scene)
 
 
 class Plan(NamedTuple):
@@ -63,7 +61,7 @@ def plan(
         raise InputError(
             f"degrees is {degrees:g}; allowed: -{MOST_DEG:g} to {MOST_DEG:g}, and not 0"
         )
-    shown, around = _loaded(Pearl, pearl), _loaded(Scene, scene)
+    shown, around = loaded(Pearl, pearl), loaded(Scene, scene)
     check(what, shown, around)
     # After whole turns the first frame follows the last one; of a part, the last shows its end.
     steps = count if math.fmod(degrees, 360.0) == 0 else count - 1
@@ -74,12 +72,3 @@ def plan(
     size = recipes[0].size
     samples = int(json.loads(recipes[0].json)["samples"])
     return Plan(shown.name, around.name, what, degrees, size, samples, recipes)
-
-
-def _loaded(model: type[_Spec], given: str | Path | _Spec) -> _Spec:
-    if isinstance(given, model):
-        return given
-    kind = model.preset_kind
-    if not isinstance(given, str | Path):
-        raise InputError(f"{kind} is {said(given)}; allowed: a {kind}, a file or a preset's name")
-    return model.load(given)

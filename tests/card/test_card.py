@@ -8,11 +8,13 @@ import re
 from pathlib import Path
 from string import Formatter
 
+import numpy as np
 import pytest
 
 import nacreous as nc
 from nacreous import cli, figure
 from nacreous.card import CULTURES, Card, graded, html, make, record, save
+from nacreous.card.card import SCENE
 from nacreous.card.translation import texts
 from nacreous.measure import Measures
 from nacreous.spec import Pearl
@@ -100,7 +102,7 @@ def test_both_languages_have_the_same_keys_and_places() -> None:
 def test_a_page_says_what_it_is_and_how_it_is_made_again(cards, language: str) -> None:
     page = html(cards, language, "out.html")
     assert texts(language)["not_graded"] in page
-    assert "nacreous card akoya-rg paper --scene paper --type akoya" in page
+    assert "nacreous card akoya-rg paper --scene booth --type akoya" in page
     assert page.count("data:image/png;base64,") == 2
     assert 'class="batch"' in page
     assert not re.search(r'(src|href)="(?!data:|#)', page)  # it asks for nothing
@@ -202,3 +204,23 @@ def test_a_scene_is_read_from_standard_input_once(tmp_path, monkeypatch) -> None
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b'name = "given"\n')))
     assert cli.main(["card", "akoya-rg", "--scene", "-", "--size", "64", "-o", "c.html"]) == 0
     assert "given" in (tmp_path / "c.html").read_text(encoding="utf-8")
+
+
+def test_the_record_and_the_card_have_the_command_that_makes_them_again() -> None:
+    how = {"size": 32, "samples": 1, "words": ["luster=Fair"], "overrides": ["depth=0.3"]}
+    (card,) = make(["akoya-rg"], **how)
+    assert (card.pearl.shininess, card.pearl.depth) == (0.253, 0.3)
+    wanted = "--scene booth --word luster=Fair --set depth=0.3 --language ja"
+    assert wanted in json.loads(record([card], "c.html", "ja"))["command"]
+    assert wanted in html([card], "ja", "c.html")
+    with pytest.raises(nc.InputError, match="given with a model"):
+        make([Pearl()], **how)
+
+
+def test_the_default_scene_adds_no_hue_to_a_grey_pearl() -> None:
+    for colour in ("#777777", "#ababab"):
+        lab = nc.colour.lab_from_xyz(nc.colour.xyz_from_rgb(nc.colour.linear_from_hex(colour)))
+        assert np.hypot(lab[1], lab[2]) < 0.1
+    scene = nc.Scene.load(SCENE)
+    assert {window.spectrum for window in scene.windows} == {"D65"}
+    assert {scene.table.colour, scene.walls.colour, scene.sky.horizon} == {"#777777", "#ababab"}

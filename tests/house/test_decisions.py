@@ -36,7 +36,8 @@ JUSTIFIED = {
     ("nacreous/turn/motion.py", "position_mm"),
     ("nacreous/turn/motion.py", "facing"),
     # A card tells where each number comes from: the file, or else the renderer, which is asked.
-    ("nacreous/card/grading.py", "facet_spread_rad"),
+    ("nacreous/trade/stated.py", "facet_spread_rad"),
+    ("nacreous/trade/stated.py", "area"),
     ("nacreous/card/grading.py", "nacre_mm"),
     ("nacreous/card/grading.py", "area"),
     ("nacreous/card/card.py", "field_mm"),

@@ -16,6 +16,7 @@ from nacreous.strand.lot_file import write_sorted
 from nacreous.strand.picture import hung, laid_out
 
 HEAD = "name,size_mm,L,a,b,facet_spread_rad\n"
+PLACED = f"strand,place,target_mm,{HEAD}"
 
 
 def test_a_lot_is_read_as_it_was_written(tmp_path: Path) -> None:
@@ -52,11 +53,20 @@ def test_instruments_columns_and_the_trades_words_are_understood(tmp_path: Path)
         ("size_mm,L,a\n7,94,1\n", "has no column b; .*no column facet_spread_rad or luster"),
         (HEAD + "a,77,94,1,2,.03\n", 'row 2: size_mm is "77"; allowed: 1 to 30'),
         (HEAD + "a,7,,1,2,.03\n", "row 2: L is empty; allowed: 0 to 100"),
+        (HEAD + "a,7,x,1,2,.03\nb,7,,1,2,.03\nc,7,999,1,2,.03\n", "row 2: L is .*row 3.*row 4: L"),
         (HEAD + "a,7,x,1,2,3\n", 'L is "x"; allowed: a number.*facet_spread_rad is "3"'),
         (HEAD + "a,7,94,1,2,.03\na,7,94,1,2,.03\n", 'row 3: name is "a"; allowed: a name for'),
         ("size_mm,L,a,b,luster\n7,94,1,2,Excelent\n", 'row 2: luster is "Excelent"; did you mean'),
         ("strand,place," + HEAD + "1,1,a,7,94,1,2,.03\n", "has no column target_mm"),
         ("strand,place,target_mm," + HEAD + "1,,7,a,7,94,1,2,.03\n", "place or target_mm is empty"),
+        (PLACED + "1.5,1,7,a,7,94,1,2,.03\n", "row 2: strand is 1.5; allowed: a whole"),
+        (PLACED + "1,0,7,a,7,94,1,2,.03\n", "row 2: place is 0; allowed: a whole"),
+        (PLACED + "1,1,7,a,7,94,1,2,.03\n", "row 2: strand is 1 for this pearl alone"),
+        (
+            PLACED + "1,1,7,a,7,94,1,2,.03\n1,1,7,b,7,94,1,2,.03\n",
+            "row 3: place is 1 in strand 1 again; allowed: each once",
+        ),
+        (HEAD + "a,7,94,1,2,.03\n", "holds 1 pearl; allowed in a strand: at least two"),
         ("strand,place,target_mm," + HEAD + ",,,a,7,94,1,2,.03\n", "no pearl is in a strand"),
     ],
 )

@@ -44,6 +44,9 @@ samples = 1
 """
 
 
+_OVERRIDES = 'overrides = ["depth=0.9", "camera.elevation_deg=20"]'
+
+
 @pytest.fixture
 def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with a small study and what it names; commands run elsewhere."""
@@ -100,6 +103,23 @@ def test_a_stimulus_is_made_again_from_its_recipe(desk: Path) -> None:
     settings = recipe["settings"]
     codes, _ = nc.render(pearl, scene, settings["size"], settings["samples"]).develop()
     assert np.array_equal(codes, np.asarray(Pillow.open(frozen.path("own"))))
+
+
+def test_words_of_the_trade_are_frozen_with_the_numbers_that_they_set(desk: Path) -> None:
+    given = 'overrides = ["shininess=0.4"]\nwords = ["luster=fair", "size=7.0-7.5"]'
+    (desk / "small.toml").write_text(SMALL.replace(_OVERRIDES, given), encoding="utf-8")
+    recipe = freeze(desk / "small.toml", "out").stimuli[0].recipe
+    assert recipe is not None
+    assert recipe["words"] == {
+        "luster=fair": {"surface.facet_spread_rad": 0.116},
+        "size=7.0-7.5": {"diameter_mm": 7.25},
+    }
+    pearl = Pearl.from_toml(recipe["pearl"])
+    assert (pearl.surface.facet_spread_rad, pearl.shininess, pearl.diameter_mm) == (
+        0.116,
+        0.4,
+        7.25,
+    )
 
 
 def test_a_picture_that_is_brought_keeps_its_pixels(desk: Path) -> None:
@@ -276,6 +296,17 @@ def test_a_study_is_never_frozen_over_another_nor_among_other_files(desk: Path) 
         ('"own.toml"', '"none.toml"', "stimuli.0: "),
         ("depth=0.9", "depht=0.9", "stimuli.0: overrides: depht is not a key here; did you mean"),
         ("depth=0.9", "depth=9", "stimuli.0: overrides: depth is 9; allowed: 0 to 1"),
+        (
+            _OVERRIDES,
+            'words = ["luster=Fare"]',
+            'stimuli.0: words "luster=Fare": luster is "Fare"; did',
+        ),
+        (
+            _OVERRIDES,
+            'words = ["nacre-akoya=thin", "nacre-tahitian=thin"]',
+            'stimuli.0: words "nacre-tahitian=thin": sets body.nacre_mm, as "nacre-akoya=thin"',
+        ),
+        ('"photograph.png"', '"none.png"\nwords = ["luster=Fair"]', "stimuli.1.words cannot"),
         ('"photograph.png"', '"none.png"', "stimuli.1: "),
         ('"photograph.png"', '"huge.png"', "stimuli.1: picture has 4097 x 2 pixels; allowed: up"),
         ("size_px = 96", "size_px = 32", "stimuli.2: radius is"),

@@ -43,3 +43,19 @@ def measured(facet_spread_rad: float, lamp_radius_deg: float) -> LampImage:
     solid_angle = (radius_px**-2 / z[bright]).sum()
     cap_deg = np.degrees(np.arccos(1 - solid_angle / (2 * np.pi)))
     return LampImage(float(2 * cap_deg), float(light[peak] / body))
+
+
+def main() -> None:
+    """Print what docs/words.md says of a lamp's image, at each bound between two words."""
+    from nacreous.trade import words
+
+    for word in words("luster")[:-1]:
+        spread_rad = word.ranges[0].upper
+        sharp, clear = measured(spread_rad, 1.0), measured(spread_rad, 6.0)
+        print(
+            f"{spread_rad:g} rad: {sharp.half_width_deg:.1f} degrees, contrast {clear.contrast:.1f}"
+        )
+
+
+if __name__ == "__main__":
+    main()

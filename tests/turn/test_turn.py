@@ -257,6 +257,11 @@ def test_a_place_that_cannot_be_is_refused_and_nothing_is_left(
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
+def test_samples_that_are_no_square_are_refused_before_the_first_frame() -> None:
+    with pytest.raises(nc.InputError, match="samples is 3; allowed: a square number"):
+        nc.turn.frames("tahitian", count=2, size=8, samples=3)
+
+
 def test_a_pearl_alike_from_all_sides_is_noted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

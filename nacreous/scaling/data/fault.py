@@ -33,6 +33,8 @@ class Faults:
         self._numbers = numbers
         self._lines: list[str] = []
         self._count = 0
+        #: The rows (positions from 0) of each of which something was noted.
+        self.rows: set[int] = set()
 
     def __bool__(self) -> bool:
         """Whether anything was noted."""
@@ -49,6 +51,7 @@ class Faults:
             number = row if self._numbers is None else int(self._numbers[row])
             self._lines.append(f"{self._place}: row {number}: {verdict(row)}")
         self._count += len(rows)
+        self.rows.update(rows.tolist())
 
     def say_of_column(
         self, rows: NDArray[np.int64], verdict: Callable[[int], str], such: str = "rows"

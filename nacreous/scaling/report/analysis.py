@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import field, replace
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
@@ -24,6 +24,7 @@ from nacreous.scaling.fit.case_v import thurstone
 from nacreous.scaling.fit.existence import require_choices, require_joined
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.tie import FEW
+from nacreous.scaling.report.called import Called
 from nacreous.scaling.report.doubt import Doubt, Pair, doubt_of, ends_apart, neighbours_of, pairs_of
 from nacreous.scaling.report.groups import Groups, groups_of
 from nacreous.scaling.report.people import People, people_of
@@ -49,7 +50,8 @@ class Analysis:
 
     `answers` is None where only counts are known; `people` where who answered is not, or nothing
     in which people could differ; `groups` where no column was named; `example`: the data are the
-    paper's, reconstructed from its table.
+    paper's, reconstructed from its table; `called`: words for things by their numbers, by label,
+    which whoever knows the numbers puts here.
     """
 
     settings: Settings
@@ -63,6 +65,7 @@ class Analysis:
     people: People | None
     groups: Groups | None
     example: bool
+    called: Mapping[str, tuple[Called, ...]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """How much was analysed."""

@@ -19,6 +19,7 @@ from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.spreadsheet import as_written
 from nacreous.scaling.data.uncounted import REASONS
+from nacreous.scaling.report import called
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.doubt import Pair
 
@@ -67,6 +68,7 @@ def json_text(analysis: Analysis) -> str:
                 "low": ends[at, 0],
                 "high": ends[at, 1],
                 "se": analysis.doubt.se[at],
+                **_called(analysis, fit.stimuli[at]),
             }
             for at in analysis.order
         ],
@@ -92,6 +94,12 @@ def json_text(analysis: Analysis) -> str:
         "judged_differently_by": analysis.apart_by,
     }
     return json.dumps(_plain(found), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def _called(analysis: Analysis, label: str) -> dict[str, Any]:
+    """What a table of words calls a thing, where any numbers are known."""
+    found = analysis.called.get(label, ())
+    return {"words": called.record(found)} if analysis.called else {}
 
 
 def _ends(analysis: Analysis) -> NDArray[np.float64]:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterable, Sequence
 from functools import cache
 from html import escape
 from pathlib import Path
-from typing import Any
 from unicodedata import bidirectional
 
+from nacreous import toml_text
 from nacreous.printable import printable_lines
 from nacreous.problem import InputError
 
@@ -230,17 +229,9 @@ def texts(language: str) -> dict[str, str]:
     content = Path(__file__).with_name(f"{language}.toml").read_text(encoding="utf-8")
     # Where a text goes on in a new line, English has a space and Japanese nothing.
     joint = "" if language == "ja" else " "
-    return {key: joint.join(text.split("\n")) for key, text in _flat(tomllib.loads(content), "")}
-
-
-def _flat(table: dict[str, Any], prefix: str) -> list[tuple[str, str]]:
-    found = []
-    for key, value in table.items():
-        if isinstance(value, dict):
-            found += _flat(value, f"{prefix}{key}.")
-        else:
-            found.append((prefix + key, value))
-    return found
+    return {
+        key: joint.join(text.split("\n")) for key, text in toml_text.flat(toml_text.loads(content))
+    }
 
 
 def number(value: float, digits: int = 2, sign: bool = False) -> str:

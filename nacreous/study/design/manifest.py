@@ -42,7 +42,8 @@ class FrozenStimulus:
 
     file: relative to the study's folder. width_mm: on the participant's screen. recipe: everything
     that a rendered picture is made from again ("pearl" and "scene" as TOML, "settings",
-    "versions"), and of a crop where it was cut; None for a picture that was brought.
+    "versions"), of a crop where it was cut, and of words of the trade the keys that each has set
+    ("words"); None for a picture that was brought.
     """
 
     label: str

@@ -17,10 +17,11 @@ from nacreous.paper.circle import Circle
 from nacreous.paper.crop import Crop, cut, seven
 from nacreous.paper.cutting import outline_of
 from nacreous.problem import InputError
-from nacreous.spec import Pearl, Scene
+from nacreous.spec import Pearl, Scene, override
 from nacreous.spec.load import shared_out
 from nacreous.study.design.display import Display
 from nacreous.study.design.stimulus import Stimulus
+from nacreous.trade import overrides_of, with_words
 
 __all__ = ["Picture", "Source"]
 
@@ -56,14 +57,15 @@ class Source:
         try:
             if stimulus.picture is not None:
                 return cls(stimulus, None, None, folder / stimulus.picture, folder)
-            of_pearl, of_scene = shared_out(stimulus.overrides)
+            of_pearl, of_scene = shared_out(with_words(stimulus.words, stimulus.overrides))
             pearl = Pearl.load(_placed(stimulus.pearl or "paper", folder), of_pearl)
             scene = Scene.load(_placed(stimulus.scene or "paper", folder), of_scene)
             if stimulus.cut == "seven-crops" and scene.rows:
                 raise InputError("scene has rows; allowed with seven crops: a scene of one pearl")
             return cls(stimulus, pearl, scene, None, folder)
         except InputError as problem:
-            lines = str(problem).replace("--set", "overrides").splitlines()
+            said = str(problem).replace("--set", "overrides").replace("--word", "words")
+            lines = said.splitlines()
             raise InputError("\n".join(f"{where}: {line}" for line in lines)) from None
 
     def pictures(
@@ -110,7 +112,21 @@ class Source:
         recipe: dict[str, Any] = moved(made.recipe, relative_to(self.folder))
         for name in {"settings", "versions", FILES} & recipe.keys():
             recipe[name] = json.loads(recipe[name])
+        if self.stimulus.words:
+            recipe["words"] = _set_by_words(self.stimulus)
         return codes.astype(np.uint8, copy=False), crops, recipe
+
+
+def _set_by_words(stimulus: Stimulus) -> dict[str, dict[str, float]]:
+    """The keys that each word has set with their numbers, which a later table may have otherwise.
+
+    Without those that an override has set anew.
+    """
+    anew = {override.parse(setting)[0] for setting in stimulus.overrides}
+    return {
+        word: {key: float(value) for key, value in overrides_of(word) if key not in anew}
+        for word in stimulus.words
+    }
 
 
 def _placed(name: str, folder: Path) -> str:

@@ -73,6 +73,13 @@ class Stimulus(Section):
         source="**(ours)**; as --set of nacreous render",
         strict=False,
     )
+    words: Annotated[tuple[_Override, ...], Field(max_length=20)] = key(
+        (),
+        'The trade\'s words that set keys of the pearl, as in "luster=Fair"; overrides go before.',
+        allowed='0 to 20 texts such as "luster=Fair"',
+        source="**(ours)**; as --word of nacreous render, docs/words.md",
+        strict=False,
+    )
     picture: _Picture | None = key(
         None,
         "A picture, relative to this file.",
@@ -112,8 +119,8 @@ class Stimulus(Section):
             yield Contradiction("picture", "cannot stand beside {other}: show one", "pearl")
         elif self.picture is not None:
             verdict = "cannot stand beside {other}: nothing is rendered"
-            for name, given in (("scene", self.scene), ("overrides", self.overrides)):
-                if given:
+            for name in ("scene", "overrides", "words"):
+                if getattr(self, name):
                     yield Contradiction(name, verdict, "picture")
         if self.label is None and self.cut == "whole":
             yield Contradiction("label", f"is missing; allowed: {NAME}")

@@ -38,6 +38,7 @@ def report(
     """
     from nacreous.scaling import analyse
     from nacreous.scaling.report.page import html
+    from nacreous.study.design.called import called_stimuli
 
     asked = question_of(running, question)
     known = [factor.name for factor in running.frozen.design.groups]
@@ -53,6 +54,7 @@ def report(
     wanted = replace(running.settings, question=text, group=column, simulated=simulated)
     with without_prior():
         analysis = analyse(answers, wanted, progress=progress)
+    analysis = replace(analysis, called=called_stimuli(running.frozen))
     return html(analysis, language, screen_marks(running, answers.people))
 
 

@@ -103,6 +103,8 @@ def again(analysis: Analysis, words: Words) -> Html:
         numbers,
         words("method.versions", versions=versions(), seed=analysis.settings.seed),
     ]
+    if analysis.called:
+        lines.insert(2, words("method.called"))
     return Html("".join(f"<p>{line}</p>\n" for line in lines))
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from nacreous.scaling.figure import interval_plot, scale_plot
 from nacreous.scaling.fit.unit import factor
+from nacreous.scaling.report import called
 from nacreous.scaling.report.analysis import Analysis
 from nacreous.scaling.report.doubt import FEW_PEOPLE
 from nacreous.scaling.report.picture import picture
@@ -50,6 +51,7 @@ def chapter(analysis: Analysis, words: Words) -> Html:
     else:
         parts.append(words.paragraph("scale.too_many"))
     parts += [_example(analysis, words), doubt(analysis, words), _table(analysis, words)]
+    parts.append(called.note(analysis, words))
     return Html("".join(parts))
 
 
@@ -135,7 +137,7 @@ def _table(analysis: Analysis, words: Words) -> Html:
     ties = analysis.comparisons.tie_matrix.sum(axis=1)
     total = wins + ties + analysis.comparisons.matrix.sum(axis=0)
     of = "scale.of_ties" if ties.any() else "scale.of"
-    rows = [
+    rows: list[tuple[object, ...]] = [
         (
             str(rank + 1),
             words.name(fit.stimuli[at]),
@@ -155,7 +157,12 @@ def _table(analysis: Analysis, words: Words) -> Html:
         words("scale.margin", level=level),
         words("scale.chosen"),
     ]
-    return table(heads, rows, ["n rank", "", "n", "n", "n"])
+    kinds = ["n rank", "", "n", "n", "n"]
+    cells = called.cells(analysis, words)
+    if cells is not None:
+        heads, kinds = [*heads, words("called.head")], [*kinds, ""]
+        rows = [(*row, cells[label]) for row, label in zip(rows, analysis.ranking, strict=True)]
+    return table(heads, rows, kinds)
 
 
 def _count(value: float) -> str:
