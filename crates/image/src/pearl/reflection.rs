@@ -195,6 +195,7 @@ impl Reflection {
                 hit,
                 outward: hit.normal,
                 local: Local::EVEN,
+                grain: None,
                 view,
                 pixel_mm,
                 spread,

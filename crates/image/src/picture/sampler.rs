@@ -284,8 +284,9 @@ impl Sampler {
         let hit = place.nearest(ray);
         let spread = Spread::of_square(PIXEL_PX * pixel_mm / place.radius_mm, hit.cos_view);
         let (view, part, around) = (-ray.along, (0, 1), Arounds::default());
-        let (outward, local) = (hit.normal, Local::EVEN);
-        let sight = Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+        let (outward, local, grain) = (hit.normal, Local::EVEN, None);
+        let sight =
+            Sight { ball, hit, outward, local, grain, view, pixel_mm, spread, part, around };
         something(&self.pearls[ball].model, &self.surroundings, &sight)
     }
 
@@ -314,15 +315,28 @@ impl Sampler {
     ) -> Sight {
         let (pearl, pixel_mm, outward) = (&self.pearls[ball], self.pixel_mm[ball], hit.normal);
         if !pearl.has_relief() {
-            let (local, around) = (Local::EVEN, self.reflections.around(ball, outward));
-            return Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+            let (local, grain) = (Local::EVEN, None);
+            let around = self.reflections.around(ball, outward);
+            return Sight {
+                ball,
+                hit,
+                outward,
+                local,
+                grain,
+                view,
+                pixel_mm,
+                spread,
+                part,
+                around,
+            };
         }
-        let local = pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
+        let (local, grain) =
+            pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
         let normal = local.normal(outward, view);
         let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
         let spread = spread.over_slopes(local.fine_slope2);
         let around = self.reflections.around(ball, normal);
-        Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around }
+        Sight { ball, hit, outward, local, grain, view, pixel_mm, spread, part, around }
     }
 
     /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.
