@@ -102,7 +102,18 @@ impl Scene {
             let view = -ray.along;
             let (ball, pixel_mm, part, around) = (0, 0.01, (part, side), Arounds::default());
             let (outward, local) = (hit.normal, Local::EVEN);
-            let sight = Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+            let sight = Sight {
+                ball,
+                hit,
+                outward,
+                local,
+                grain: None,
+                view,
+                pixel_mm,
+                spread,
+                part,
+                around,
+            };
             let parts = pearl.shade(&self.surroundings, &sight);
             for i in 0..3 {
                 inside[i] += (parts.interference[i] + parts.diffuse[i]) / side as f64;

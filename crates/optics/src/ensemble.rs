@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nacreous_nacre::LayerStack;
 
 use crate::{
-    OpticsError,
+    OpticsError, Polarisation,
     incidence::{self, Block, Use},
     lanes::LANES,
+    media::Table,
     tablets::{Columns, Tablets},
-    transfer::{Precision, TransferModel, table},
+    transfer::{Origin, Precision, TransferModel, table},
 };
 
 /// R and T over stacks alike in statistics, each on its own: light of different columns is added by
@@ -88,15 +89,90 @@ impl Ensemble {
         let (r, t) = means.split_at_mut(values);
         let (r_squares, t_squares) = squares.split_at_mut(values);
         let tables = [r, t, r_squares, t_squares];
-        let alike = stacks.chunk_by(|a, b| a.protein_nm().to_bits() == b.protein_nm().to_bits());
-        let columns = alike.map(|stacks| {
-            let tabulated = model.precision == Precision::Single;
-            Columns { stacks, tablets: tabulated.then(|| Tablets::new(stacks, &media)) }
-        });
-        let means = Means { before: self.columns, columns: columns.collect() };
+        let columns = columns_of(stacks, &media, model.precision);
+        let means = Means { before: self.columns, columns };
         incidence::fill(model, &media, angle_rad, tables, &means, stop);
         self.columns += stacks.len();
         Ok((!stop.load(Ordering::Relaxed)).then_some(self))
+    }
+}
+
+/// What stacks alike in statistics mirror on average: of natural light, and of light in s and in p that comes from
+/// aragonite above the first protein layer ([`Origin::Aragonite`]). Tables `[angle, wavelength]`, in single precision, to the
+/// bit those of [`Ensemble::with`] three times, for little more than the time of one.
+///
+/// # Errors
+/// As [`Ensemble::with`].
+///
+/// [`Origin::Aragonite`]: crate::Origin::Aragonite
+pub fn reflectances(
+    stacks: &[LayerStack],
+    angle_rad: &[f64],
+    wavelength_nm: &[f64],
+    stop: &AtomicBool,
+) -> Result<Option<[Vec<f64>; 3]>, OpticsError> {
+    let mut tables = [(); 3].map(|()| vec![0.0; angle_rad.len() * wavelength_nm.len()]);
+    let Some(first) = stacks.first() else { return Ok(Some(tables)) };
+    let precision = Precision::Single;
+    let model = TransferModel {
+        polarisation: Polarisation::Unpolarised,
+        precision,
+        origin: Origin::Ambient,
+    };
+    let media = table(first, model.origin, angle_rad, wavelength_nm)?;
+    if stacks.iter().any(|stack| !stack.has_media_of(first)) {
+        return Err(OpticsError::DifferentMedia);
+    }
+    let mirrored = MirroredOfBoth(columns_of(stacks, &media, precision));
+    let all = tables.each_mut().map(Vec::as_mut_slice);
+    incidence::fill(model, &media, angle_rad, all, &mirrored, stop);
+    Ok((!stop.load(Ordering::Relaxed)).then_some(tables))
+}
+
+/// Stacks of the same media, by runs of one thickness of protein.
+fn columns_of<'a>(
+    stacks: &'a [LayerStack],
+    media: &Table,
+    precision: Precision,
+) -> Vec<Columns<'a>> {
+    let alike = stacks.chunk_by(|a, b| a.protein_nm().to_bits() == b.protein_nm().to_bits());
+    let columns = alike.map(|stacks| {
+        let tabulated = precision == Precision::Single;
+        Columns { stacks, tablets: tabulated.then(|| Tablets::new(stacks, media)) }
+    });
+    columns.collect()
+}
+
+/// Bilayers of all stacks together.
+fn bilayers(columns: &[Columns<'_>]) -> usize {
+    let stacks = columns.iter().flat_map(|columns| columns.stacks);
+    stacks.map(|stack| stack.thickness_nm().len()).sum()
+}
+
+/// Mean R from the ambient, and of each polarisation from aragonite.
+struct MirroredOfBoth<'a>(Vec<Columns<'a>>);
+
+impl Use<3> for MirroredOfBoth<'_> {
+    fn bilayers(&self) -> usize {
+        bilayers(&self.0)
+    }
+
+    fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 3]) {
+        let mut means = [[0.0; LANES]; 3];
+        let found = self.0.iter().flat_map(|columns| block.each_of_both(columns));
+        for (column, shares) in found.enumerate() {
+            let part = 1.0 / (column + 1) as f64;
+            let from_aragonite = shares.aragonite.iter().map(|shares| &shares[0]);
+            let all = std::iter::once(&shares.ambient[0]).chain(from_aragonite);
+            for (mean, share) in means.iter_mut().zip(all) {
+                for i in 0..LANES {
+                    mean[i] += (share[i] - mean[i]) * part;
+                }
+            }
+        }
+        for (mean, table) in means.iter().zip(tables) {
+            table.copy_from_slice(&mean[..table.len()]);
+        }
     }
 }
 
@@ -108,8 +184,7 @@ struct Means<'a> {
 
 impl Use<4> for Means<'_> {
     fn bilayers(&self) -> usize {
-        let stacks = self.columns.iter().flat_map(|columns| columns.stacks);
-        stacks.map(|stack| stack.thickness_nm().len()).sum()
+        bilayers(&self.columns)
     }
 
     fn fill<const N: usize>(&self, block: &Block<'_, N>, tables: [&mut [f64]; 4]) {
@@ -135,6 +210,41 @@ impl Use<4> for Means<'_> {
         }
         for (sum, table) in sums.iter().zip(tables) {
             table.copy_from_slice(&sum[..lanes]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nacreous_nacre::Medium;
+
+    use super::*;
+
+    #[test]
+    fn one_pass_finds_to_the_bit_what_three_find() {
+        let n = |n| nacreous_nacre::Index::new("medium", n, 0.0).unwrap();
+        let named = |name| Medium::named(name).unwrap();
+        let stack = |i: usize, protein_nm| {
+            let nm = (0..80).map(|layer| 330.0 + ((layer * 37 + 11 * i) % 60) as f64).collect();
+            let (aragonite, chitin) = (named("aragonite"), named("chitin"));
+            LayerStack::new(nm, protein_nm, aragonite.clone(), chitin, n(1.0), aragonite).unwrap()
+        };
+        let mut stacks: Vec<LayerStack> = (0..5).map(|i| stack(i, 20.0)).collect();
+        stacks.push(stack(9, 25.0));
+        let angle_rad: Vec<f64> = (0..7).map(|i| f64::from(i) * 0.25).collect();
+        let nm: Vec<f64> = (0..101).map(|i| 380.0 + 4.0 * f64::from(i)).collect();
+        let never = AtomicBool::new(false);
+        let found = reflectances(&stacks, &angle_rad, &nm, &never).unwrap().unwrap();
+        let asked = [
+            (Polarisation::Unpolarised, Origin::Ambient),
+            (Polarisation::S, Origin::Aragonite),
+            (Polarisation::P, Origin::Aragonite),
+        ];
+        for ((polarisation, origin), found) in asked.into_iter().zip(found) {
+            let model = TransferModel { polarisation, precision: Precision::Single, origin };
+            let ensemble = Ensemble::empty(found.len());
+            let mean = ensemble.with(model, &stacks, &angle_rad, &nm, &never).unwrap().unwrap();
+            assert!(mean.reflectance() == found, "{polarisation:?}");
         }
     }
 }

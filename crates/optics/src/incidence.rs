@@ -17,11 +17,18 @@ use crate::{
     tabulated,
     transfer::{Precision, TransferModel},
     wave::{Plane, Polarisation},
-    waves::Media,
+    waves::{Media, Waves},
 };
 
 /// R, T and A of one block of wavelengths.
 pub(crate) type Shares = [Lanes<f64>; 3];
+
+/// Shares of light from the ambient, the mean of `N` polarisations, and of each from aragonite above the layers.
+#[derive(Clone, Copy)]
+pub(crate) struct OfBoth<const N: usize> {
+    pub(crate) ambient: Shares,
+    pub(crate) aragonite: [Shares; N],
+}
 
 /// What becomes of the light of each angle and block of wavelengths.
 pub(crate) trait Use<const K: usize>: Sync {
@@ -193,6 +200,51 @@ impl<const N: usize> Block<'_, N> {
             }
         }
         each
+    }
+
+    /// Shares of each column from the ambient, which the block's light comes from, and from aragonite: in one pass where
+    /// both have the same field.
+    pub(crate) fn each_of_both(&self, columns: &Columns<'_>) -> Vec<OfBoth<N>> {
+        let inside = self.media.waves.each_ref().map(Waves::from_aragonite);
+        let in_one = columns.tablets.as_ref().filter(|_| self.media.is_lossless);
+        let in_one = in_one.and_then(|tablets| self.in_one_pass(columns.stacks, tablets, &inside));
+        in_one.unwrap_or_else(|| {
+            let alone: [Vec<Shares>; N] = std::array::from_fn(|n| {
+                let is_lossless = self.media.waves[n].are_lossless();
+                let media = &Media { waves: [inside[n].clone()], is_lossless };
+                let Self { table, half_turns_per_nm, precision, lanes, .. } = *self;
+                Block { table, half_turns_per_nm, media, precision, lanes }.each(columns)
+            });
+            let column = |(i, ambient): (usize, Shares)| OfBoth {
+                ambient,
+                aragonite: alone.each_ref().map(|columns| columns[i]),
+            };
+            self.each(columns).into_iter().enumerate().map(column).collect()
+        })
+    }
+
+    /// `None` where single precision overflowed.
+    fn in_one_pass(
+        &self,
+        stacks: &[LayerStack],
+        tablets: &Tablets,
+        inside: &[Waves; N],
+    ) -> Option<Vec<OfBoth<N>>> {
+        let (waves, nothing) = (&self.media.waves, [[0.0; LANES]; 3]);
+        let met =
+            tabulated::Met::new(waves, self.half_turns_per_nm, stacks[0].protein_nm(), tablets);
+        let mut each = vec![OfBoth { ambient: nothing, aragonite: [nothing; N] }; stacks.len()];
+        for (column, shares) in tablets.columns.iter().zip(&mut each) {
+            if self.lanes > HALF {
+                tabulated::add_shares_of_both::<N, LANES>(column, &met, waves, inside, shares);
+            } else {
+                tabulated::add_shares_of_both::<N, HALF>(column, &met, waves, inside, shares);
+            }
+            if !(is_finite(&shares.ambient) && shares.aragonite.iter().all(is_finite)) {
+                return None;
+            }
+        }
+        Some(each)
     }
 
     fn lossless<T: Real>(&self, protein_nm: f64) -> lossless::Met<T, N> {

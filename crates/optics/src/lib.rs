@@ -40,7 +40,7 @@ mod waves;
 mod window;
 
 pub use depth::Profile;
-pub use ensemble::Ensemble;
+pub use ensemble::{Ensemble, reflectances};
 pub use error::OpticsError;
 pub use film::{Amplitudes, Film, Plate};
 pub use fresnel::{Fresnel, fresnel};

@@ -8,7 +8,7 @@
 use multiversion::multiversion;
 
 use crate::{
-    incidence::Shares,
+    incidence::{OfBoth, Shares},
     lanes::{LANES, Lanes, fused},
     lossless::Field,
     phase,
@@ -122,6 +122,36 @@ pub(crate) fn add_shares<const N: usize, const W: usize>(
     for n in 0..N {
         fields[n].turn::<W>(&met.bilayers[n].diagonal, -1.0);
         fields[n].add_shares::<W>(&waves[n], 1.0 / N as f64, shares);
+    }
+}
+
+/// The same, and those of each polarisation alone from aragonite above the layers, as `inside` has it: the field at the
+/// outermost layer is that of both.
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx512cd+avx2+fma",
+    "x86_64+avx2+fma"
+))]
+pub(crate) fn add_shares_of_both<const N: usize, const W: usize>(
+    column: &[Tablet],
+    met: &Met<N>,
+    waves: &[Waves; N],
+    inside: &[Waves; N],
+    shares: &mut OfBoth<N>,
+) {
+    let mut fields = [Field::<f32>::empty(); N];
+    for n in 0..N {
+        fields[n].start_at_substrate(&waves[n]);
+        fields[n].turn::<W>(&met.bilayers[n].diagonal, 1.0);
+    }
+    if fused!() {
+        climb::<true, N, W>(column, met, &mut fields);
+    } else {
+        climb::<false, N, W>(column, met, &mut fields);
+    }
+    for n in 0..N {
+        fields[n].turn::<W>(&met.bilayers[n].diagonal, -1.0);
+        fields[n].add_shares::<W>(&waves[n], 1.0 / N as f64, &mut shares.ambient);
+        fields[n].add_shares::<W>(&inside[n], 1.0, &mut shares.aragonite[n]);
     }
 }
 

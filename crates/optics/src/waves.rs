@@ -65,6 +65,11 @@ impl Waves {
         protein_along: Pair::ZERO,
     };
 
+    /// The same of light that comes through a medium of aragonite's admittance.
+    pub(crate) fn from_aragonite(&self) -> Self {
+        Self { ambient: self.aragonite.clone(), ..self.clone() }
+    }
+
     fn pairs(&mut self) -> [&mut Pair; 8] {
         [
             &mut self.ambient,
@@ -162,7 +167,7 @@ impl Waves {
         }
     }
 
-    fn are_lossless(&self) -> bool {
+    pub(crate) fn are_lossless(&self) -> bool {
         let pairs =
             [&self.ambient, &self.aragonite, &self.aragonite_along, &self.q, &self.protein_along];
         pairs.iter().all(|pair| pair.is_real())

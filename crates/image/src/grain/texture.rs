@@ -45,6 +45,16 @@ pub struct Texture {
     steepness2: Vec<f64>,
 }
 
+/// A texture at a place, and how its value rises there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Relief {
+    /// Hue, value and chroma.
+    pub(crate) value: [f32; CHANNELS],
+    pub(crate) gradient: DVec3,
+    /// Share of the slopes' mean square that is seen.
+    pub(crate) seen: f64,
+}
+
 impl Texture {
     /// Draws a texture for a pearl of `radius_mm`, without the levels that samples `footprint_rad` apart, and
     /// wider ones, never look at. Same seed, same bytes, on every machine.
@@ -105,29 +115,30 @@ impl Texture {
         self.filtered(place, (PI / footprint_rad) as f32).to_array()
     }
 
-    /// The gradient of the value at `direction`, of mean square 1 in any one direction over all places and detail; and the
-    /// share of that mean square that samples `footprint_rad` apart see.
-    pub fn relief(&self, direction: DVec3, footprint_rad: f64) -> (DVec3, f64) {
+    /// [`Self::at`], and the gradient of the value at `direction`, of mean square 1 in any one direction over all places and
+    /// detail, with the share of that mean square that samples `footprint_rad` apart see.
+    pub(crate) fn with_relief(&self, direction: DVec3, footprint_rad: f64) -> Relief {
         let whole = self.steepness2.last().copied().unwrap_or(0.0);
         if whole <= 0.0 {
-            return (DVec3::ZERO, 1.0);
+            let value = self.at(direction, footprint_rad);
+            return Relief { value, gradient: DVec3::ZERO, seen: 1.0 };
         }
         let degree = PI / footprint_rad.max(1e-9);
-        let seen = degree.min(self.band_limit as f64) as usize;
-        let share = self.steepness2[seen.clamp(1, self.band_limit) - 1] / whole;
-        let (finer, coarser, weight) = if degree >= self.band_limit as f64 {
+        let highest = degree.min(self.band_limit as f64) as usize;
+        let seen = self.steepness2[highest.clamp(1, self.band_limit) - 1] / whole;
+        let (finer, coarser, weight) = if footprint_rad * self.band_limit as f64 <= PI {
             (&self.levels[0], None, 1.0)
         } else {
             self.enclosing(degree as f32)
         };
         let fine = finer.with_gradient(direction);
-        let gradient = match coarser {
-            Some(coarser) => {
-                coarser.with_gradient(direction).towards(&fine, weight).gradient(VALUE)
-            }
-            None => fine.gradient(VALUE) * f64::from(weight),
+        let (value, gradient) = if let Some(coarser) = coarser {
+            let between = coarser.with_gradient(direction).towards(&fine, weight);
+            (between.value, between.gradient(VALUE))
+        } else {
+            (weight * fine.value, fine.gradient(VALUE) * f64::from(weight))
         };
-        (gradient * (2.0 / whole).sqrt(), share)
+        Relief { value: value.to_array(), gradient: gradient * (2.0 / whole).sqrt(), seen }
     }
 
     /// A mixture of the two levels whose highest degrees enclose `degree`.
@@ -140,9 +151,9 @@ impl Texture {
     /// The two levels whose highest degrees enclose `degree`, and the share of the finer; where there is none below, the
     /// next would hold nothing but the mean.
     fn enclosing(&self, degree: f32) -> (&Level, Option<&Level>, f32) {
-        let coarser = self.levels.iter().position(|level| (level.top() as f32) <= degree);
-        let coarser = coarser.unwrap_or(self.levels.len());
-        let (finer, coarser) = (&self.levels[coarser.max(1) - 1], self.levels.get(coarser));
+        let coarser = self.levels.iter().skip(1).position(|level| (level.top() as f32) <= degree);
+        let finer = coarser.unwrap_or(self.levels.len() - 1);
+        let (finer, coarser) = (&self.levels[finer], self.levels.get(finer + 1));
         let low = coarser.map_or(finer.top() / 2, Level::top) as f32;
         let weight = ((degree - low) / (finer.top() as f32 - low)).clamp(0.0, 1.0);
         (finer, coarser, weight)
@@ -306,13 +317,13 @@ mod tests {
             let places: Vec<DVec3> = (0..2000)
                 .map(|i| towards((1.0 - f64::from(i) / 1000.0).acos(), f64::from(i)))
                 .collect();
-            let all = textures
-                .iter()
-                .flat_map(|texture| places.iter().map(|place| texture.relief(*place, footprint)));
+            let all = textures.iter().flat_map(|texture| {
+                places.iter().map(|place| texture.with_relief(*place, footprint))
+            });
             let count = (textures.len() * places.len()) as f64;
             let (mut sum, mut share) = (0.0, 0.0);
-            for (slope, seen) in all {
-                (sum, share) = (sum + 0.5 * slope.length_squared() / count, seen);
+            for Relief { gradient, seen, .. } in all {
+                (sum, share) = (sum + 0.5 * gradient.length_squared() / count, seen);
             }
             (sum, share)
         };

@@ -23,6 +23,7 @@ pub(crate) struct Gathered {
 
 impl Gathered {
     /// Adds a facet that counts `weight`, mirrors by `film` and shows `light`.
+    #[inline]
     pub(crate) fn add(&mut self, weight: f64, film: &Matrix, light: Rgb) {
         self.weight += weight;
         for (sum, row) in self.film.iter_mut().zip(film) {

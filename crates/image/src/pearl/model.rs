@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::{
     coat::{local::Local, outer::Coat},
-    grain::texture::Texture,
+    grain::texture::{Relief, Texture},
     light::glow::{self, DISC_POINTS, Glow},
     pearl::{
         illuminant::IlluminantPearl,
@@ -135,9 +135,19 @@ impl Model {
                 let spread = Spread::round(0.4 / cos_view);
                 let (view, around) = (towards, Arounds::default());
                 let outward = surroundings.outward(ball, &hit);
-                let local = Local::EVEN;
-                let mut sight =
-                    Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+                let (local, grain) = (Local::EVEN, None);
+                let mut sight = Sight {
+                    ball,
+                    hit,
+                    outward,
+                    local,
+                    grain,
+                    view,
+                    pixel_mm,
+                    spread,
+                    part,
+                    around,
+                };
                 if let Self::Transport(model) = self {
                     sight.around = model.around_from_afar(surroundings, &sight);
                 }
@@ -162,24 +172,32 @@ impl Pearl {
         self.coat.as_ref().is_some_and(|coat| coat.has_edges())
     }
 
-    /// What its outer layers are like in a direction from its middle, as wide as `footprint_mm`.
-    pub(crate) fn local(&self, outward: DVec3, radius_mm: f64, footprint_mm: f64) -> Local {
+    /// What its outer layers are like in a direction from its middle, as wide as `footprint_mm`; and the grain there, where
+    /// its relief tells it too.
+    pub(crate) fn local(
+        &self,
+        outward: DVec3,
+        radius_mm: f64,
+        footprint_mm: f64,
+    ) -> (Local, Option<Rgb>) {
         let coat = self.coat.as_ref().map_or(Local::EVEN, |coat| coat.at(outward, footprint_mm));
         match &self.texture {
             Some(texture) if self.grain.relief_rad > 0.0 => {
-                coat.and(self.grained(texture, outward, footprint_mm / radius_mm))
+                let (local, grain) = self.grained(texture, outward, footprint_mm / radius_mm);
+                (coat.and(local), Some(grain))
             }
-            _ => coat,
+            _ => (coat, None),
         }
     }
 
-    /// The grain's relief: as steep as its brightness changes.
-    fn grained(&self, texture: &Texture, outward: DVec3, footprint_rad: f64) -> Local {
-        let (gradient, seen) = texture.relief(self.unturned(outward), footprint_rad);
+    /// The grain's relief, as steep as its brightness changes, and the grain itself.
+    fn grained(&self, texture: &Texture, outward: DVec3, footprint_rad: f64) -> (Local, Rgb) {
+        let relief = texture.with_relief(self.unturned(outward), footprint_rad);
+        let Relief { value, gradient, seen } = relief;
         let slope = gradient * self.grain.relief_rad;
         let slope = self.coat.as_ref().map_or(slope, |coat| coat.pose().turned(slope));
         let fine_slope2 = 2.0 * self.grain.relief_rad.powi(2) * (1.0 - seen);
-        Local { slope, fine_slope2, ..Local::EVEN }
+        (Local { slope, fine_slope2, ..Local::EVEN }, value.map(f64::from))
     }
 
     /// A direction of the scene as it was before the pearl was turned.
@@ -190,9 +208,10 @@ impl Pearl {
     /// What goes from the point towards the eye.
     pub fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let radius_mm = surroundings.balls[sight.ball].radius_mm;
-        let texture = self.texture.as_ref().map_or([0.0; 3], |texture| {
+        let grain = |texture: &Arc<Texture>| {
             texture.at(self.unturned(sight.outward), sight.pixel_mm / radius_mm).map(f64::from)
-        });
+        };
+        let texture = sight.grain.or_else(|| self.texture.as_ref().map(grain)).unwrap_or_default();
         Shade { texture, ..self.model.shade(surroundings, sight) }
     }
 }

@@ -224,6 +224,7 @@ impl Reflection {
                 hit,
                 outward: surroundings.outward(ball, &hit),
                 local: Local::EVEN,
+                grain: None,
                 view,
                 pixel_mm,
                 spread,

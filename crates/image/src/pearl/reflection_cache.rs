@@ -102,11 +102,12 @@ impl ReflectionCache {
         let scale = radius.min(1.0) * half / (u * u + v * v).sqrt().max(1e-12);
         let middle = (self.side / 2) as f64;
         let (x, y) = (middle + u * scale, middle + v * scale);
-        let (left, top) = (x.floor(), y.floor());
-        let (across, down) = (cubic(x - left), cubic(y - top));
+        // Both positive, so `as` rounds down.
+        let (left, top) = (x as usize, y as usize);
+        let (across, down) = (cubic(x - left as f64), cubic(y - top as f64));
         let mut sum = Around::default();
         for (j, b) in down.iter().enumerate() {
-            let row = (top as usize + j - 1) * self.side + left as usize - 1;
+            let row = (top + j - 1) * self.side + left - 1;
             for (knot, a) in self.knots[row..row + 4].iter().zip(across) {
                 rgb::add(&mut sum.light, rgb::scaled(knot.light, a * b));
                 rgb::add(&mut sum.rest, rgb::scaled(knot.rest, a * b));

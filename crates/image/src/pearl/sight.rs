@@ -6,7 +6,8 @@
 use glam::DVec3;
 
 use crate::{
-    coat::local::Local, pearl::reflection_cache::Arounds, shape::ball::Hit, view::cone::Cone,
+    coat::local::Local, pearl::reflection_cache::Arounds, rgb::Rgb, shape::ball::Hit,
+    view::cone::Cone,
 };
 
 /// A point of a pearl under the eye.
@@ -20,6 +21,8 @@ pub struct Sight {
     pub outward: DVec3,
     /// What the outer layers are like there.
     pub local: Local,
+    /// Grain in hue, value, chroma there, where it is known already.
+    pub grain: Option<Rgb>,
     /// Towards the eye.
     pub view: DVec3,
     /// The width on the pearl that a pixel stands for.

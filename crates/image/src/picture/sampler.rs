@@ -289,8 +289,10 @@ impl Sampler {
         let hit = self.surroundings.nearest(ball, ray);
         let spread = self.spread(ball, &hit, -ray.along, PIXEL_PX);
         let (view, part, around) = (-ray.along, (0, 1), Arounds::default());
-        let (outward, local) = (self.surroundings.outward(ball, &hit), Local::EVEN);
-        let sight = Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+        let outward = self.surroundings.outward(ball, &hit);
+        let (local, grain) = (Local::EVEN, None);
+        let sight =
+            Sight { ball, hit, outward, local, grain, view, pixel_mm, spread, part, around };
         something(&self.pearls[ball].model, &self.surroundings, &sight)
     }
 
@@ -324,15 +326,28 @@ impl Sampler {
         let (pearl, pixel_mm) = (&self.pearls[ball], self.pixel_mm[ball]);
         let outward = self.surroundings.outward(ball, &hit);
         if !pearl.has_relief() {
-            let (local, around) = (Local::EVEN, self.reflections.around(ball, hit.normal));
-            return Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around };
+            let (local, grain) = (Local::EVEN, None);
+            let around = self.reflections.around(ball, hit.normal);
+            return Sight {
+                ball,
+                hit,
+                outward,
+                local,
+                grain,
+                view,
+                pixel_mm,
+                spread,
+                part,
+                around,
+            };
         }
-        let local = pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
+        let (local, grain) =
+            pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
         let normal = local.normal(hit.normal, view);
         let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
         let spread = spread.over_slopes(local.fine_slope2);
         let around = self.reflections.around(ball, normal);
-        Sight { ball, hit, outward, local, view, pixel_mm, spread, part, around }
+        Sight { ball, hit, outward, local, grain, view, pixel_mm, spread, part, around }
     }
 
     /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.

@@ -7,7 +7,9 @@ use std::sync::atomic::AtomicBool;
 
 use nacreous_colour::{SAMPLES, WAVELENGTH_NM};
 use nacreous_nacre::LayerStack;
-use nacreous_optics::{Ensemble, OpticsError, Origin, Polarisation, Precision, TransferModel};
+use nacreous_optics::{
+    Ensemble, OpticsError, Origin, Polarisation, Precision, TransferModel, reflectances,
+};
 
 use crate::{
     light::bands::{self, BANDS, Bands},
@@ -28,6 +30,7 @@ type Spectra = Vec<[f64; SAMPLES]>;
 #[derive(Debug, Clone)]
 pub struct FilmDraft {
     columns: Vec<LayerStack>,
+    parts: FilmParts,
     /// What surface and layers mirror together.
     together: Option<Spectra>,
     /// What the layers mirror to light from above them, in s and p.
@@ -45,6 +48,7 @@ impl FilmDraft {
         let empty = || vec![[0.0; SAMPLES]; Self::ALL_ANGLES];
         Self {
             columns,
+            parts,
             together: (parts != FilmParts::Apart).then(empty),
             layers: (parts != FilmParts::Together).then(|| [empty(), empty()]),
             done: 0,
@@ -67,21 +71,13 @@ impl FilmDraft {
         let some: Vec<LayerStack> =
             self.columns.iter().skip(group).step_by(groups).cloned().collect();
         let nm: Vec<f64> = WAVELENGTH_NM.iter().skip(group).step_by(groups).copied().collect();
-        let (unpolarised, ambient) = (Polarisation::Unpolarised, Origin::Ambient);
-        let mut tables: Vec<(Polarisation, Origin, &mut Spectra)> = Vec::new();
-        tables.extend(self.together.as_mut().map(|table| (unpolarised, ambient, table)));
-        if let Some([s, p]) = &mut self.layers {
-            tables.push((Polarisation::S, Origin::Aragonite, s));
-            tables.push((Polarisation::P, Origin::Aragonite, p));
-        }
-        for (polarisation, origin, table) in tables {
-            let model = TransferModel { polarisation, precision: Precision::Single, origin };
-            let empty = Ensemble::empty(angle_rad.len() * nm.len());
-            let Some(mean) = empty.with(model, &some, &angle_rad, &nm, stop)? else {
-                return Ok(None);
-            };
+        let Some(found) = mirrored(self.parts, &some, &angle_rad, &nm, stop)? else {
+            return Ok(None);
+        };
+        let tables = self.together.iter_mut().chain(self.layers.iter_mut().flatten());
+        for (table, found) in tables.zip(found) {
             let rows = table.iter_mut().skip(first);
-            for (row, found) in rows.zip(mean.reflectance().chunks_exact(nm.len())) {
+            for (row, found) in rows.zip(found.chunks_exact(nm.len())) {
                 for (to, from) in row.iter_mut().skip(group).step_by(groups).zip(found) {
                     *to = *from;
                 }
@@ -125,6 +121,27 @@ impl FilmDraft {
         };
         Ok(Film::of(mirrors, &modes(first)?, index(first)?))
     }
+}
+
+/// What columns mirror on average, as tables `[angle, wavelength]`: together where surface and layers are, and the layers in s
+/// and p where they are apart. `None` once `stop` is set.
+fn mirrored(
+    parts: FilmParts,
+    columns: &[LayerStack],
+    angle_rad: &[f64],
+    nm: &[f64],
+    stop: &AtomicBool,
+) -> Result<Option<Vec<Vec<f64>>>, OpticsError> {
+    if parts != FilmParts::Together {
+        let all = reflectances(columns, angle_rad, nm, stop)?;
+        let skipped = usize::from(parts == FilmParts::Apart);
+        return Ok(all.map(|all| all.into_iter().skip(skipped).collect()));
+    }
+    let (polarisation, origin) = (Polarisation::Unpolarised, Origin::Ambient);
+    let model = TransferModel { polarisation, precision: Precision::Single, origin };
+    let empty = Ensemble::empty(angle_rad.len() * nm.len());
+    let mean = empty.with(model, columns, angle_rad, nm, stop)?;
+    Ok(mean.map(|mean| vec![mean.reflectance().to_vec()]))
 }
 
 impl Film {

@@ -25,7 +25,12 @@ impl Surroundings {
             return 1.0;
         }
         let (toward, disc_rad) = (lamp.toward(point), lamp.angular_radius_rad());
-        let disc = libm::sincos(disc_rad);
+        let disc = lamp.disc();
+        if let [ball] = &self.balls[..] {
+            // The usual picture, asked for at every place of its table.
+            let clear = ball.is_clear_of(point, toward, disc);
+            return if clear { 1.0 } else { ball.light_past(point, toward, disc_rad) };
+        }
         let ray = Ray { from: point, along: toward };
         // Twice the disc: its cone's angle, which a tangent makes a little wider.
         let others = self.balls_near(&ray, 2.2 * disc_rad, on);

@@ -25,6 +25,8 @@ pub enum Place {
 pub struct Lamp {
     place: Place,
     angular_radius_rad: f64,
+    /// Its sine and cosine.
+    disc: (f64, f64),
     /// Linear RGB of a white matt surface that faces the lamp.
     pub brightness: Rgb,
     /// Points of equal weight over the unit disc that stand for the lamp in highlights.
@@ -36,7 +38,8 @@ pub struct Lamp {
 impl Lamp {
     /// `angular_radius_rad` above 0, up to 0.6, seen from the pearl.
     pub fn new(place: Place, angular_radius_rad: f64, brightness: Rgb) -> Self {
-        Self { place, angular_radius_rad, brightness, points: vec![[0.0; 2]], blurs: false }
+        let disc = libm::sincos(angular_radius_rad);
+        Self { place, angular_radius_rad, disc, brightness, points: vec![[0.0; 2]], blurs: false }
     }
 
     /// Chooses as many points as facets this even need for a smooth image of the lamp: mirrored, they
@@ -61,6 +64,11 @@ impl Lamp {
     /// Angular radius of the disc.
     pub fn angular_radius_rad(&self) -> f64 {
         self.angular_radius_rad
+    }
+
+    /// Sine and cosine of that.
+    pub(crate) fn disc(&self) -> (f64, f64) {
+        self.disc
     }
 
     /// Unit vector from `point` to the middle of the lamp.

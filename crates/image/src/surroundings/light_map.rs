@@ -13,6 +13,8 @@ use crate::{
 pub(crate) struct LightMap {
     corner_mm: [f64; 2],
     step_mm: [f64; 2],
+    /// So far from the corner is beyond the grid, by more than any rounding.
+    beyond_mm: [f64; 2],
     columns: usize,
     rows: usize,
     light: Vec<Rgb>,
@@ -33,7 +35,17 @@ impl LightMap {
             light([0, 1].map(|i| corner_mm[i] + place[i] as f64 * step_mm[i]))
         };
         let light = parallel::map(columns * rows, at);
-        Self { corner_mm, step_mm, columns, rows, light }
+        Self::of([corner_mm, step_mm], [columns, rows], light)
+    }
+
+    /// Of points so far apart, row by row.
+    fn of(
+        [corner_mm, step_mm]: [[f64; 2]; 2],
+        [columns, rows]: [usize; 2],
+        light: Vec<Rgb>,
+    ) -> Self {
+        let beyond_mm = [step_mm[0] * columns as f64, step_mm[1] * rows as f64];
+        Self { corner_mm, step_mm, beyond_mm, columns, rows, light }
     }
 
     /// The same, worked out no finer than needed: between points where straight lines were right to `tolerance`
@@ -71,12 +83,17 @@ impl LightMap {
             points.fill(&blocks, width);
         }
         let light = points.light.into_iter().map(Option::unwrap_or_default).collect();
-        Self { corner_mm, step_mm, columns, rows, light }
+        Self::of([corner_mm, step_mm], [columns, rows], light)
     }
 
     /// The light at a place, unless it lies beyond the grid.
     pub(crate) fn at(&self, place_mm: [f64; 2]) -> Option<Rgb> {
-        let [x, y] = [0, 1].map(|i| (place_mm[i] - self.corner_mm[i]) / self.step_mm[i]);
+        let from_mm = [0, 1].map(|i| place_mm[i] - self.corner_mm[i]);
+        // Most lie well beyond a small grid, which needs no division.
+        if from_mm[0] > self.beyond_mm[0] || from_mm[1] > self.beyond_mm[1] {
+            return None;
+        }
+        let [x, y] = [0, 1].map(|i| from_mm[i] / self.step_mm[i]);
         if !(x >= 0.0 && y >= 0.0) {
             return None;
         }
