@@ -157,7 +157,9 @@ def test_transfer_function_is_that_of_the_peer() -> None:
     rgb = np.concatenate([rng().uniform(0, 1.5, (200, 3)), rng().uniform(0, 0.01, (200, 3))])
     encoded = peer().cctf_encoding(rgb, "sRGB")
     np.testing.assert_allclose(nc.encode(rgb), encoded, atol=1e-14)
-    np.testing.assert_allclose(nc.decode(encoded), peer().cctf_decoding(encoded, "sRGB"), atol=1e-14)
+    np.testing.assert_allclose(
+        nc.decode(encoded), peer().cctf_decoding(encoded, "sRGB"), atol=1e-14
+    )
     np.testing.assert_array_equal(nc.encode(-rgb), -nc.encode(rgb))
 
 
