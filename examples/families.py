@@ -16,7 +16,7 @@ from nacreous import figure
 
 FOLDER = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 WHITE = nc.colour.white_xyz("D65")
-#: Columns of layers, columns where many thicknesses are looked at, and the side of pictures in pixels.
+#: Columns of layers, columns where many thicknesses are looked at, and pictures' side in pixels.
 COLUMNS, FEWER, SIDE_PX = (4, 4, 64) if sys.argv[2:] == ["roughly"] else (64, 24, 160)
 LAYERS, OUTER_UM, ORDERLY_NM = 120, 50.0, 12.0
 ANGLES_DEG = (0, 30, 65)
