@@ -1,7 +1,8 @@
 """The trade's colour families R, RG and G, by exact optics and in the Aurora viewer.
 
 Prints the tables of docs/families.md. `python examples/families.py docs/pictures` writes the
-pictures there; without a folder, here.
+pictures there; without a folder, here. `roughly` after the folder takes fewer columns of layers and
+smaller pictures: a tenth of the time, and other numbers than the page has.
 """
 
 import sys
@@ -15,7 +16,9 @@ from nacreous import figure
 
 FOLDER = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 WHITE = nc.colour.white_xyz("D65")
-COLUMNS, LAYERS, OUTER_UM, ORDERLY_NM = 64, 120, 50.0, 12.0
+#: Columns of layers, columns where many thicknesses are looked at, and pictures' side in pixels.
+COLUMNS, FEWER, SIDE_PX = (4, 4, 64) if sys.argv[2:] == ["roughly"] else (64, 24, 160)
+LAYERS, OUTER_UM, ORDERLY_NM = 120, 50.0, 12.0
 ANGLES_DEG = (0, 30, 65)
 STEPS = ("1.0", "0.7", "0.4", "0.0")
 #: Rings of a pearl in a picture, of equal width; the second is its centre, at 4 to 7 degrees, the
@@ -89,10 +92,16 @@ def codes(xyz, luminance=0.62):
     return nc.colour.encode(nc.colour.map_to_gamut(rgb)).clip(0, 1)
 
 
-def chroma_by_spread(spreads_nm, mean_nm=340.0, protein="chitin", step_nm=1):
+@cache
+def chroma(spread_nm, mean_nm, protein, step_nm):
+    """Chroma of T along the normal for one spread of the layers."""
+    stacks = noisy(mean_nm, spread_nm, COLUMNS if spread_nm else 2, protein)
+    return float(hue_and_chroma(colours(stacks, [0], step_nm))[1, 0, 1])
+
+
+def chroma_by_spread(spreads_nm, mean_nm=340, protein="chitin", step_nm=1):
     """Chroma of T along the normal against the spread of the layers."""
-    stacks = (noisy(mean_nm, spread, COLUMNS if spread else 2, protein) for spread in spreads_nm)
-    return [float(hue_and_chroma(colours(s, [0], step_nm))[1, 0, 1]) for s in stacks]
+    return [chroma(float(spread), mean_nm, protein, step_nm) for spread in spreads_nm]
 
 
 def draw_disorder():
@@ -104,10 +113,10 @@ def draw_disorder():
         for protein, style in (("chitin", "C0"), ("silk-fibroin", "C1"), (1.43, "C2")):
             for step_nm, line in ((1, "-"), (5, ":")):
                 row = chroma_by_spread(table, protein=protein, step_nm=step_nm)
-                print(f"  {protein}, {step_nm} nm:", *(f"{chroma:.1f}" for chroma in row))
+                print(f"  {protein}, {step_nm} nm:", *(f"{one:.1f}" for one in row))
                 if step_nm == 1 or protein == "chitin":
-                    chroma = chroma_by_spread(spreads, protein=protein, step_nm=step_nm)
-                    left.plot(spreads, chroma, line, color=style, label=f"{protein}, {step_nm} nm")
+                    row = chroma_by_spread(spreads, protein=protein, step_nm=step_nm)
+                    left.plot(spreads, row, line, color=style, label=f"{protein}, {step_nm} nm")
         left.plot(table, earlier, "ko", label="earlier calculation")
         for name, (_, ours, *_) in FAMILIES.items():
             label = f"{name.upper()}, {ours} nm"
@@ -120,7 +129,7 @@ def draw_disorder():
 def scan():
     """For each family, the thicknesses whose T has its words, every 1 nm from 260 to 480."""
     means = np.arange(260, 481)
-    found = [munsell(colours(noisy(m, ORDERLY_NM, 24), [0, 65])[1]) for m in means]
+    found = [munsell(colours(noisy(m, ORDERLY_NM, FEWER), [0, 65])[1]) for m in means]
     for name, (_, _, centre, rim, words) in FAMILIES.items():
         fits = [
             int(mean)
@@ -148,7 +157,7 @@ def tabulate_families():
 def draw_families():
     """What T and R look like by angle and thickness, with the families' thicknesses."""
     means, angles = np.arange(260, 481, 4), np.linspace(0, 80, 33)
-    both = np.stack([colours(noisy(mean, ORDERLY_NM, 24), angles) for mean in means], axis=1)
+    both = np.stack([colours(noisy(mean, ORDERLY_NM, FEWER), angles) for mean in means], axis=1)
     with figure.figure(FOLDER / "families.png", 2, 7.2, 4.2) as panels:
         titles = ("T, transmitted", "R, reflected")
         for panel, xyz, title in zip(panels, both[::-1], titles, strict=True):
@@ -208,8 +217,8 @@ def aurora(name, *body):
 
     As seen, and as it would be if the film had no colour: light of the body's own.
     """
-    pearl = nc.Pearl.load(name, [("grain", 0.0), *body])
-    image = nc.render(pearl, "aurora", size=160)
+    pearl = nc.Pearl.load(name, [("grain", 0.0), ("film.columns", COLUMNS), *body])
+    image = nc.render(pearl, "aurora", size=SIDE_PX)
     coverage = image.layers["coverage"][..., 0]
     row, column = np.indices(coverage.shape)
     down = row - np.average(row, weights=coverage)

@@ -1,7 +1,11 @@
 """The colour room against colour-science, an independent peer, and what it refuses."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Callable
+from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -9,59 +13,75 @@ import pytest
 from nacreous import colour as nc
 from nacreous.problem import InputError
 
-with warnings.catch_warnings():
-    # It warns of optional packages (plots, graphs) that it does not find.
-    warnings.simplefilter("ignore")
-    import colour as peer
+if TYPE_CHECKING:
+    from types import ModuleType
 
-GRID = peer.SpectralShape(380, 780, 1)
+    from colour import RGB_Colourspace, SpectralDistribution, SpectralShape
+
 OBSERVERS = {
     "1931-2": "CIE 1931 2 Degree Standard Observer",
     "1964-10": "CIE 1964 10 Degree Standard Observer",
 }
-WHITE_C = peer.xy_to_XYZ(peer.CCS_ILLUMINANTS[OBSERVERS["1931-2"]]["C"])
+
+
+@cache
+def peer() -> ModuleType:
+    """Imported when it is asked: it takes seconds, and every worker of pytest reads every test."""
+    with warnings.catch_warnings():
+        # It warns of optional packages (plots, graphs) that it does not find.
+        warnings.simplefilter("ignore")
+        import colour
+    return colour
+
+
+def grid() -> SpectralShape:
+    return peer().SpectralShape(380, 780, 1)
+
+
+def white_c() -> np.ndarray:
+    return peer().xy_to_XYZ(peer().CCS_ILLUMINANTS[OBSERVERS["1931-2"]]["C"])
 
 
 def rng() -> np.random.Generator:
     return np.random.default_rng(1996)
 
 
-def peer_spectrum(values: np.ndarray) -> peer.SpectralDistribution:
-    return peer.SpectralDistribution(values, GRID.wavelengths)
+def peer_spectrum(values: np.ndarray) -> SpectralDistribution:
+    return peer().SpectralDistribution(values, grid().wavelengths)
 
 
-def peer_space(space: str) -> peer.RGB_Colourspace:
+def peer_space(space: str) -> RGB_Colourspace:
     """With the matrices derived from the primaries, not the rounded ones of the standards."""
-    found = peer.RGB_COLOURSPACES[{"srgb": "sRGB", "display-p3": "Display P3"}[space]].copy()
+    found = peer().RGB_COLOURSPACES[{"srgb": "sRGB", "display-p3": "Display P3"}[space]].copy()
     found.use_derived_transformation_matrices(True)
     return found
 
 
-def relative_to_560_nm(spectrum: peer.SpectralDistribution) -> np.ndarray:
-    return np.interp(GRID.wavelengths, spectrum.wavelengths, spectrum.values) / spectrum[560]
+def relative_to_560_nm(spectrum: SpectralDistribution) -> np.ndarray:
+    return np.interp(grid().wavelengths, spectrum.wavelengths, spectrum.values) / spectrum[560]
 
 
 @pytest.mark.parametrize("name", ["D50", "D65"])
 def test_tabulated_illuminants_are_those_of_the_peer(name: str) -> None:
-    expected = relative_to_560_nm(peer.SDS_ILLUMINANTS[name])
+    expected = relative_to_560_nm(peer().SDS_ILLUMINANTS[name])
     np.testing.assert_allclose(nc.illuminant(name), expected, rtol=1e-12)
 
 
 def test_illuminant_a_is_that_of_the_peer() -> None:
-    expected = peer.sd_CIE_standard_illuminant_A(GRID)
+    expected = peer().sd_CIE_standard_illuminant_A(grid())
     np.testing.assert_allclose(nc.illuminant("A"), relative_to_560_nm(expected), rtol=1e-12)
 
 
 @pytest.mark.parametrize("kelvin", [4000, 5003, 6504, 7000, 7001, 25000])
 def test_daylight_of_a_colour_temperature_is_that_of_the_peer(kelvin: int) -> None:
-    xy = peer.temperature.CCT_to_xy_CIE_D(float(kelvin))
-    expected = peer.sd_CIE_illuminant_D_series(xy, M1_M2_rounding=False)
+    xy = peer().temperature.CCT_to_xy_CIE_D(float(kelvin))
+    expected = peer().sd_CIE_illuminant_D_series(xy, M1_M2_rounding=False)
     np.testing.assert_allclose(nc.illuminant(f"{kelvin}K"), relative_to_560_nm(expected), rtol=1e-9)
 
 
 @pytest.mark.parametrize("kelvin", [1000, 2700, 3999.5])
 def test_planck_below_4000_kelvin_is_that_of_the_peer(kelvin: float) -> None:
-    expected = peer.sd_blackbody(kelvin, GRID)
+    expected = peer().sd_blackbody(kelvin, grid())
     # The peer takes c2 = 1.4388e-2 m K as CIE 015 does.
     np.testing.assert_allclose(nc.illuminant(f"{kelvin}K"), relative_to_560_nm(expected), rtol=1e-9)
 
@@ -70,10 +90,10 @@ def test_planck_below_4000_kelvin_is_that_of_the_peer(kelvin: float) -> None:
 @pytest.mark.parametrize("light", ["A", "D50", "D65", "E", "2700K", "9300K"])
 def test_xyz_of_spectra_are_those_of_the_peer(light: str, observer: str) -> None:
     spectra = rng().uniform(0, 1, (2, 3, 401))
-    functions = peer.MSDS_CMFS[OBSERVERS[observer]].copy().align(GRID)
+    functions = peer().MSDS_CMFS[OBSERVERS[observer]].copy().align(grid())
     expected = [
         [
-            peer.colorimetry.sd_to_XYZ_integration(
+            peer().colorimetry.sd_to_XYZ_integration(
                 peer_spectrum(values), functions, peer_spectrum(nc.illuminant(light))
             )
             / 100
@@ -96,9 +116,9 @@ def test_a_measured_light_weighs_like_a_named_one() -> None:
 def test_lab_is_that_of_the_peer_and_returns() -> None:
     xyz = rng().uniform(0, 1.2, (500, 3)) ** 3  # many near black, where the line is straight
     white_xy = np.array([0.3457, 0.3585])
-    white = peer.xy_to_XYZ(white_xy)
+    white = peer().xy_to_XYZ(white_xy)
     lab = nc.lab_from_xyz(xyz, white)
-    np.testing.assert_allclose(lab, peer.XYZ_to_Lab(xyz, white_xy), atol=1e-9)
+    np.testing.assert_allclose(lab, peer().XYZ_to_Lab(xyz, white_xy), atol=1e-9)
     np.testing.assert_allclose(nc.xyz_from_lab(lab, white), xyz, atol=1e-13)
 
 
@@ -107,7 +127,7 @@ def test_delta_e_2000_is_that_of_the_peer() -> None:
     first, second = centre + reach * rng().uniform(-1, 1, (2, 5000, 3))
     second[::2] = first[::2] + rng().normal(0, 2, first[::2].shape)  # near pairs as well
     np.testing.assert_allclose(
-        nc.delta_e_2000(first, second), peer.delta_E(first, second, method="CIE 2000"), atol=1e-9
+        nc.delta_e_2000(first, second), peer().delta_E(first, second, method="CIE 2000"), atol=1e-9
     )
 
 
@@ -128,23 +148,25 @@ def test_rgb_matrices_are_those_of_the_peer(space: str) -> None:
 
 def test_p3_and_srgb_convert_as_in_the_peer() -> None:
     rgb = rng().uniform(0, 1, (100, 3))
-    matrix = peer.matrix_RGB_to_RGB(peer_space("srgb"), peer_space("display-p3"), None)
+    matrix = peer().matrix_RGB_to_RGB(peer_space("srgb"), peer_space("display-p3"), None)
     np.testing.assert_allclose(nc.p3_from_srgb(rgb), rgb @ matrix.T, atol=1e-12)
     np.testing.assert_allclose(nc.srgb_from_p3(nc.p3_from_srgb(rgb)), rgb, atol=1e-13)
 
 
 def test_transfer_function_is_that_of_the_peer() -> None:
     rgb = np.concatenate([rng().uniform(0, 1.5, (200, 3)), rng().uniform(0, 0.01, (200, 3))])
-    encoded = peer.cctf_encoding(rgb, "sRGB")
+    encoded = peer().cctf_encoding(rgb, "sRGB")
     np.testing.assert_allclose(nc.encode(rgb), encoded, atol=1e-14)
-    np.testing.assert_allclose(nc.decode(encoded), peer.cctf_decoding(encoded, "sRGB"), atol=1e-14)
+    np.testing.assert_allclose(
+        nc.decode(encoded), peer().cctf_decoding(encoded, "sRGB"), atol=1e-14
+    )
     np.testing.assert_array_equal(nc.encode(-rgb), -nc.encode(rgb))
 
 
 def test_bradford_is_that_of_the_peer() -> None:
     xyz = rng().uniform(0, 1, (100, 3))
     whites = nc.white_xyz("A"), nc.white_xyz("D65")
-    matrix = peer.adaptation.matrix_chromatic_adaptation_VonKries(*whites, "Bradford")
+    matrix = peer().adaptation.matrix_chromatic_adaptation_VonKries(*whites, "Bradford")
     np.testing.assert_allclose(nc.adapt(xyz, *whites), xyz @ matrix.T, atol=1e-12)
 
 
@@ -158,7 +180,7 @@ def test_hvc_returns_over_the_cube_and_beyond() -> None:
 
 def test_value_is_a_tenth_of_lab_lightness() -> None:
     xyz = rng().uniform(0, 1, (200, 3))
-    lightness = peer.XYZ_to_Lab(xyz, peer.XYZ_to_xy(WHITE_C))[:, 0]
+    lightness = peer().XYZ_to_Lab(xyz, peer().XYZ_to_xy(white_c()))[:, 0]
     np.testing.assert_allclose(nc.hvc_from_xyz(xyz)[:, 1], lightness / 10, atol=1e-10)
     np.testing.assert_allclose(nc.xyz_from_hvc(nc.hvc_from_xyz(xyz)), xyz, atol=1e-12)
 
@@ -166,10 +188,10 @@ def test_value_is_a_tenth_of_lab_lightness() -> None:
 def test_notation_is_near_that_of_the_peer() -> None:
     # Pearl-like and stronger colours, found in the renotation by the peer's slow search.
     rgb = np.array([[0.8, 0.6, 0.6], [0.4, 0.5, 0.3], [0.3, 0.4, 0.6], [0.6, 0.5, 0.2]])
-    xyz = nc.adapt(nc.xyz_from_rgb(rgb), nc.xyz_from_rgb([1, 1, 1]), WHITE_C)
+    xyz = nc.adapt(nc.xyz_from_rgb(rgb), nc.xyz_from_rgb([1, 1, 1]), white_c())
     families = ["R", "YR", "Y", "GY", "G", "BG", "B", "PB", "P", "RP"]
     for colour, ours in zip(xyz, nc.munsell_notation(nc.hvc_from_rgb(rgb)), strict=True):
-        theirs = peer.xyY_to_munsell_colour(peer.XYZ_to_xyY(colour))
+        theirs = peer().xyY_to_munsell_colour(peer().XYZ_to_xyY(colour))
         steps, values, chromas = [], [], []
         for notation in (str(ours), theirs):
             hue, rest = notation.split()

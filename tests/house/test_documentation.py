@@ -1,8 +1,6 @@
-"""README, docs and examples hold; and a document that shows something wrong is found out."""
+"""README and docs hold; and a document that shows something wrong is found out."""
 
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -12,7 +10,6 @@ from tests.support.documentation import DocumentationError, run_document
 
 ROOT = Path(__file__).parent.parent.parent
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
-EXAMPLES = sorted(ROOT.glob("examples/*.py"))
 
 
 def name(path: Path) -> str:
@@ -29,19 +26,6 @@ def test_documents_show_what_happens(document, tmp_path, monkeypatch):
 def test_no_python_on_a_page_goes_by_a_name_that_is_not_run(document):
     languages = {block.language for block in documentation.blocks(document)}
     assert not languages & {"pycon", "py", "python3", "doctest"}
-
-
-@pytest.mark.parametrize("example", EXAMPLES, ids=name)
-def test_examples_run(example, tmp_path):
-    done = subprocess.run(
-        [sys.executable, "-W", "error", example],
-        cwd=tmp_path,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
-    assert done.returncode == 0, f"{example} ended with code {done.returncode}:\n{done.stdout}"
 
 
 @pytest.fixture

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import re
+from importlib.util import find_spec
 from pathlib import Path
 
-import elli
 import numpy as np
 import pytest
 import yaml
@@ -15,7 +15,9 @@ import nacreous as nc
 from nacreous import medium
 from nacreous.problem import InputError
 
-DATABASE = Path(elli.__file__).parent / "database" / "refractiveindexinfo-database" / "database"
+#: In pyElli's folder, which is found without reading pyElli: every worker reads this file.
+ELLI = Path(find_spec("elli").origin).parent
+DATABASE = ELLI / "database" / "refractiveindexinfo-database" / "database"
 
 
 def written(folder: Path, text: str, name: str = "medium.yml") -> Path:

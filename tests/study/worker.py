@@ -13,7 +13,7 @@ import time
 
 from nacreous.study.store import Answer, Response, Store, StoreError
 
-TRIALS = 100
+TRIALS = 60
 
 
 def answer_all(store: Store, session: str, acknowledged: int) -> None:
