@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 fn an_unknown_key_and_an_unknown_word_are_refused_by_name() {
     for (place, key, value, message) in [
         ("", "sise", json!(1), "unknown field `sise`"),
-        ("/pearls/0", "shape", json!("oval"), "unknown field `shape`"),
+        ("/pearls/0", "form", json!("oval"), "unknown field `form`"),
         ("/pearls/0/film", "outer_nm", json!(1), "unknown field `outer_nm`"),
         ("/pearls/0/nacre", "protien_nm", json!(1), "unknown field `protien_nm`"),
         ("/pearls/0/surface", "facets", json!("blinn"), "unknown variant `blinn`"),
