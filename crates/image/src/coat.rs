@@ -8,5 +8,6 @@ pub(crate) mod local;
 pub(crate) mod nucleus;
 pub(crate) mod outer;
 pub(crate) mod pose;
+pub(crate) mod rulings;
 pub(crate) mod spots;
 pub(crate) mod terraces;

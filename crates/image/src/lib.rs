@@ -30,6 +30,7 @@ pub use coat::local::Local;
 pub use coat::nucleus::NucleusBands;
 pub use coat::outer::{Coat, CoatParameters};
 pub use coat::pose::Pose;
+pub use coat::rulings::Rulings;
 pub use iridescence::by_angle::ByAngle;
 pub use iridescence::colours::{Iridescence, Weights, interference_colours};
 pub use iridescence::rings::Rings;

@@ -162,8 +162,8 @@ impl Use<3> for MirroredOfBoth<'_> {
         let found = self.0.iter().flat_map(|columns| block.each_of_both(columns));
         for (column, shares) in found.enumerate() {
             let part = 1.0 / (column + 1) as f64;
-            let from_aragonite = shares.aragonite.iter().map(|shares| &shares[0]);
-            let all = std::iter::once(&shares.ambient[0]).chain(from_aragonite);
+            let within_aragonite = shares.aragonite.iter().map(|shares| &shares[0]);
+            let all = std::iter::once(&shares.ambient[0]).chain(within_aragonite);
             for (mean, share) in means.iter_mut().zip(all) {
                 for i in 0..LANES {
                     mean[i] += (share[i] - mean[i]) * part;

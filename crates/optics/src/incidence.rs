@@ -205,7 +205,7 @@ impl<const N: usize> Block<'_, N> {
     /// Shares of each column from the ambient, which the block's light comes from, and from aragonite: in one pass where
     /// both have the same field.
     pub(crate) fn each_of_both(&self, columns: &Columns<'_>) -> Vec<OfBoth<N>> {
-        let inside = self.media.waves.each_ref().map(Waves::from_aragonite);
+        let inside = self.media.waves.each_ref().map(Waves::within_aragonite);
         let in_one = columns.tablets.as_ref().filter(|_| self.media.is_lossless);
         let in_one = in_one.and_then(|tablets| self.in_one_pass(columns.stacks, tablets, &inside));
         in_one.unwrap_or_else(|| {

@@ -66,7 +66,7 @@ impl Waves {
     };
 
     /// The same of light that comes through a medium of aragonite's admittance.
-    pub(crate) fn from_aragonite(&self) -> Self {
+    pub(crate) fn within_aragonite(&self) -> Self {
         Self { ambient: self.aragonite.clone(), ..self.clone() }
     }
 

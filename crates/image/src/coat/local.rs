@@ -5,6 +5,8 @@
 
 use glam::DVec3;
 
+use crate::coat::rulings::Rulings;
+
 /// A pearl's outer layers at one place, as wide as what is looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Local {
@@ -18,12 +20,20 @@ pub struct Local {
     pub chalk: f64,
     /// Factor on light from inside.
     pub inside: f64,
+    /// Terraces, where there are some too fine to be seen apart.
+    pub rulings: Option<Rulings>,
 }
 
 impl Local {
     /// As everywhere on an even pearl.
-    pub const EVEN: Self =
-        Self { slope: DVec3::ZERO, fine_slope2: 0.0, thickness: 1.0, chalk: 0.0, inside: 1.0 };
+    pub const EVEN: Self = Self {
+        slope: DVec3::ZERO,
+        fine_slope2: 0.0,
+        thickness: 1.0,
+        chalk: 0.0,
+        inside: 1.0,
+        rulings: None,
+    };
 
     /// Both at the same place.
     #[must_use]
@@ -34,6 +44,7 @@ impl Local {
             thickness: self.thickness * other.thickness,
             chalk: 1.0 - (1.0 - self.chalk) * (1.0 - other.chalk),
             inside: self.inside * other.inside,
+            rulings: self.rulings.or(other.rulings),
         }
     }
 

@@ -13,6 +13,7 @@ use crate::coat::{
     local::Local,
     nucleus::{NucleusBands, Slices},
     pose::Pose,
+    rulings::Rulings,
     spots::Spots,
     terraces::Terraces,
 };
@@ -147,7 +148,9 @@ impl Coat {
         {
             local = local.and(here);
         }
-        Local { slope: self.pose().scene(local.slope), ..local }
+        let rulings =
+            local.rulings.map(|rulings| Rulings { up: self.pose().scene(rulings.up), ..rulings });
+        Local { slope: self.pose().scene(local.slope), rulings, ..local }
     }
 
     /// What the fields make of a place.
@@ -158,8 +161,7 @@ impl Coat {
         local.thickness = 1.0 + thickness_spread * spreads;
         if let Some(terraces) = &self.terraces {
             let (front, per_mm) = (here.value[FRONT], here.gradient(FRONT) / radius_mm);
-            (local.slope, local.fine_slope2) =
-                terraces.slope(f64::from(front), per_mm, footprint_mm);
+            local = local.and(terraces.at(f64::from(front), per_mm, footprint_mm));
         }
         // In one direction of the two a slope has half of the square.
         let per_slope = hammering_rad * 2.0_f64.sqrt() / fields.steepness()[DENTS];

@@ -1,11 +1,13 @@
 //! The terraces of the growth front: level lines where one tablet ends and the next begins.
 //!
 //! A staircase beside the smooth height of the growth front; Fourier series, of which a footprint leaves the low terms.
-//! Left out: that real terraces spiral, and how their spacing diffracts.
+//! Left out: that real terraces spiral.
 
 use std::f64::consts::TAU;
 
 use glam::DVec3;
+
+use crate::coat::{local::Local, rulings::Rulings};
 
 /// Steps of one height on a growth front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,9 +28,21 @@ impl Terraces {
         Self { step_mm, amplitude_mm: step_mm / spacing_mm * radius_mm / steepness }
     }
 
-    /// The surface's slope, and the mean square of the slopes that are finer than `footprint_mm`, where the growth
-    /// front is `field` high and goes up by `gradient` per mm.
-    pub(crate) fn slope(&self, field: f64, gradient: DVec3, footprint_mm: f64) -> (DVec3, f64) {
+    /// What they make of a place, as wide as `footprint_mm`, where the growth front is `field` high and goes up by
+    /// `gradient` per mm.
+    pub(crate) fn at(&self, field: f64, gradient: DVec3, footprint_mm: f64) -> Local {
+        let (slope, fine_slope2) = self.slope(field, gradient, footprint_mm);
+        let front = gradient.length() * self.amplitude_mm;
+        let all: f64 = SERIES.iter().map(|amount| 0.5 * amount * amount).sum();
+        let unseen = fine_slope2 / (all * front * front).max(f64::MIN_POSITIVE);
+        let (up, per_mm) = (gradient.normalize_or_zero(), front / self.step_mm);
+        let rulings = Rulings { up, per_mm, step_mm: self.step_mm, unseen, fine_slope2 };
+        let rulings = (unseen > LEAST_UNSEEN).then_some(rulings);
+        Local { slope, fine_slope2, rulings, ..Local::EVEN }
+    }
+
+    /// The surface's slope, and the mean square of the slopes that are finer than `footprint_mm`.
+    fn slope(&self, field: f64, gradient: DVec3, footprint_mm: f64) -> (DVec3, f64) {
         let front = gradient * self.amplitude_mm;
         let psi = TAU * self.amplitude_mm * field / self.step_mm;
         let steps = front.length() / self.step_mm * footprint_mm;
@@ -48,6 +62,9 @@ impl Terraces {
         (front * riser, fine * front.length_squared())
     }
 }
+
+/// Terraces of which less than this is unseen are no rulings.
+const LEAST_UNSEEN: f64 = 0.02;
 
 /// Standard deviation of a footprint of width 1 that spreads as a pixel's tent does.
 const FOOTPRINT: f64 = 0.41;

@@ -83,6 +83,13 @@ impl Spread {
         Self { outward_rad: wider(self.outward_rad), around_rad: wider(self.around_rad) }
     }
 
+    /// The way back.
+    pub(crate) fn less_slopes(self, slope2: f64) -> Self {
+        let less = 0.5 * slope2 * FULL_ANGLE * FULL_ANGLE;
+        let narrower = |rad: f64| (rad * rad - less).max(0.0).sqrt();
+        Self { outward_rad: narrower(self.outward_rad), around_rad: narrower(self.around_rad) }
+    }
+
     /// The cone around a mirrored ray, made wider by a round one of `share_rad2`, its angle squared, all around; `level` is
     /// the unit vector across the plane of view and normal.
     #[inline]
