@@ -40,6 +40,14 @@ class Coat(Section):
         most=1,
         source="trade, circled pearls; the share is **(ours)**",
     )
+    liveliness: float = quantity(
+        0.0,
+        "Share of what differs beside the bands that changes with the angle it is seen at: patches "
+        "that go over into others as the pearl turns.",
+        least=0,
+        most=1,
+        source="paper 6 wishes for it, by chaos; the map is **(ours)** (docs/coat.md)",
+    )
     hammering_rad: float = quantity(
         0.0,
         "Spread of the lean of a hammered surface: shallow dents that break the lamp's image.",

@@ -60,6 +60,7 @@ fn coat() -> Coat {
         thickness_spread: 0.0,
         patch_mm: 3.0,
         banding: 0.0,
+        liveliness: 0.0,
         hammering_rad: 0.03,
         dent_mm: 0.8,
         terrace_mm: 0.1,

@@ -1,6 +1,7 @@
 //! Random fields over the sphere, smooth within a length, in bands about an axis where they shall be.
 //!
-//! Gaussian, correlation exp(-distance^2 / 2 length^2), by spherical harmonics as the grain's.
+//! Gaussian, correlation exp(-distance^2 / 2 length^2), by spherical harmonics as the grain's. One may go on from state to
+//! state by a chaotic map of its waves.
 //! Left out: anything finer; fields have no edges.
 
 use std::f64::consts::PI;
@@ -34,6 +35,31 @@ impl Fields {
     /// Fields that are alike within `length_rad`, seen from the centre; of `banding` from 0 to 1 a share of their
     /// variance depends on the distance from the pole alone.
     pub(crate) fn draw(length_rad: [f64; CHANNELS], banding: f64, seed: u64) -> Self {
+        Self::drawn(length_rad, banding, seed, |pairs| pairs)
+    }
+
+    /// The next three states of the first of the fields that [`Self::draw`] gives for the same length, banding and seed.
+    ///
+    /// From one state to the next the phase of each wave doubles, which takes its part x, over its amplitude, to
+    /// 2 x^2 - 1: the map of Ulam and von Neumann (1947), the logistic map at 4. States have one and the same variance and
+    /// nothing in common; what two pearls differ by doubles (Lyapunov's exponent ln 2). Bands stay as they are.
+    pub(crate) fn states(length_rad: f64, banding: f64, seed: u64) -> Self {
+        Self::drawn([length_rad; CHANNELS], banding, seed, |pairs| {
+            let mut state = pairs[0];
+            pairs.map(|_| {
+                state = doubled(state);
+                state
+            })
+        })
+    }
+
+    /// Fields whose waves are what `made` makes of pairs of normal deviates, one for each field.
+    fn drawn(
+        length_rad: [f64; CHANNELS],
+        banding: f64,
+        seed: u64,
+        made: impl Fn([[f64; 2]; CHANNELS]) -> [[f64; 2]; CHANNELS],
+    ) -> Self {
         let shares = length_rad.map(shares);
         let top = shares.iter().map(Vec::len).max().unwrap_or(1);
         let mut random = ChaCha8Rng::from_seed(key(seed));
@@ -45,9 +71,9 @@ impl Fields {
             for m in 0..=l {
                 let part = if m == 0 { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
                 let even = part * (1.0 - banding).sqrt();
-                *waves.at_mut(l, m) = std::array::from_fn(|c| {
-                    normal_pair(&mut random).map(|normal| even * alone[c] * normal)
-                });
+                let pairs = made(std::array::from_fn(|_| normal_pair(&mut random)));
+                *waves.at_mut(l, m) =
+                    std::array::from_fn(|c| pairs[c].map(|normal| even * alone[c] * normal));
             }
             // All of a degree's variance in the one wave that goes round without a change.
             let whole = (banding * (2 * l + 1) as f64).sqrt();
@@ -72,6 +98,12 @@ impl Fields {
     pub(crate) fn steepness(&self) -> [f64; CHANNELS] {
         self.steepness
     }
+}
+
+/// A pair of normal deviates, its phase doubled.
+fn doubled([x, y]: [f64; 2]) -> [f64; 2] {
+    let amplitude = x.hypot(y).max(f64::MIN_POSITIVE);
+    [(x * x - y * y) / amplitude, 2.0 * x * y / amplitude]
 }
 
 /// The share of the variance in each degree from 1 up.
@@ -130,6 +162,38 @@ mod tests {
             );
             // Two dimensions, each 1 / length^2.
             assert!((steepness[c] * LENGTHS[c] / 2.0_f64.sqrt() - 1.0).abs() < 0.2);
+        }
+    }
+
+    #[test]
+    fn states_have_one_variance_and_nothing_in_common() {
+        let (mut squares, mut products) = ([0.0; 4], [0.0; 3]);
+        let seeds = 600;
+        for seed in 0..seeds {
+            let first = Fields::draw([0.3; 3], 0.0, seed);
+            let states = Fields::states(0.3, 0.0, seed);
+            for (direction, share) in directions(10) {
+                let next = states.at(direction).value;
+                let all = [first.at(direction).value[0], next[0], next[1], next[2]].map(f64::from);
+                for i in 0..4 {
+                    squares[i] += share * all[i] * all[i] / seeds as f64;
+                }
+                for i in 0..3 {
+                    products[i] += share * all[i] * all[i + 1] / seeds as f64;
+                }
+            }
+        }
+        assert!(squares.iter().all(|square| (square - 1.0).abs() < 0.1), "{squares:?}");
+        assert!(products.iter().all(|product| product.abs() < 0.06), "{products:?}");
+    }
+
+    #[test]
+    fn what_two_waves_differ_by_doubles_from_state_to_state() {
+        let mut pair = [[0.6, -0.8], [0.6 + 0.8e-6, -0.8 + 0.6e-6]];
+        for step in 1..8 {
+            pair = pair.map(doubled);
+            let apart = (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1]);
+            assert!((apart / (1e-6 * f64::from(1 << step)) - 1.0).abs() < 1e-3, "{step}: {apart}");
         }
     }
 

@@ -3,6 +3,8 @@
 //! Relief, terraces, blemishes and the layers' thickness, each by its own file, put together.
 //! Left out: cross terms; slopes add up.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::DVec3;
 
 use crate::coat::{
@@ -33,6 +35,8 @@ pub struct CoatParameters {
     pub patch_mm: f64,
     /// Share of the fields' variance that lies in bands about the axis of growth, 0 to 1.
     pub banding: f64,
+    /// Share of the rest of that variance which changes with the angle that a place is seen at.
+    pub liveliness: f64,
     /// Standard deviation of the lean of a hammered surface, in any one direction.
     pub hammering_rad: f64,
     /// Size of the dents.
@@ -54,6 +58,8 @@ pub struct CoatParameters {
 pub struct Coat {
     made_from: CoatParameters,
     fields: Option<Fields>,
+    /// What the field of the thickness becomes at other angles, where it does.
+    states: Option<Fields>,
     terraces: Option<Terraces>,
     spots: Option<Spots>,
     slices: Option<Slices>,
@@ -103,11 +109,15 @@ impl Coat {
             let steepness = fields.steepness()[FRONT];
             Terraces::new(made_from.step_mm, made_from.terrace_mm, steepness, radius_mm)
         });
+        let is_live = made_from.thickness_spread > 0.0 && made_from.liveliness > 0.0;
+        let states = is_live.then(|| {
+            Fields::states(made_from.patch_mm / radius_mm, made_from.banding, made_from.seed)
+        });
         let placed = layout(&made_from.blemishes, radius_mm);
         let spots = (!placed.is_empty()).then(|| Spots::new(placed, radius_mm));
         let bands = made_from.nucleus;
         let slices = (bands.contrast > 0.0).then(|| Slices::new(bands, made_from.seed));
-        Self { made_from, fields, terraces, spots, slices }
+        Self { made_from, fields, states, terraces, spots, slices }
     }
 
     /// Whether it is the same everywhere.
@@ -126,12 +136,13 @@ impl Coat {
         &self.made_from.pose
     }
 
-    /// The place in a direction of the scene from the pearl's middle, as wide as `footprint_mm`.
-    pub(crate) fn at(&self, outward: DVec3, footprint_mm: f64) -> Local {
+    /// The place in a direction of the scene from the pearl's middle, as wide as `footprint_mm`, seen at an angle of this
+    /// cosine to the normal.
+    pub(crate) fn at(&self, outward: DVec3, footprint_mm: f64, cos_view: f64) -> Local {
         let own = self.pose().own(outward);
         let mut local = Local::EVEN;
         if let Some(fields) = &self.fields {
-            local = local.and(self.smooth(fields, own, footprint_mm));
+            local = local.and(self.smooth(fields, own, footprint_mm, cos_view));
         }
         if let Some(spots) = &self.spots {
             for blemish in spots.near(own) {
@@ -153,11 +164,29 @@ impl Coat {
         Local { slope: self.pose().scene(local.slope), rulings, ..local }
     }
 
+    /// The field of the thickness as it is seen: the flatter the view, the farther on its way through its states.
+    fn seen_at(&self, cos_view: f64, own: DVec3, still: f64) -> f64 {
+        let Some(states) = &self.states else { return still };
+        let next = states.at(own).value.to_array().map(f64::from);
+        let all = [still, next[0], next[1], next[2]];
+        let way = (1.0 - cos_view).clamp(0.0, 1.0) * (all.len() - 1) as f64;
+        let state = (way as usize).min(all.len() - 2);
+        // The squares add up to one, so that the variance stays.
+        let (sin, cos) = libm::sincos(FRAC_PI_2 * (way - state as f64));
+        let live = all[state] * cos + all[state + 1] * sin;
+        let liveliness = self.made_from.liveliness;
+        // What both have in common, so that all of it together has variance one.
+        let common = if state == 0 { cos } else { 0.0 };
+        let (a, b) = ((1.0 - liveliness).sqrt(), liveliness.sqrt());
+        (a * still + b * live) / (1.0 + 2.0 * a * b * common).sqrt()
+    }
+
     /// What the fields make of a place.
-    fn smooth(&self, fields: &Fields, own: DVec3, footprint_mm: f64) -> Local {
+    fn smooth(&self, fields: &Fields, own: DVec3, footprint_mm: f64, cos_view: f64) -> Local {
         let CoatParameters { radius_mm, thickness_spread, hammering_rad, .. } = self.made_from;
         let (here, mut local) = (fields.at(own), Local::EVEN);
-        let spreads = f64::from(here.value[THICKNESS]).clamp(-MOST_SPREADS, MOST_SPREADS);
+        let spreads = self.seen_at(cos_view, own, f64::from(here.value[THICKNESS]));
+        let spreads = spreads.clamp(-MOST_SPREADS, MOST_SPREADS);
         local.thickness = 1.0 + thickness_spread * spreads;
         if let Some(terraces) = &self.terraces {
             let (front, per_mm) = (here.value[FRONT], here.gradient(FRONT) / radius_mm);

@@ -342,7 +342,7 @@ impl Sampler {
             };
         }
         let (local, grain) =
-            pearl.local(outward, self.surroundings.balls[ball].radius_mm, pixel_mm);
+            pearl.local((outward, hit.cos_view), self.surroundings.balls[ball].radius_mm, pixel_mm);
         let normal = local.normal(hit.normal, view);
         let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
         let spread = spread.over_slopes(local.fine_slope2);

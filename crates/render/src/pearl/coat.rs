@@ -40,7 +40,7 @@ pub(crate) fn parameters_of(pearl: &PearlSpec) -> Result<Option<CoatParameters>,
 }
 
 fn coat_of(pearl: &TransportSpec) -> CoatParameters {
-    let CoatSpec { thickness_spread, patch_mm, banding, hammering_rad, dent_mm, .. } = pearl.coat;
+    let CoatSpec { thickness_spread, patch_mm, banding, liveliness, .. } = pearl.coat;
     let (coat, blemishes) = (&pearl.coat, &pearl.blemishes);
     let seed = |given: Option<u64>| given.unwrap_or_else(|| pearl.nacre.seed());
     CoatParameters {
@@ -50,8 +50,9 @@ fn coat_of(pearl: &TransportSpec) -> CoatParameters {
         thickness_spread,
         patch_mm,
         banding,
-        hammering_rad,
-        dent_mm,
+        liveliness,
+        hammering_rad: coat.hammering_rad,
+        dent_mm: coat.dent_mm,
         terrace_mm: 1e-3 * coat.terrace_um,
         step_mm: 1e-6 * coat.terrace_step_nm,
         blemishes: Blemishes {

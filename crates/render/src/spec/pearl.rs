@@ -206,6 +206,8 @@ pub struct CoatSpec {
     pub patch_mm: f64,
     /// Share of all that in bands about the axis of growth.
     pub banding: f64,
+    /// Share of the rest that changes with the angle it is seen at.
+    pub liveliness: f64,
     /// Standard deviation of the lean of a hammered surface.
     pub hammering_rad: f64,
     /// Size of its dents.
