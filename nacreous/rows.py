@@ -7,7 +7,7 @@ from itertools import count
 from typing import NamedTuple
 
 from nacreous.problem import InputError
-from nacreous.spec import Pearl, Row, Scene
+from nacreous.spec import Pearl, Scene
 from nacreous.spec.row import GIVEN
 
 __all__ = ["Filled", "fill"]
@@ -44,7 +44,7 @@ def fill(given: Sequence[Pearl], scene: Scene) -> Filled:
     for pearl in (pearl for row in rows for pearl in row):
         numbers.setdefault(pearl, len(numbers))
     named = [
-        Row(pearls=tuple(f"{GIVEN}{numbers[pearl]}" for pearl in row), label=written.label)
+        written.replace(pearls=tuple(f"{GIVEN}{numbers[pearl]}" for pearl in row))
         for row, written in zip(rows, scene.rows, strict=True)
     ]
     return Filled(list(numbers), scene.replace(rows=tuple(named)))

@@ -98,6 +98,12 @@ def _add_show(actions: Actions[argparse.ArgumentParser]) -> None:
     parser.add_argument("-o", "--output", help="a picture of the strand, .png or .exr")
     parser.add_argument("--pearl", default="akoya-rg", help="what its pearls share (akoya-rg)")
     parser.add_argument("--scene", default="north-window-black", help="(north-window-black)")
+    parser.add_argument(
+        "--laid",
+        choices=["folds", "neck"],
+        default="folds",
+        help="on the cloth in folds, or around a neck (folds)",
+    )
     parser.add_argument("--size", type=int, default=768, help="pixels a side (768)")
     parser.add_argument("--samples", type=int, default=16, help="a pixel at most (16)")
     parser.add_argument("--seed", type=int, default=1, help="of the first pearl's growth (1)")
@@ -184,6 +190,9 @@ def show(args: argparse.Namespace) -> int:
     return 0
 
 
+_LAID = {"folds": "in folds", "neck": "around a neck"}
+
+
 def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
     """Say what is `shown` and render the strand's pearls in rows, once all of it can be."""
     import sys
@@ -196,7 +205,7 @@ def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
     from nacreous.stream import STREAM
 
     found = hung(strand, Pearl.load(args.pearl), args.seed)
-    scene = laid_out(len(strand), Scene.load(args.scene))
+    scene = laid_out(len(strand), Scene.load(args.scene), args.laid)
     made = recipe(found.pearls, scene, args.size, args.samples)
     say(shown, [args.output])
     begin = time.monotonic()
@@ -204,7 +213,7 @@ def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
         picture = image.render_recipe(made, progress)
     picture.save(sys.stdout.buffer if args.output == STREAM else args.output)
     say(
-        f"{args.output}: {len(strand)} pearls in rows in scene {scene.name}, {args.size} x "
+        f"{args.output}: {len(strand)} pearls {_LAID[args.laid]} in scene {scene.name}, {args.size} x "
         f"{args.size}, {time.monotonic() - begin:.1f} s; body colours by the nearest pigment, "
         f"{found.colour_off:.1f} CIEDE2000 off in mean",
         [args.output],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 
@@ -51,6 +51,13 @@ class Row(Section):
         source="**(ours)**",
         examples=[GIVEN, *preset.names("pearl")],
         strict=False,
+    )
+    form: Literal["line", "neck"] = key(
+        "line",
+        'How they lie: side by side on a line, or around a neck ("neck"), each touching the next, '
+        "in the only row of its scene.",
+        allowed='"line" or "neck"',
+        source="trade: strands are shown around a bust; the ellipse is **(ours)**",
     )
     label: Name | None = key(
         None,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,16 +63,27 @@ def hung(strand: Lot, like: Pearl, seed: int = 1) -> Hung:
     return Hung(tuple(pearls), float(apart.min(axis=1).mean()))
 
 
-def laid_out(count: int, scene: Scene) -> Scene:
-    """The scene with so many pearls in rows, as a strand lies in folds, seen from above.
+#: How a strand may lie: in folds on cloth, or around a neck.
+LAID: Final = ("folds", "neck")
 
-    Every other row runs back, so that neighbours stay side by side; rays are parallel, so that the
-    camera's distance holds for any number. Raises `InputError` for a scene with rows of its own.
+
+def laid_out(count: int, scene: Scene, laid: str = "folds") -> Scene:
+    """The scene with so many pearls of a strand on its cloth, seen from above.
+
+    laid: "folds", in rows of which every other runs back, so that neighbours stay side by side, or
+    "neck", each touching the next around an open ellipse whose front is towards the viewer. Rays
+    are parallel, so that the camera's distance holds for any number. Raises `InputError` for a scene with rows of its own.
     """
     if scene.rows:
         raise InputError(f"scene {scene.name}: has rows of its own; allowed: a scene for one pearl")
+    if laid not in LAID:
+        raise InputError(f'laid is "{laid}"; allowed: {" or ".join(LAID)}')
     if count > LONGEST:
         raise InputError(f"the strand has {count} pearls; allowed: up to {LONGEST} in a picture")
+    camera = scene.camera.replace(projection="orthographic", elevation_deg=60.0)
+    if laid == "neck":
+        around = Row(pearls=tuple(f"*{number}" for number in range(count)), form="neck")
+        return scene.replace(rows=(around,), camera=camera)
     across = math.ceil(math.sqrt(count))
     rows = []
     for line, begin in enumerate(range(0, count, across)):
@@ -79,7 +91,6 @@ def laid_out(count: int, scene: Scene) -> Scene:
         if line % 2:
             numbers.reverse()
         rows.append(Row(pearls=tuple(f"*{number}" for number in numbers)))
-    camera = scene.camera.replace(projection="orthographic", elevation_deg=60.0)
     return scene.replace(rows=tuple(rows), camera=camera)
 
 

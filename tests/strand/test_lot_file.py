@@ -135,6 +135,17 @@ def test_neighbours_lie_side_by_side_in_rows_that_turn() -> None:
     assert numbers == [[0, 1, 2], [5, 4, 3], [6]]
 
 
+def test_around_a_neck_lies_one_row_and_a_second_is_refused() -> None:
+    scene = laid_out(5, Scene.load("north-window-black"), "neck")
+    assert [(row.form, len(row.pearls)) for row in scene.rows] == [("neck", 5)]
+    two = scene.replace(rows=(scene.rows[0], scene.rows[0]))
+    pearls = [nc.Pearl.load("akoya-rg")] * 5
+    with pytest.raises(nc.InputError, match=r"has 2 rows, one of them around a neck; allowed"):
+        nc.render(pearls, two, size=16)
+    with pytest.raises(nc.InputError, match='laid is "knot"; allowed: folds or neck'):
+        laid_out(5, Scene.load("north-window-black"), "knot")
+
+
 def test_a_strand_becomes_a_picture(tmp_path: Path) -> None:
     write_lot(tmp_path / "lot.csv", AKOYA.draw(4))
     output = tmp_path / "strand.png"

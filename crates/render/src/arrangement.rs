@@ -1,10 +1,13 @@
 //! Which pearl lies where, and what that leaves room for.
 
+mod neck;
+
 use std::sync::Arc;
 
 use glam::DVec3;
 use nacreous_image::{Ball, Camera, Hull, Projection, Solid};
 
+use self::neck::neck;
 use crate::{
     RenderError,
     frame::Frame,
@@ -12,7 +15,7 @@ use crate::{
     spec::{
         Recipe,
         pearl::PearlSpec,
-        scene::{CameraSpec, ProjectionSpec, SceneSpec},
+        scene::{CameraSpec, ProjectionSpec, RowForm, SceneSpec},
     },
 };
 
@@ -194,10 +197,13 @@ fn camera(spec: &CameraSpec, field_mm: f64) -> Camera {
 
 fn in_rows(scene: &SceneSpec, sizes: &[Size], largest_mm: f64) -> Result<Vec<Place>, RenderError> {
     let rows = numbered(scene, sizes.len())?;
+    let deepest_mm = sizes.iter().map(|size| size.below_mm).fold(0.0, f64::max);
+    if scene.rows.iter().any(|row| row.form == RowForm::Neck) {
+        return around_neck(scene, &rows, sizes, deepest_mm);
+    }
     let pitch_mm = distance(scene, "pitch_mm", scene.pitch_mm, largest_mm)?;
     let gap_mm = distance(scene, "row_gap_mm", scene.row_gap_mm, largest_mm)?;
     let middle = |count: usize| 0.5 * (count as f64 - 1.0);
-    let deepest_mm = sizes.iter().map(|size| size.below_mm).fold(0.0, f64::max);
     let mut places = Vec::new();
     for (line, row) in rows.iter().enumerate() {
         for (column, &pearl) in row.iter().enumerate() {
@@ -210,6 +216,25 @@ fn in_rows(scene: &SceneSpec, sizes: &[Size], largest_mm: f64) -> Result<Vec<Pla
         }
     }
     Ok(places)
+}
+
+/// The only row's pearls around a neck.
+fn around_neck(
+    scene: &SceneSpec,
+    rows: &[Vec<usize>],
+    sizes: &[Size],
+    deepest_mm: f64,
+) -> Result<Vec<Place>, RenderError> {
+    let [row] = rows else {
+        let fault =
+            format!("has {} rows, one of them around a neck; allowed: that one alone", rows.len());
+        return Err(RenderError::scene(&scene.name, fault));
+    };
+    let radii_mm: Vec<f64> = row.iter().map(|&pearl| sizes[pearl].reach_mm).collect();
+    let placed = |(&pearl, [x, z]): (&usize, [f64; 2])| {
+        sizes[pearl].placed(pearl, DVec3::new(x, sizes[pearl].below_mm - deepest_mm, z))
+    };
+    Ok(row.iter().zip(neck(&radii_mm)).map(placed).collect())
 }
 
 /// The numbers of each row's pearls.

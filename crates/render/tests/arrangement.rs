@@ -19,7 +19,8 @@ fn rows(diameters_mm: &[f64], rows: &Value, changes: &[(&str, Value)]) -> Recipe
         })
         .collect();
     let named = rows.as_array().expect("rows").iter();
-    let rows: Vec<Value> = named.map(|row| json!({"pearls": row, "label": null})).collect();
+    let rows: Vec<Value> =
+        named.map(|row| json!({"pearls": row, "form": "line", "label": null})).collect();
     let mut all = vec![("/pearls", json!(pearls)), ("/scene/rows", json!(rows))];
     all.extend_from_slice(changes);
     common::recipe("akoya-rg-north-window-white", &all)

@@ -86,8 +86,20 @@ pub enum ProjectionSpec {
 pub struct RowSpec {
     /// `*0`, `*1` and so on: places among the pearls given.
     pub pearls: Vec<String>,
+    /// How they lie.
+    pub form: RowForm,
     /// What the row is, for people.
     pub label: Option<String>,
+}
+
+/// How the pearls of a row lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RowForm {
+    /// Side by side on a line.
+    Line,
+    /// Around a neck, each touching the next.
+    Neck,
 }
 
 /// The table below the pearls.
