@@ -41,6 +41,9 @@ impl Sampler {
         let more = if view.balls.iter().any(edges) { AT_EDGES } else { 1.0 };
         let lines = (self.samples_side().max(2) as f64 * more) as usize;
         let width_px = BETWEEN / lines as f64;
+        view.passes.clear();
+        view.passes
+            .extend(view.balls.iter().map(|&ball| self.surroundings.nearest_pass(ball, &middle)));
         let upright = self.is_upright(at, view);
         for (line, across) in tent_of_full_width(lines).into_iter().enumerate() {
             // Each line begins with other facets, so that none are always looked at next to the rim.
@@ -97,11 +100,12 @@ impl Sampler {
 
     /// Whether lines upright cross the nearest rim more steeply than level ones.
     fn is_upright(&self, at: (usize, usize), view: &View) -> bool {
-        let square = |ball: usize, down, aside| {
-            self.surroundings.view_square(ball, &self.ray(at, down, aside))
+        let square = |(ball, pass): (usize, f64), down, aside| {
+            self.surroundings.view_square(ball, &self.ray(at, down, aside), pass)
         };
-        let middle = |ball: &usize| square(*ball, 0.0, 0.0).abs();
-        let nearest = view.balls.iter().copied().min_by(|a, b| middle(a).total_cmp(&middle(b)));
+        let middle = |seen: &(usize, f64)| square(*seen, 0.0, 0.0).abs();
+        let seen = view.balls.iter().copied().zip(view.passes.iter().copied());
+        let nearest = seen.min_by(|a, b| middle(a).total_cmp(&middle(b)));
         nearest.is_some_and(|ball| {
             let across = |down, aside| square(ball, down, aside) - square(ball, -down, -aside);
             across(1.0, 0.0).abs() > across(0.0, 1.0).abs()
@@ -111,7 +115,8 @@ impl Sampler {
     /// The balls that a line meets, by place in the view.
     fn chords(&self, view: &View, ray_at: impl Fn(f64) -> Ray) -> Vec<(usize, Chord)> {
         let chord = |(place, &ball): (usize, &usize)| {
-            let chord = Chord::new(|x| self.surroundings.view_square(ball, &ray_at(x)))?;
+            let pass = view.passes[place];
+            let chord = Chord::new(|x| self.surroundings.view_square(ball, &ray_at(x), pass))?;
             let is_ahead = self.surroundings.balls[ball].is_ahead(&ray_at(0.0));
             is_ahead.then_some((place, chord))
         };

@@ -53,6 +53,9 @@ pub struct Sampler {
 /// So near to a silhouette, in pixels, a pixel has to know how far off it is.
 const NEAR_PX: f64 = 4.0;
 
+/// Places of one pixel that lie farther apart than this share of a pearl's radius are of different parts of it **(ours)**.
+const STEP: f64 = 0.08;
+
 /// Width of an even disc that spreads as a pixel's tent does.
 const PIXEL_PX: f64 = 1.633;
 
@@ -125,12 +128,21 @@ impl Sampler {
     fn find(&self, row: usize, column: usize, balls: &[usize], view: &mut View) {
         let (x, y) = self.place(row, column, 0.0, 0.0);
         let ray = self.camera.ray(x, y);
-        let near = |&i: &usize| {
-            let ball = &self.surroundings.balls[i];
-            ball.passing_mm(&ray) < ball.reach_mm() + 2.0 * self.pixel_mm[i]
-        };
         view.balls.clear();
-        view.balls.extend(balls.iter().copied().filter(near));
+        view.inside_mm.clear();
+        view.free_mm.clear();
+        for &ball in balls {
+            let aside_mm = 2.0 * self.pixel_mm[ball];
+            if !self.surroundings.is_passed(ball, &ray, aside_mm) {
+                let near_mm = NEAR_PX * self.pixel_mm[ball];
+                let (inside_mm, free_mm) = self.surroundings.inside_mm(ball, &ray, near_mm);
+                if inside_mm > -aside_mm {
+                    view.balls.push(ball);
+                    view.inside_mm.push(inside_mm);
+                    view.free_mm.push(free_mm);
+                }
+            }
+        }
         view.clear();
     }
 
@@ -161,7 +173,12 @@ impl Sampler {
             }
             Detail::BelowPixel => {
                 self.few((row, column), false, view);
-                view.brighten(self.offsets.len() as f64);
+                if self.shows_steps(view) {
+                    view.clear();
+                    self.all((row, column), view);
+                } else {
+                    view.brighten(self.offsets.len() as f64);
+                }
             }
             Detail::Unknown if self.few((row, column), true, view) => {
                 view.brighten(self.offsets.len() as f64);
@@ -200,6 +217,15 @@ impl Sampler {
         }
         let dark = DARK / self.exposure;
         (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + dark))
+    }
+
+    /// Whether one part of a pearl stood before another in the samples.
+    fn shows_steps(&self, view: &View) -> bool {
+        let (Some([near_mm, far_mm]), &[ball]) = (view.reach_mm, &view.balls[..]) else {
+            return false;
+        };
+        far_mm - near_mm
+            > (STEP * self.surroundings.balls[ball].radius_mm).max(2.0 * self.pixel_mm[ball])
     }
 
     /// All samples.
@@ -242,10 +268,9 @@ impl Sampler {
     fn detail(&self, row: usize, column: usize, view: &View) -> Detail {
         let many = self.offsets.len() >= FEWEST_ALIKE;
         let ray = self.ray((row, column), 0.0, 0.0);
-        let inside_mm =
-            |ball: usize| self.surroundings.inside_mm(ball, &ray, NEAR_PX * self.pixel_mm[ball]);
-        let crossed = |&ball: &usize| inside_mm(ball).abs() < RIM_PX * self.pixel_mm[ball];
-        if view.balls.iter().any(crossed) {
+        let crossed =
+            |(&ball, inside_mm): (&usize, &f64)| inside_mm.abs() < RIM_PX * self.pixel_mm[ball];
+        if view.balls.iter().zip(&view.inside_mm).any(crossed) {
             return Detail::Rim;
         }
         let ball = match view.balls[..] {
@@ -254,13 +279,9 @@ impl Sampler {
             [] | [_, _, ..] => return Detail::Edges,
         };
         let (radius_mm, pixel_mm) = (self.surroundings.balls[ball].radius_mm, self.pixel_mm[ball]);
-        let rim_mm = inside_mm(ball);
+        let rim_mm = view.inside_mm[0];
         if rim_mm <= 3.0 * pixel_mm {
             return Detail::Rim;
-        }
-        if self.surroundings.solid(ball).is_some_and(|solid| solid.horizon().is_some()) {
-            // One part of the pearl may stand before another.
-            return if many { Detail::Unknown } else { Detail::Edges };
         }
         let cached = self.reflections.are_cached(ball);
         if !self.pearls[ball].model.is_smooth() {
@@ -269,7 +290,8 @@ impl Sampler {
         if self.pearls[ball].has_fine_relief() {
             return if cached { Detail::BelowPixel } else { Detail::Edges };
         }
-        if cached && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm {
+        let hides = self.surroundings.hides_itself(ball);
+        if cached && !hides && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm {
             Detail::None
         } else if !cached && self.shows(ball, &ray, Model::has_edges) {
             Detail::Edges
@@ -302,7 +324,8 @@ impl Sampler {
             return self.behind(ray, weight, self.width_px, view);
         };
         let ball = view.balls[place];
-        let spread = self.spread(ball, &hit, -ray.along, self.width_px);
+        let bend = self.bend(ball, &hit, ray, view);
+        let spread = self.bent_spread(ball, &hit, bend, self.width_px);
         let sight = self.sight((ball, hit), -ray.along, spread, part);
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);
@@ -311,8 +334,28 @@ impl Sampler {
 
     /// What a point of a ball mirrors to so many pixels' width of the picture.
     pub(super) fn spread(&self, ball: usize, hit: &Hit, view: DVec3, width_px: f64) -> Spread {
+        self.bent_spread(ball, hit, self.surroundings.bend(ball, hit, view), width_px)
+    }
+
+    /// The same where the surface's curvature is known.
+    fn bent_spread(&self, ball: usize, hit: &Hit, bend: [f64; 2], width_px: f64) -> Spread {
         let width = width_px * self.pixel_mm[ball] / self.surroundings.balls[ball].radius_mm;
-        Spread::of_bent(width, hit.cos_view, self.surroundings.bend(ball, hit, view))
+        Spread::of_bent(width, hit.cos_view, bend)
+    }
+
+    /// The curvature of a ball where a sample sees it, worked out once a pixel; and how far off that is.
+    fn bend(&self, ball: usize, hit: &Hit, ray: &Ray, view: &mut View) -> [f64; 2] {
+        if self.surroundings.solid(ball).is_none() {
+            return [1.0; 2];
+        }
+        let far_mm = hit.point.distance(ray.from);
+        let [near, far] = view.reach_mm.unwrap_or([far_mm; 2]);
+        view.reach_mm = Some([near.min(far_mm), far.max(far_mm)]);
+        let worked_out = || self.surroundings.bend(ball, hit, -ray.along);
+        if view.balls.len() > 1 {
+            return worked_out();
+        }
+        *view.bend.get_or_insert_with(worked_out)
     }
 
     /// A point of a ball under the eye, with the relief of its coat.
@@ -360,8 +403,9 @@ impl Sampler {
 
     /// Where a line of sight meets the first ball of a view, by place in it.
     fn front(&self, ray: &Ray, view: &View) -> Option<(usize, Hit)> {
-        let met =
-            |(place, &ball): (usize, &usize)| Some((place, self.surroundings.hit(ball, ray)?));
+        let met = |(place, &ball): (usize, &usize)| {
+            Some((place, self.surroundings.hit_beyond(ball, ray, view.free_mm[place])?))
+        };
         let far_mm = |hit: &Hit| hit.point.distance_squared(ray.from);
         let hits = view.balls.iter().enumerate().filter_map(met);
         hits.min_by(|a, b| far_mm(&a.1).total_cmp(&far_mm(&b.1)))

@@ -12,10 +12,20 @@ use crate::{
 #[derive(Default)]
 pub(super) struct View {
     pub(super) balls: Vec<usize>,
+    /// How far inside each one's silhouette the middle of the pixel lies.
+    pub(super) inside_mm: Vec<f64>,
+    /// From where on lines of sight through the pixel may be followed to each one.
+    pub(super) free_mm: Vec<f64>,
+    /// Where the middle of the pixel comes nearest to each one, along a line of sight.
+    pub(super) passes: Vec<f64>,
     /// Light of each of those balls.
     pub(super) parts: Vec<Pixel>,
     /// Light of what lies behind them all.
     pub(super) behind: Rgb,
+    /// How the surface of the only ball is bent, where that is known: it hardly changes within a pixel.
+    pub(super) bend: Option<[f64; 2]>,
+    /// The nearest and the farthest place of it that were seen.
+    pub(super) reach_mm: Option<[f64; 2]>,
 }
 
 impl View {
@@ -32,5 +42,7 @@ impl View {
         self.parts.clear();
         self.parts.resize(self.balls.len(), Pixel::default());
         self.behind = [0.0; 3];
+        self.bend = None;
+        self.reach_mm = None;
     }
 }

@@ -69,19 +69,22 @@ pub(crate) struct Form {
     flattening: f64,
     /// Makes it as wide as it shall be.
     scale: f64,
-    lumps: Vec<Lump>,
+    lumps: Vec<Lumps>,
     /// What the lumps add on average.
     lumps_mean: f64,
     grooves: Vec<Groove>,
 }
 
-/// A rise or hollow about a direction: amount times (1 - (1 - cos) / foot)^4.
+/// Rises and hollows about directions, side by side: amount times (1 - (1 - cos) / foot)^4 each.
 #[derive(Debug, Clone, Copy)]
-struct Lump {
-    middle: DVec3,
-    amount: f64,
+struct Lumps {
+    middle: [[f64; LANES]; 3],
+    amount: [f64; LANES],
     per_foot: f64,
 }
+
+/// So many lumps share registers.
+const LANES: usize = 4;
 
 /// A hollow about the axis: depth times (1 - ((z - height) / half width)^2)^3.
 #[derive(Debug, Clone, Copy)]
@@ -166,16 +169,22 @@ impl Form {
 
     /// What all lumps add, and its gradient.
     fn lumps_at(&self, towards: DVec3) -> (f64, DVec3) {
-        let (mut amount, mut gradient) = (-self.lumps_mean, DVec3::ZERO);
-        for lump in &self.lumps {
-            let left = 1.0 - (1.0 - towards.dot(lump.middle)) * lump.per_foot;
-            if left > 0.0 {
-                let cube = left * left * left;
-                amount += lump.amount * cube * left;
-                gradient += lump.middle * (4.0 * lump.amount * cube * lump.per_foot);
+        let (mut amount, mut gradient) = ([0.0; LANES], [[0.0; LANES]; 3]);
+        for lumps in &self.lumps {
+            let [x, y, z] = &lumps.middle;
+            for lane in 0..LANES {
+                let cosine = towards.x * x[lane] + towards.y * y[lane] + towards.z * z[lane];
+                let left = (1.0 - (1.0 - cosine) * lumps.per_foot).max(0.0);
+                let cube = lumps.amount[lane] * left * left * left;
+                amount[lane] += cube * left;
+                let slope = 4.0 * cube * lumps.per_foot;
+                gradient[0][lane] += x[lane] * slope;
+                gradient[1][lane] += y[lane] * slope;
+                gradient[2][lane] += z[lane] * slope;
             }
         }
-        (amount, gradient)
+        let sum = |lanes: [f64; LANES]| (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+        (sum(amount) - self.lumps_mean, DVec3::from(gradient.map(sum)))
     }
 
     /// Makes the lumps' mean 0 and their standard deviation `spread`.
@@ -187,8 +196,8 @@ impl Form {
         let mean = amounts.iter().sum::<f64>() / POINTS as f64;
         let square = amounts.iter().map(|amount| (amount - mean).powi(2)).sum::<f64>();
         let factor = spread / (square / POINTS as f64).sqrt().max(f64::MIN_POSITIVE);
-        for lump in &mut self.lumps {
-            lump.amount *= factor;
+        for lumps in &mut self.lumps {
+            lumps.amount = lumps.amount.map(|amount| amount * factor);
         }
         self.lumps_mean = mean * factor;
     }
@@ -206,7 +215,7 @@ impl Form {
 }
 
 /// Rises and hollows at even directions, turned at random.
-fn lumps(from: &FormParameters, random: &mut ChaCha8Rng) -> Vec<Lump> {
+fn lumps(from: &FormParameters, random: &mut ChaCha8Rng) -> Vec<Lumps> {
     let foot = 1.0 - libm::cos(from.lump_rad);
     let count = (libm::ceil(2.0 * OVERLAP / foot) as usize).min(MOST_LUMPS);
     let turn = std::f64::consts::TAU * uniform(random);
@@ -216,12 +225,19 @@ fn lumps(from: &FormParameters, random: &mut ChaCha8Rng) -> Vec<Lump> {
         2.0 * uniform(random) - 1.0,
     );
     let turn = glam::DQuat::from_axis_angle(axis.normalize_or(DVec3::X), turn);
-    let lump = |middle: DVec3| {
-        // Beyond two standard deviations a lump would be a horn.
-        let amount = normal_pair(random)[0].clamp(-2.0, 2.0);
-        Lump { middle: turn * middle, amount, per_foot: 1.0 / foot }
+    let middles: Vec<DVec3> = even_directions(count).map(|middle| turn * middle).collect();
+    // Beyond two standard deviations a lump would be a horn.
+    let amounts: Vec<f64> =
+        middles.iter().map(|_| normal_pair(random)[0].clamp(-2.0, 2.0)).collect();
+    let lumps = |(middles, amounts): (&[DVec3], &[f64])| {
+        let lane = |axis: usize| std::array::from_fn(|i| middles.get(i).map_or(0.0, |m| m[axis]));
+        Lumps {
+            middle: [lane(0), lane(1), lane(2)],
+            amount: std::array::from_fn(|i| amounts.get(i).copied().unwrap_or(0.0)),
+            per_foot: 1.0 / foot,
+        }
     };
-    even_directions(count).map(lump).collect()
+    middles.chunks(LANES).zip(amounts.chunks(LANES)).map(lumps).collect()
 }
 
 /// Grooves from one end to the other.

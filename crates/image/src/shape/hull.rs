@@ -19,12 +19,16 @@ pub struct Hull {
     stretch: DMat3,
     /// One over the product of the half axes.
     per_mm3: f64,
+    /// So many times as large it holds all of the pearl.
+    room: f64,
     /// The farthest that the pearl reaches from its middle.
     reach_mm: f64,
     /// How far below its middle the pearl reaches.
     below_mm: f64,
 }
 
+/// What lies between the directions that were looked at.
+const ROOM: f64 = 1.02;
 /// Directions by which extents are taken; lumps move by less than a pixel between them.
 const POINTS: usize = 8000;
 
@@ -41,11 +45,16 @@ impl Hull {
             below = below.max(-pose.scene(place).y);
         }
         let half = 0.5 * (high - low) * radius_mm;
+        let middle = 0.5 * (high + low);
+        let beyond =
+            |towards: DVec3| ((towards * form.at(towards).0 - middle) * radius_mm / half).length();
+        let room = ROOM * even_directions(POINTS / 4).map(beyond).fold(1.0, f64::max);
         let own = DMat3::from_cols(pose.own(DVec3::X), pose.own(DVec3::Y), pose.own(DVec3::Z));
         Self {
-            offset_mm: pose.scene(0.5 * (high + low) * radius_mm),
+            offset_mm: pose.scene(middle * radius_mm),
             stretch: DMat3::from_diagonal(half.recip()) * own,
             per_mm3: 1.0 / (half.x * half.y * half.z),
+            room,
             reach_mm: reach * radius_mm,
             below_mm: below * radius_mm,
         }
@@ -68,6 +77,21 @@ impl Hull {
         let length = stretched.length();
         let across = (self.per_mm3 / length).sqrt();
         (self.stretch * (from - self.offset_mm), stretched / length, [length, across / length])
+    }
+
+    /// From where to where a line from a place seen from the pearl's middle may be inside of the pearl.
+    pub(crate) fn within(&self, from: DVec3, along: DVec3) -> Option<[f64; 2]> {
+        let (from, along, [length, _]) = self.stretched(from, along);
+        let middle = -from.dot(along);
+        let half2 = self.room * self.room - (from + along * middle).length_squared();
+        (half2 > 0.0).then(|| [middle - half2.sqrt(), middle + half2.sqrt()].map(|t| t / length))
+    }
+
+    /// Whether a line from a place seen from the pearl's middle surely passes the pearl by more than `aside_mm`.
+    pub(crate) fn is_passed(&self, from: DVec3, along: DVec3, aside_mm: f64) -> bool {
+        let (from, along, [length, angle]) = self.stretched(from, along);
+        // Lengths across the line are stretched by as much as angles are, times that of lengths along it.
+        from.reject_from_normalized(along).length() > self.room + aside_mm * length * angle * ROOM
     }
 
     /// The share of an even sky that a level place, seen from the pearl's middle, still receives beside it.

@@ -26,6 +26,8 @@ pub struct Solid {
     /// Least and greatest distance of its surface from its middle, over that.
     least: f64,
     greatest: f64,
+    /// The greatest curvature, over that of the ball.
+    sharpest: f64,
     /// How much faster than a ray goes on its distance from the surface may change.
     steepest: f64,
     /// Where the surface hides itself, if it does anywhere.
@@ -40,13 +42,15 @@ struct Passing {
     at: f64,
     /// One less the square of its distance from the middle over the surface's.
     square: f64,
+    /// How that changes along the line.
+    change: f64,
 }
 
 /// Directions by which a form's extremes are taken, and the room left for what lies between them.
 const POINTS: usize = 4000;
 const ROOM: f64 = 1.02;
 /// Steps along a line of sight on the way to the nearest place; by eye **(ours)**.
-const STEPS: usize = 20;
+const STEPS: usize = 14;
 /// Nearer to the surface than this, over the pearl's half width, a line of sight has met it.
 const MET: f64 = 1e-10;
 /// From here on nothing lies between that a longer step could pass.
@@ -65,9 +69,29 @@ impl Solid {
         }
         (least, greatest) = (least / ROOM, greatest * ROOM);
         let hull = Hull::around(&form, &pose, radius_mm);
+        let sharpest = 1.0;
         let steepest = (1.0 + (ROOM * ROOM * slope / least).powi(2)).sqrt();
         let horizon = Horizon::of(&form);
-        Self { form, pose, radius_mm, least, greatest, steepest, horizon, hull }
+        let mut solid =
+            Self { form, pose, radius_mm, least, greatest, sharpest, steepest, horizon, hull };
+        solid.sharpest = solid.greatest_bend();
+        solid
+    }
+
+    /// The greatest curvature of all.
+    fn greatest_bend(&self) -> f64 {
+        let bend = |towards: DVec3| {
+            let (_, normal) = self.surface(towards);
+            let (a, b) = (self.bend(towards, normal, towards.any_orthonormal_vector()), 1.0);
+            a[0].max(a[1]).max(b)
+        };
+        ROOM * even_directions(POINTS / 4).map(bend).fold(0.0, f64::max)
+    }
+
+    /// A place seen at a cosine of the view angle lies at least so far inside the silhouette of its part of the pearl: the
+    /// surface turns away over half of the square, of a radius of curvature.
+    pub(crate) fn least_inside_mm(&self, cos_view: f64) -> f64 {
+        0.5 * cos_view * cos_view / self.sharpest * self.radius_mm
     }
 
     /// Least and greatest distance of the surface from the middle.
@@ -130,32 +154,52 @@ impl Solid {
 
     /// Where a ray from `from`, as seen from the middle, meets the surface.
     pub fn hit(&self, from: DVec3, along: DVec3) -> Option<Hit> {
+        self.followed(from, along, [0.0; 2]).0
+    }
+
+    /// The same from `near_mm` on, where that is outside of the pearl; and how far the ray goes without coming nearer to the
+    /// pearl than `clear_mm`, from where rays beside it may be followed.
+    pub(crate) fn followed(
+        &self,
+        from: DVec3,
+        along: DVec3,
+        [near_mm, clear_mm]: [f64; 2],
+    ) -> (Option<Hit>, f64) {
         let line = self.line(from, along);
-        let [mut t, end] = line.within(self.greatest)?;
-        let mut outside: Option<(f64, f64)> = None;
+        let Some([start, end]) = self.hull.within(from, along) else { return (None, near_mm) };
+        let [start, end] = [start.max(0.0), end].map(|mm| mm / self.radius_mm);
+        let [near, clear] = [near_mm, clear_mm * self.steepest].map(|mm| mm / self.radius_mm);
+        let mut t = if near > start && self.height(&line, near).0 > 0.0 { near } else { start };
+        let (mut outside, mut free, mut is_clear) = (t, t, true);
         for _ in 0..MOST_STEPS {
-            let (height, change) = self.height(&line, t);
-            if height < MET {
-                if height > -MET {
-                    return Some(self.met(&line, t));
-                }
-                // Past the surface: the place is between here and the last one outside.
-                let (low, _) = outside?;
-                return Some(self.met(&line, self.between(&line, low, t)));
-            }
-            outside = Some((t, height));
-            let sure = height / self.steepest;
-            t += match -height / change {
-                // It moves away, and nothing that it could meet again is thinner than this.
-                _ if change >= 0.0 => sure.max(LEAST_FEATURE),
-                newton if height < NEAR => newton.max(sure),
-                newton => newton.clamp(sure, 2.0 * sure),
-            };
             if t > end {
-                return None;
+                return (None, free * self.radius_mm);
             }
+            let (height, change) = self.height(&line, t);
+            is_clear &= height > clear;
+            if is_clear {
+                free = t;
+            }
+            if height < MET {
+                // Past the surface, the place is between here and the last one outside.
+                let met = if height > -MET { t } else { self.between(&line, outside, t) };
+                return (Some(self.met(&line, met)), free * self.radius_mm);
+            }
+            outside = t;
+            t += self.step(height, change);
         }
-        None
+        (None, free * self.radius_mm)
+    }
+
+    /// How far a ray may go on at a height above the surface, and its change.
+    fn step(&self, height: f64, change: f64) -> f64 {
+        let sure = height / self.steepest;
+        match -height / change {
+            // It moves away, and nothing that it could meet again is thinner than this.
+            _ if change >= 0.0 => sure.max(LEAST_FEATURE),
+            newton if height < NEAR => newton.max(sure),
+            newton => newton.clamp(sure, 2.0 * sure),
+        }
     }
 
     /// Where it meets the surface, or the place at the silhouette that it passes nearest to.
@@ -174,6 +218,17 @@ impl Solid {
     /// sight passes the middle, over the surface's there; below 0 where it passes by.
     pub fn square(&self, from: DVec3, along: DVec3) -> f64 {
         self.passing(&self.line(from, along)).square
+    }
+
+    /// How far along a line of sight comes nearest to the surface.
+    pub(crate) fn nearest_pass(&self, from: DVec3, along: DVec3) -> f64 {
+        self.passing(&self.line(from, along)).at
+    }
+
+    /// [`Self::square`] of a line beside one whose nearest pass is known.
+    pub(crate) fn square_near(&self, from: DVec3, along: DVec3, pass: f64) -> f64 {
+        let line = self.line(from, along);
+        self.nearer(&line, self.passing_at(&line, pass)).square
     }
 
     /// Curvature at a place, over that of the ball: outward in the plane of view and normal, and across it.
@@ -220,29 +275,44 @@ impl Solid {
 
     /// The nearest pass of a line.
     fn passing(&self, line: &Line) -> Passing {
-        let square = |at: f64| {
-            let point = line.point(at);
-            let far = point.length();
-            Passing { at, square: 1.0 - (far / self.form.at(point / far).0).powi(2) }
-        };
         let [from, to] = line.within(self.greatest).unwrap_or_else(|| {
             let middle = -line.from.dot(line.along);
             [middle - self.greatest, middle + self.greatest]
         });
         let step = (to - from) / STEPS as f64;
-        let better = |a: Passing, b: Passing| if b.square > a.square { b } else { a };
-        let mut best =
-            (0..=STEPS).map(|i| square(from + step * i as f64)).fold(square(from), better);
-        let mut step = step;
+        let coarse = (0..=STEPS).map(|i| self.passing_at(line, from + step * i as f64));
+        let best = coarse.max_by(|a, b| a.square.total_cmp(&b.square));
+        best.map_or(Passing { at: from, square: 0.0, change: 0.0 }, |best| self.nearer(line, best))
+    }
+
+    /// The nearest pass next to one that is known, by secants of the change.
+    fn nearer(&self, line: &Line, known: Passing) -> Passing {
+        let (mut best, mut last) = (known, known);
+        // That of a ball.
+        let mut bend = -2.0;
         for _ in 0..REFINEMENTS {
-            let [left, right] = [best.at - step, best.at + step].map(square);
-            let bend = left.square + right.square - 2.0 * best.square;
-            let aside = if bend < 0.0 { 0.5 * (left.square - right.square) / bend } else { 0.0 };
-            let top = square(best.at + step * aside.clamp(-1.0, 1.0));
-            best = better(better(better(best, left), right), top);
-            step *= 0.25;
+            let step = (-last.change / bend).clamp(-LONGEST_STEP, LONGEST_STEP);
+            if step.abs() < 1e-7 {
+                break;
+            }
+            let next = self.passing_at(line, last.at + step);
+            bend = ((next.change - last.change) / step).min(LEAST_BEND_OF_PASS);
+            last = next;
+            if next.square > best.square {
+                best = next;
+            }
         }
         best
+    }
+
+    fn passing_at(&self, line: &Line, at: f64) -> Passing {
+        let point = line.point(at);
+        let far = point.length();
+        let towards = point / far;
+        let (radius, gradient) = self.form.at(towards);
+        let share = far / radius;
+        let change = line.along.dot(towards) - share * gradient.dot(line.along) / far;
+        Passing { at, square: 1.0 - share * share, change: -2.0 * share / radius * change }
     }
 
     fn met(&self, line: &Line, t: f64) -> Hit {
@@ -289,8 +359,12 @@ const MOST_STEPS: usize = 200;
 const LEAST_FEATURE: f64 = 0.02;
 /// Steps to the farthest place; each finds it to about half of what was left.
 const CLIMBS: usize = 40;
-/// Steps to the nearest pass once its neighbours are known.
+/// Steps to the nearest pass once it is known roughly: its square is then right to 1e-9.
 const REFINEMENTS: usize = 5;
+/// None of them is longer than this, over half of the pearl's width.
+const LONGEST_STEP: f64 = 0.2;
+/// Nor is the pass taken for flatter than this.
+const LEAST_BEND_OF_PASS: f64 = -0.2;
 /// At the silhouette the cosine of the view angle is taken to be at least this.
 const LEAST_COSINE: f64 = 1e-5;
 /// Distance between two normals for a curvature, over half of the pearl's width.

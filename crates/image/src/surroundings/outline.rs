@@ -20,14 +20,25 @@ impl Surroundings {
     /// Where a line of sight meets a pearl.
     #[inline]
     pub(crate) fn hit(&self, ball: usize, ray: &Ray) -> Option<Hit> {
+        self.hit_beyond(ball, ray, 0.0)
+    }
+
+    /// The same where the pearl is known to lie farther off than `near_mm`.
+    #[inline]
+    pub(crate) fn hit_beyond(&self, ball: usize, ray: &Ray, near_mm: f64) -> Option<Hit> {
         let place = &self.balls[ball];
         match self.solid(ball) {
             None => place.hit(ray),
             Some(solid) => {
-                let hit = solid.hit(ray.from - place.centre, ray.along)?;
+                let hit = solid.followed(ray.from - place.centre, ray.along, [near_mm, 0.0]).0?;
                 Some(Hit { point: hit.point + place.centre, ..hit })
             }
         }
+    }
+
+    /// Whether one part of a pearl may stand before another.
+    pub(crate) fn hides_itself(&self, ball: usize) -> bool {
+        self.solid(ball).is_some_and(|solid| solid.horizon().is_some())
     }
 
     /// Where it meets the pearl, or the place of the rim that is next to it.
@@ -44,26 +55,47 @@ impl Surroundings {
     }
 
     /// The square of the cosine of the view angle along a line of sight where the pearl is a ball, and what changes across
-    /// the rim as that does where it is none; below 0 where the line passes by.
+    /// the rim as that does where it is none, `pass` being the nearest pass of a line beside it; below 0 where the line passes by.
     #[inline]
-    pub(crate) fn view_square(&self, ball: usize, ray: &Ray) -> f64 {
+    pub(crate) fn view_square(&self, ball: usize, ray: &Ray, pass: f64) -> f64 {
         let place = &self.balls[ball];
         self.solid(ball).map_or_else(
             || place.cos_view_squared(ray),
-            |solid| solid.square(ray.from - place.centre, ray.along),
+            |solid| solid.square_near(ray.from - place.centre, ray.along, pass),
         )
     }
 
-    /// How far inside a pearl's silhouette a line of sight passes, about; negative beside it. Within `near_mm` of the
-    /// silhouette it is right.
-    pub(crate) fn inside_mm(&self, ball: usize, ray: &Ray, near_mm: f64) -> f64 {
-        let (place, passing_mm) = (&self.balls[ball], self.balls[ball].passing_mm(ray));
-        let Some(solid) = self.solid(ball) else { return place.radius_mm - passing_mm };
-        let [least_mm, greatest_mm] = solid.reach_mm();
-        if passing_mm < least_mm - near_mm || passing_mm > greatest_mm + near_mm {
-            return if passing_mm < least_mm { least_mm } else { greatest_mm } - passing_mm;
+    /// Where a line of sight comes nearest to a pearl that is not round, for lines beside it.
+    pub(crate) fn nearest_pass(&self, ball: usize, ray: &Ray) -> f64 {
+        let centre = self.balls[ball].centre;
+        self.solid(ball).map_or(0.0, |solid| solid.nearest_pass(ray.from - centre, ray.along))
+    }
+
+    /// How far inside a pearl's silhouette a line of sight passes, about; negative beside it, and within `near_mm` of the
+    /// silhouette right. And from where on rays no farther than that from it may be followed.
+    pub(crate) fn inside_mm(&self, ball: usize, ray: &Ray, near_mm: f64) -> (f64, f64) {
+        let place = &self.balls[ball];
+        let Some(solid) = self.solid(ball) else {
+            return (place.radius_mm - place.passing_mm(ray), 0.0);
+        };
+        let from = ray.from - place.centre;
+        let (hit, free_mm) = solid.followed(from, ray.along, [0.0, near_mm]);
+        let least_inside_mm = hit.map_or(0.0, |hit| solid.least_inside_mm(hit.cos_view));
+        if least_inside_mm > near_mm {
+            return (least_inside_mm, free_mm);
         }
-        place.radius_mm * (1.0 - (1.0 - self.view_square(ball, ray)).max(0.0).sqrt())
+        let passing = (1.0 - solid.square(from, ray.along)).max(0.0).sqrt();
+        (place.radius_mm * (1.0 - passing), free_mm)
+    }
+
+    /// Whether a line of sight surely passes a pearl by more than `aside_mm`.
+    #[inline]
+    pub(crate) fn is_passed(&self, ball: usize, ray: &Ray, aside_mm: f64) -> bool {
+        let place = &self.balls[ball];
+        place.passing_mm(ray) >= place.reach_mm() + aside_mm
+            || place
+                .hull
+                .is_some_and(|hull| hull.is_passed(ray.from - place.centre, ray.along, aside_mm))
     }
 
     /// The direction from a pearl's middle to where it was met.
