@@ -132,7 +132,8 @@ def _coats() -> list[list[Tile]]:
 def _shapes() -> list[list[Tile]]:
     """Every word for a shape, white on white cloth and Tahitian on black, four in a row."""
     found = factor_of("shape").words
-    by_word = {word.en: overrides_of(f"shape={word.en}") for word in found}
+    seed = ("shape.seed", "3")
+    by_word = {word.en: [*overrides_of(f"shape={word.en}"), seed] for word in found}
     order = ("round", "near-round", "oval", "button", "drop", "semi-baroque", "baroque", "circled")
     tiles = [
         Tile(Pearl.load(pearl, by_word[word]), scene, word)

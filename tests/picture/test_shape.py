@@ -138,8 +138,8 @@ def test_keys_without_an_effect_leave_the_ball_to_the_byte() -> None:
     ("key", "value", "said"),
     [
         ("length", 3, "shape.length is 3; allowed: 0.5 to 2.5"),
-        ("circles", 1.5, "shape.circles is 1.5; allowed: a whole number, 0 to 12"),
-        ("lumps", "many", 'shape.lumps is "many"; allowed: 0 to 0.2'),
+        ("circles", 1.5, "shape.circles is 1.5; wanted: a whole number; allowed: 0 to 12"),
+        ("lumps", "many", 'shape.lumps is "many"; wanted: a number; allowed: 0 to 0.2'),
         ("legnth", 1.2, "shape.legnth is not a key here; did you mean length?"),
         ("seed", -1, "shape.seed is -1; allowed: "),
     ],
@@ -151,6 +151,13 @@ def test_a_bad_key_gets_one_line_with_what_is_allowed(key: str, value: Any, said
     assert "\n" not in str(caught.value)
 
 
+def test_a_hole_wider_than_half_the_pearl_is_refused() -> None:
+    said = "shape.drill_mm is 1.6; allowed: up to half of diameter_mm, which is 1.5 mm"
+    with pytest.raises(nc.InputError, match=said):
+        Pearl(diameter_mm=3.0, shape={"drill_mm": 1.6})
+    assert Pearl(diameter_mm=3.0, shape={"drill_mm": 1.5}).shape.drill_mm == 1.5
+
+
 def test_the_model_of_1996_knows_no_shape() -> None:
-    with pytest.raises(nc.InputError, match='shape .*"transport"'):
+    with pytest.raises(nc.InputError, match='shape.length is given.*only with model = "transport"'):
         Pearl(model="illuminant", shape={"length": 1.2})
