@@ -100,6 +100,15 @@ def test_a_form_that_is_all_but_round_looks_as_the_ball_does(scene: str) -> None
     assert abs(codes[0] - codes[1]).max() <= 2
 
 
+def test_more_samples_show_the_same_colours_of_a_pearl_that_hides_parts_of_itself() -> None:
+    pearl = Pearl.load("south-sea-white", [("shape.length", "0.74"), ("shape.flattening", "0.8")])
+    fine, coarse = (
+        nc.render(pearl, "north-window-white", size=64, samples=samples).linear[26:50, 20:44]
+        for samples in (16, 9)
+    )
+    assert abs(fine - coarse).mean(axis=(0, 1)).max() < 0.002
+
+
 def test_a_whole_turn_changes_nothing() -> None:
     def seen(degrees: float) -> Array:
         shape = {"length": 1.2, "lumps": 0.05}

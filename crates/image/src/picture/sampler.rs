@@ -259,8 +259,9 @@ impl Sampler {
             return Detail::Rim;
         }
         if self.surroundings.solid(ball).is_some_and(|solid| solid.horizon().is_some()) {
-            // One part of the pearl may stand before another.
-            return if many { Detail::Unknown } else { Detail::Edges };
+            // One part of the pearl may stand before another; and few samples that are alike see a part of the facets, whose
+            // colour is not that of all.
+            return Detail::Edges;
         }
         let cached = self.reflections.are_cached(ball);
         if !self.pearls[ball].model.is_smooth() {
