@@ -51,7 +51,8 @@ class Pearl(SpecFile):
     )
     diameter_mm: float = quantity(
         8.0,
-        "Diameter of the whole pearl; of one that is not round, its width across the axis of growth.",
+        "Diameter of the whole pearl; of one that is not round, its width across the axis of "
+        "growth.",
         least=1,
         most=30,
         unit="mm",
@@ -112,7 +113,8 @@ class Pearl(SpecFile):
             if length_mm is not None and length_mm > radius_mm:
                 yield Contradiction(
                     path,
-                    f"is {length_mm:g}; allowed: up to half of {{other}}, which is {radius_mm:g} mm",
+                    f"is {length_mm:g}; allowed: up to half of {{other}}, "
+                    f"which is {radius_mm:g} mm",
                     "diameter_mm",
                 )
 

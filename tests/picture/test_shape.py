@@ -168,5 +168,7 @@ def test_a_hole_wider_than_half_the_pearl_is_refused() -> None:
 
 
 def test_the_model_of_1996_knows_no_shape() -> None:
-    with pytest.raises(nc.InputError, match='shape.length is given.*only with model = "transport"'):
+    with pytest.raises(
+        nc.InputError, match=r'shape\.length is given.*only with model = "transport"'
+    ):
         Pearl(model="illuminant", shape={"length": 1.2})
