@@ -113,6 +113,8 @@ def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
         setting = {name: random.uniform(*ends) for name, ends in KNOBS.items()}
         words = [str(random.choice(choices)) for choices in (SCENES, NACRE, PIGMENTS)]
         setting |= {"chalky_spots": 0.0, "pits": 0.0, "out_of_round": 0.0}
+        if knob == "out_of_round":  # stretching would undo or double it
+            setting["roundness"] = 0.0
         values = np.linspace(*KNOBS[knob], STEPS)
         found = [picture(setting | {knob: value}, *words, size) for value in values]
         columns = [np.array([*map(of, found)]) for of in MEASURES.values()]
