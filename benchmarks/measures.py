@@ -27,8 +27,9 @@ FIELD_MM = 14.0
 #: Blemishes on the whole pearl, of the kind that is swept.
 SPOTS = 24
 
-#: By name: the least and the greatest of each knob. Roundness is no key of a pearl file yet:
-#: pictures are stretched. Spots and pits are swept by `blemishes.area`; elsewhere there are none.
+#: By name: the least and the greatest of each knob. Roundness: pictures are stretched, or the pearl
+#: itself is out of round, seen along its axis; elsewhere it is not. Spots and pits are swept by
+#: `blemishes.area`; elsewhere there are none.
 KNOBS = {
     "diameter_mm": (5.0, 10.0),
     "roundness": (0.0, 0.045),
@@ -39,6 +40,7 @@ KNOBS = {
     "depth": (0.2, 0.9),
     "grain": (0.0, 1.0),
     "waviness_rad": (0.0, 0.15),
+    "out_of_round": (0.0, 0.1),
 }
 
 MEASURES: dict[str, Callable[[Measures], float]] = {
@@ -57,6 +59,8 @@ MEASURES: dict[str, Callable[[Measures], float]] = {
 def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, size: int) -> Measures:
     """What is measured in the picture of one setting."""
     kinds = [kind for kind in ("chalky_spots", "pits") if setting[kind] > 0]
+    overrides = [("camera.field_mm", str(FIELD_MM)), ("table.kind", "plain")]
+    place = nc.Scene.load(scene, overrides)
     pearl = nc.Pearl(
         blemishes={"area": sum(setting[kind] for kind in kinds)} | dict.fromkeys(kinds, SPOTS),
         diameter_mm=setting["diameter_mm"],
@@ -69,9 +73,9 @@ def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, siz
             "facet_spread_rad": setting["facet_spread_rad"],
             "waviness_rad": setting["waviness_rad"],
         },
+        shape={"out_of_round": setting["out_of_round"]},
+        pose={"tilt_deg": 90.0 - place.camera.elevation_deg},
     )
-    overrides = [("camera.field_mm", str(FIELD_MM)), ("table.kind", "plain")]
-    place = nc.Scene.load(scene, overrides)
     linear = nc.render(pearl, place, size=size, samples=4).linear
     linear = stretched(linear, setting["roundness"])
     return measure(linear, mm_per_pixel=FIELD_MM / size)
@@ -108,7 +112,9 @@ def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
     for _ in range(settings):
         setting = {name: random.uniform(*ends) for name, ends in KNOBS.items()}
         words = [str(random.choice(choices)) for choices in (SCENES, NACRE, PIGMENTS)]
-        setting |= {"chalky_spots": 0.0, "pits": 0.0}
+        setting |= {"chalky_spots": 0.0, "pits": 0.0, "out_of_round": 0.0}
+        if knob == "out_of_round":  # stretching would undo or double it
+            setting["roundness"] = 0.0
         values = np.linspace(*KNOBS[knob], STEPS)
         found = [picture(setting | {knob: value}, *words, size) for value in values]
         columns = [np.array([*map(of, found)]) for of in MEASURES.values()]

@@ -85,7 +85,7 @@ def _turned(knob: str, turn: float) -> Pearl:
 
 
 def _words() -> list[list[Tile]]:
-    """Every word that sets keys, but sizes, on pearls of the kind that it is said of."""
+    """Every word that sets keys, but sizes and shapes, on pearls of the kind that it is said of."""
     pearls = {"luster": "akoya-rg", "surface": "akoya-rg", "nacre-akoya": "akoya-thin"}
     pearls |= {"nacre-tahitian": "tahitian", "nacre-south-sea": "south-sea-gold"}
     return [
@@ -129,6 +129,20 @@ def _coats() -> list[list[Tile]]:
     ]
 
 
+def _shapes() -> list[list[Tile]]:
+    """Every word for a shape, white on white cloth and Tahitian on black, four in a row."""
+    found = factor_of("shape").words
+    seed = ("shape.seed", "3")
+    by_word = {word.en: [*overrides_of(f"shape={word.en}"), seed] for word in found}
+    order = ("round", "near-round", "oval", "button", "drop", "semi-baroque", "baroque", "circled")
+    tiles = [
+        Tile(Pearl.load(pearl, by_word[word]), scene, word)
+        for pearl, scene in (("south-sea-white", "north-window-white"), ("tahitian", _BLACK))
+        for word in order
+    ]
+    return [tiles[start : start + 4] for start in range(0, len(tiles), 4)]
+
+
 #: What each sheet shows, by its name.
 _SHEETS: dict[str, Callable[[], list[list[Tile]]]] = {
     "scenes": _scenes,
@@ -139,6 +153,7 @@ _SHEETS: dict[str, Callable[[], list[list[Tile]]]] = {
     "knobs": _knobs,
     "words": _words,
     "coats": _coats,
+    "shapes": _shapes,
 }
 
 #: The sheets there are.

@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING
 
 from nacreous import _core
 from nacreous.card.factor import Factor, Figure
-from nacreous.trade import Stated, stated_luster, stated_size, stated_surface, word_of
+from nacreous.trade import (
+    Stated,
+    dimensions_of,
+    stated_luster,
+    stated_size,
+    stated_surface,
+    word_of,
+)
 
 if TYPE_CHECKING:
     from nacreous.measure import Colour, Measures, Ring
@@ -19,8 +26,15 @@ __all__ = ["CULTURES", "graded"]
 #: Kinds of pearls that the table has words of nacre for.
 CULTURES = ("akoya", "tahitian", "south-sea")
 
-#: From so much variation on a word for the shape hangs on more than one picture shows.
-_NOT_ROUND_PERCENT = 5.0
+#: What the table tells shapes by, with units, in the order in which a card has it.
+_DIMENSIONS = {
+    "diameter_variation_percent": "%",
+    "height_over_width": "",
+    "taper_percent": "%",
+    "asymmetry_percent": "%",
+    "grooves": "",
+}
+_BALL = dict.fromkeys(_DIMENSIONS, 0.0) | {"height_over_width": 1.0}
 #: Rings of less chroma have no hue that anybody sees: the table's bound of an overtone.
 _LEAST_CHROMA = 2.0
 
@@ -39,7 +53,7 @@ def graded(pearl: Pearl, found: Measures | None, culture: str | None = None) -> 
     body = _body_lab(pearl)
     return (
         _size(pearl),
-        _shape(found),
+        _shape(pearl, found),
         _bodycolour(pearl, body),
         _overtone(found, body),
         _orient(found),
@@ -59,22 +73,26 @@ def _figure(found: Stated, unit: str) -> Figure:
     return Figure(found.quantity, found.value, unit, "file", found.key)
 
 
-def _shape(found: Measures | None) -> Factor:
-    """By the outline alone. A pearl file is of a ball, which has no rings, axis or taper."""
-    if found is None or found.roundness is None:
-        return Factor("shape", None, (), "unmeasured")
-    percent, error = found.roundness.value, found.roundness.error
-    name = "diameter_variation_percent"
-    figures = (Figure(name, percent, "%", "picture", error=error),)
-    if percent >= _NOT_ROUND_PERCENT:
-        return Factor("shape", None, figures, "one_side")
-    ball = {
-        "grooves": 0.0,
-        "asymmetry_percent": 0.0,
-        "height_over_width": 1.0,
-        "taper_percent": 0.0,
-    }
-    return Factor("shape", word_of("shape", {**ball, name: percent}), figures, "ball")
+def _shape(pearl: Pearl, found: Measures | None) -> Factor:
+    """By the file's form, from all sides; and the outline as it is seen, which decides no word.
+
+    A pearl of the model of 1996 is a ball.
+    """
+    is_ball = pearl.model == "illuminant"
+    shape = _BALL if is_ball else dimensions_of(pearl)
+    word, key = word_of("shape", shape), "model" if is_ball else "shape"
+    bound = {one.quantity for one in word.bounds}
+    figures = [
+        Figure(name, shape[name], unit, "file", key)
+        for name, unit in _DIMENSIONS.items()
+        if name in bound
+    ]
+    if found is not None and found.roundness is not None:
+        seen = found.roundness
+        figures.append(
+            Figure("outline_variation_percent", seen.value, "%", "picture", error=seen.error)
+        )
+    return Factor("shape", word, tuple(figures))
 
 
 def _body_lab(pearl: Pearl) -> tuple[float, float, float]:

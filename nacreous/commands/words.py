@@ -60,10 +60,17 @@ def _lines(factor: Factor, language: Language) -> list[str]:
     for word in factor.words:
         for number, one in enumerate(word.ranges):
             name = word.text(language) if number == 0 else ""
-            sets = f"; sets {one.key}" if one.key else ""
             source = one.source.replace("**", "")
-            lines.append(f"  {_padded(name, 20)}  {one.quantity} {one.text}{sets} [{source}]")
+            lines.append(f"  {_padded(name, 20)}  {_said(one)} [{source}]")
     return lines
+
+
+def _said(one: Range) -> str:
+    """What a range holds and the key that its word sets; the latter alone where it holds all."""
+    sets = f"sets {one.key}" if one.key else ""
+    if one.is_free:
+        return f"{sets} = {one.sets:g}"
+    return f"{one.quantity} {one.text}" + (f"; {sets}" if sets else "")
 
 
 def _padded(text: str, width: int) -> str:

@@ -51,7 +51,8 @@ class Pearl(SpecFile):
     )
     diameter_mm: float = quantity(
         8.0,
-        "Diameter of the whole pearl.",
+        "Diameter of the whole pearl; of one that is not round, its width across the axis of "
+        "growth.",
         least=1,
         most=30,
         unit="mm",
@@ -101,18 +102,21 @@ class Pearl(SpecFile):
     pose: Pose = section("How the pearl is turned.", model="transport")
 
     def contradictions(self) -> Iterator[Contradiction]:
-        """Keys and media that the model has not, and nacre thicker than the pearl."""
+        """Keys and media that the model has not, nacre thicker and a hole wider than the pearl."""
         for path, home in strangers(self, self.model):
             verdict = f'is given while {{other}} is "{self.model}"; allowed: only with {{other}} = '
             yield Contradiction(path, f'{verdict}"{home}"', "model")
         yield from self._unfit_media()
-        nacre_mm, radius_mm = self.body.nacre_mm, 0.5 * self.diameter_mm
-        if nacre_mm is not None and nacre_mm > radius_mm:
-            yield Contradiction(
-                "body.nacre_mm",
-                f"is {nacre_mm:g}; allowed: up to half of {{other}}, which is {radius_mm:g} mm",
-                "diameter_mm",
-            )
+        radius_mm = 0.5 * self.diameter_mm
+        within = {"body.nacre_mm": self.body.nacre_mm, "shape.drill_mm": self.shape.drill_mm}
+        for path, length_mm in within.items():
+            if length_mm is not None and length_mm > radius_mm:
+                yield Contradiction(
+                    path,
+                    f"is {length_mm:g}; allowed: up to half of {{other}}, "
+                    f"which is {radius_mm:g} mm",
+                    "diameter_mm",
+                )
 
     def _unfit_media(self) -> Iterator[Contradiction]:
         """Absorbing layers, which neither model has, and crystals in the model of 1996."""

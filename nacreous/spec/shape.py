@@ -54,13 +54,14 @@ class Shape(Section):
         most=0.2,
         source="trade, baroque pearls; the form is **(ours)**",
     )
-    lump_mm: float = quantity(
-        3.0,
+    lump_mm: float | None = quantity(
+        None,
         "Size of the lumps, from top to foot.",
         least=0.5,
         most=20,
         unit="mm",
         source="**(ours)**",
+        left_out="0.6 x diameter_mm",
     )
     circles: int = quantity(
         0,

@@ -7,7 +7,15 @@ Range(2 to 5 %)
 """
 
 from nacreous.trade.setting import overrides_of, with_words
-from nacreous.trade.stated import Stated, stated, stated_luster, stated_size, stated_surface
+from nacreous.trade.stated import (
+    Stated,
+    dimensions_of,
+    stated,
+    stated_luster,
+    stated_shape,
+    stated_size,
+    stated_surface,
+)
 from nacreous.trade.table import factors, range_of, word_of, words
 from nacreous.trade.word import Factor, Range, Word
 
@@ -16,11 +24,13 @@ __all__ = [
     "Range",
     "Stated",
     "Word",
+    "dimensions_of",
     "factors",
     "overrides_of",
     "range_of",
     "stated",
     "stated_luster",
+    "stated_shape",
     "stated_size",
     "stated_surface",
     "with_words",

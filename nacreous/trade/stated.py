@@ -12,7 +12,15 @@ from nacreous.value import value_class
 if TYPE_CHECKING:
     from nacreous.spec import Pearl
 
-__all__ = ["Stated", "stated", "stated_luster", "stated_size", "stated_surface"]
+__all__ = [
+    "Stated",
+    "dimensions_of",
+    "stated",
+    "stated_luster",
+    "stated_shape",
+    "stated_size",
+    "stated_surface",
+]
 
 _FACETS = "surface.facet_spread_rad"
 _BLEMISHES = ("pits", "bumps", "scratches", "wrinkles", "chalky_spots")
@@ -31,20 +39,57 @@ class Stated:
 def stated(pearl: Pearl) -> tuple[Stated, ...]:
     """The words for all that a pearl file states and the table knows, in the table's order.
 
-    What only a picture shows, such as shape and overtone, is not among them, nor is nacre, whose
-    words hang on the kind of pearl.
+    What only a picture shows, such as the overtone, is not among them, nor is nacre, whose words
+    hang on the kind of pearl.
 
     >>> from nacreous.spec import Pearl
     >>> {one.key: one.word.en for one in stated(Pearl(shininess=0.253))}
-    {'diameter_mm': '8.0-8.5 mm', 'shininess': 'Fair', 'blemishes': 'clean'}
+    {'diameter_mm': '8.0-8.5 mm', 'shape': 'round', 'shininess': 'Fair', 'blemishes': 'clean'}
     """
-    found = (stated_size(pearl), stated_luster(pearl), stated_surface(pearl))
+    found = (
+        stated_size(pearl),
+        stated_shape(pearl),
+        stated_luster(pearl),
+        stated_surface(pearl),
+    )
     return tuple(one for one in found if one is not None)
 
 
 def stated_size(pearl: Pearl) -> Stated:
     """By the diameter."""
     return _stated("size", "diameter_mm", pearl.diameter_mm, "diameter_mm")
+
+
+def stated_shape(pearl: Pearl) -> Stated | None:
+    """By its form; None of the model of 1996, which knows balls alone and has no `[shape]`.
+
+    >>> from nacreous.spec import Pearl
+    >>> stated_shape(Pearl(shape={"length": 1.2})).word.en
+    'oval'
+    """
+    if pearl.model == "illuminant":
+        return None
+    found = dimensions_of(pearl)
+    word = word_of("shape", found)
+    name = word.bounds[0].quantity
+    return Stated(word, name, found[name], "shape")
+
+
+def dimensions_of(pearl: Pearl) -> dict[str, float]:
+    """What the table tells shapes by, of a pearl of the transport model.
+
+    >>> from nacreous.spec import Pearl
+    >>> round(dimensions_of(Pearl(shape={"length": 1.2}))["height_over_width"], 2)
+    1.2
+    """
+    variation, asymmetry, height, taper, grooves = _core.shape_dimensions(pearl.model_dump_json())
+    return {
+        "grooves": float(grooves),
+        "diameter_variation_percent": 100 * variation,
+        "asymmetry_percent": 100 * asymmetry,
+        "height_over_width": height,
+        "taper_percent": 100 * taper,
+    }
 
 
 def stated_luster(pearl: Pearl) -> Stated:

@@ -45,6 +45,11 @@ class Range:
             return (value - self.lower) % 360 < self.upper - self.lower
         return self.lower <= value < self.upper or (self.closed and value == self.upper)
 
+    @property
+    def is_free(self) -> bool:
+        """Whether it holds every value: it is there for what the word sets alone."""
+        return self.lower <= 0 and math.isinf(self.upper)
+
     def __repr__(self) -> str:
         """The bounds alone."""
         return f"Range({self.text})"
@@ -71,6 +76,11 @@ class Word:
         """The word in a language."""
         return self.ja if language == "ja" else self.en
 
+    @property
+    def bounds(self) -> tuple[Range, ...]:
+        """Its ranges that leave values out."""
+        return tuple(one for one in self.ranges if not one.is_free)
+
     def holds(self, values: Mapping[str, float]) -> bool:
         """Whether each of these quantities that the word binds is in its range."""
         return all(
@@ -89,9 +99,9 @@ class Factor:
     @property
     def quantities(self) -> tuple[str, ...]:
         """The quantities that its words bind, the first of them first."""
-        return tuple(dict.fromkeys(one.quantity for word in self.words for one in word.ranges))
+        return tuple(dict.fromkeys(one.quantity for word in self.words for one in word.bounds))
 
     @property
     def is_told_by_each(self) -> bool:
         """Whether one quantity is enough: every word binds all of them."""
-        return all(len(word.ranges) == len(self.quantities) for word in self.words)
+        return all(len(word.bounds) == len(self.quantities) for word in self.words)

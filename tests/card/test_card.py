@@ -74,6 +74,18 @@ def test_blemishes_count_by_the_files_area_and_without_one_by_the_picture() -> N
     assert _factor(Pearl(blemishes={"pits": 3}), "surface").note == "unmeasured"
 
 
+def test_the_shape_is_the_files_and_the_outline_stands_beside_it(cards: list[Card]) -> None:
+    assert _factor(Pearl(), "shape").word.en == "round"
+    drop = _factor(Pearl(shape={"length": 1.35, "taper": 0.6}), "shape")
+    assert drop.word.en == "drop"
+    assert {one.key for one in drop.figures} == {"shape"}
+    for card, key in zip(cards, ("shape", "model"), strict=False):
+        shape = next(one for one in card.factors if one.name == "shape")
+        assert shape.word.en == "round"
+        assert [one.origin for one in shape.figures] == ["file", "picture"]
+        assert shape.figures[0].key == key
+
+
 def test_of_the_illuminant_model_is_told_what_can_be_told(cards: list[Card]) -> None:
     factors = {factor.name: factor for factor in cards[1].factors}
     assert [name for name, one in factors.items() if one.word is None] == ["surface", "matching"]
@@ -83,7 +95,7 @@ def test_of_the_illuminant_model_is_told_what_can_be_told(cards: list[Card]) -> 
 def test_a_picture_too_small_to_measure_leaves_words_out_and_says_so() -> None:
     (card,) = make(["akoya-rg"], size=8, samples=1)
     unmeasured = [one.name for one in card.factors if one.note == "unmeasured"]
-    assert unmeasured == ["shape", "overtone", "orient"]
+    assert unmeasured == ["overtone", "orient"]
     assert texts("en")["note.unmeasured"] in html([card])
 
 

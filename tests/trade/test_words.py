@@ -13,7 +13,15 @@ import nacreous as nc
 from nacreous import _core, body, cli, colour
 from nacreous.spec import Pearl
 from nacreous.spec.key import every_key
-from nacreous.trade import factors, overrides_of, range_of, word_of, words
+from nacreous.trade import (
+    dimensions_of,
+    factors,
+    overrides_of,
+    range_of,
+    stated_shape,
+    word_of,
+    words,
+)
 from tests.trade import words_page
 from tests.trade.lamp_image import measured
 
@@ -94,6 +102,27 @@ def test_a_lamps_image_is_as_wide_and_as_clear_as_the_bounds_say(spread_rad: flo
     assert clear.contrast == pytest.approx(contrast, rel=0.05)
 
 
+@pytest.mark.parametrize("word", words("shape"), ids=lambda word: word.en)
+def test_the_pearl_that_a_shapes_word_makes_measures_inside_its_own_bounds(word) -> None:
+    for seed, diameter_mm in ((1, 8.0), (2, 12.0), (3, 3.0), (4, 30.0)):
+        given = [("shape.seed", str(seed)), ("diameter_mm", str(diameter_mm))]
+        pearl = Pearl.load("south-sea-white", [*overrides_of(f"shape={word.en}"), *given])
+        found = dimensions_of(pearl)
+        assert word.holds(found), found
+        assert stated_shape(pearl).word == word
+
+
+def test_a_shapes_word_undoes_another() -> None:
+    for word in words("shape"):
+        both = overrides_of("shape=circled") + overrides_of(f"shape={word.en}")
+        assert stated_shape(Pearl.load("tahitian", both)).word == word
+
+
+def test_a_range_that_leaves_nothing_out_tells_no_word() -> None:
+    with pytest.raises(nc.InputError, match="told by pits; wanted: blemished_percent or area"):
+        word_of("surface", {"pits": 3})
+
+
 def test_our_pigments_have_the_names_of_their_colours() -> None:
     named = {"white": "white", "cream": "cream", "pink": "pink", "gold": "golden"}
     for pigment, word in {**named, "dyed-blue": "blue", "black-lip": "grey"}.items():
@@ -123,7 +152,7 @@ def test_published_bounds_are_those_of_their_sources() -> None:
     [
         ("luster=Excelent", '"Excelent"; did you mean Excellent'),
         ("lustre=Good", '"lustre" is no factor; did you mean luster'),
-        ("shape=round", "shape sets no key of a pearl file; allowed: size, luster"),
+        ("overtone=rose", "overtone sets no key of a pearl file; allowed: size, shape"),
         ("luster", "wanted: factor=word, such as luster=Excellent"),
         ("size=77", r"allowed: 1.0-1.5 mm, 1.5-2.0 mm, \.\.\., 29.5-30.0 mm"),
     ],

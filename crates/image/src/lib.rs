@@ -55,6 +55,7 @@ pub use picture::sampler::Sampler;
 pub use progress::Progress;
 pub use rgb::Rgb;
 pub use shape::ball::{Ball, Hit};
+pub use shape::dimensions::Dimensions;
 pub use shape::form::FormParameters;
 pub use shape::hull::Hull;
 pub use shape::rest::Rest;

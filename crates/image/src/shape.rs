@@ -1,6 +1,7 @@
 //! What takes up room: balls, pearls that are not round, where a ray meets them, and who lies near whom.
 
 pub(crate) mod ball;
+pub(crate) mod dimensions;
 pub(crate) mod form;
 mod horizon;
 pub(crate) mod hull;

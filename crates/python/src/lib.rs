@@ -65,7 +65,8 @@ mod _core {
     use super::optics::{energies, ensemble, fresnel, illuminant, resonances};
     #[pymodule_export]
     use super::pearl::{
-        body_reflectance, film_columns, grow, resolved_keys, stack_of_nacre, texture_seed,
+        body_reflectance, film_columns, grow, resolved_keys, shape_dimensions, stack_of_nacre,
+        texture_seed,
     };
     #[pymodule_export]
     use super::render::{Picture, field_mm, files_needed, render};

@@ -1,7 +1,8 @@
 //! The binding of a pearl's numbers: what the render room makes of its keys.
 
 use nacreous_render::{
-    Core, columns_of, core_under, diary_of, outer_um_of, reflectance_of, resolved_of,
+    Core, columns_of, core_under, diary_of, dimensions_of, outer_um_of, reflectance_of,
+    resolved_of,
     spec::{
         from_json,
         nacre::{GrowthSpec, NacreSpec},
@@ -72,6 +73,14 @@ pub fn resolved_keys<'py>(py: Python<'py>, pearl: &str) -> PyResult<Bound<'py, P
         keys.set_item(key, value)?;
     }
     Ok(keys)
+}
+
+/// (diameter variation, asymmetry, height over width, taper, grooves) of the form of a pearl in JSON, as shares.
+#[pyfunction]
+pub fn shape_dimensions(pearl: &str) -> PyResult<(f64, f64, f64, f64, usize)> {
+    let found = dimensions_of(&transport(pearl)?);
+    let shares = (found.diameter_variation, found.asymmetry, found.height_over_width, found.taper);
+    Ok((shares.0, shares.1, shares.2, shares.3, found.grooves))
 }
 
 /// The seed of the grain of a pearl in JSON.

@@ -28,6 +28,7 @@ pub use pearl::{
     grain::GrainKey,
     knobs::{outer_um_of, resolved_of, texture_seed_of},
     nacre::{Core, core_under, diary_of, stack_of},
+    shape::dimensions_of,
     spectra::film_spectra,
 };
 pub use resources::{Needs, Resources};

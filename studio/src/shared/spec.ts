@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 8557cba7946e1a13f4f49fb1ab13740bef25a36195ee77a5dca1deb793b783df
+ * ddc7179faa46c9472c27a98215bf6bd2bf674dae057911aead43d58d054e7983
  */
 
 /**
@@ -373,7 +373,7 @@ export interface Pearl {
    */
   model?: "transport" | "illuminant";
   /**
-   * Diameter of the whole pearl. Allowed: 1 to 30 mm. Source: **(ours)**; paper 3.1, a nucleus of 3 to 6 mm.
+   * Diameter of the whole pearl; of one that is not round, its width across the axis of growth. Allowed: 1 to 30 mm. Source: **(ours)**; paper 3.1, a nucleus of 3 to 6 mm.
    */
   diameter_mm?: number;
   /**
@@ -428,6 +428,10 @@ export interface Pearl {
    * Pits, bumps and the like. Only with model = "transport".
    */
   blemishes?: Blemishes;
+  /**
+   * What makes the pearl other than round. Only with model = "transport".
+   */
+  shape?: Shape;
   /**
    * How the pearl is turned. Only with model = "transport".
    */
@@ -504,6 +508,55 @@ export interface Texture {
   value_weight?: number;
 }
 /**
+ * How far the surface is from the middle in every direction (the transport model).
+ */
+export interface Shape {
+  /**
+   * Seed of lumps and circles. Allowed: 0 to 9223372036854775807. Left out: nacre.seed. Source: **(ours)**.
+   */
+  seed?: number;
+  /**
+   * Length along the axis of growth over the width across it, which is diameter_mm: above 1 an oval, below 1 a button. Allowed: 0.5 to 2.5. Source: trade, sizes as width x length.
+   */
+  length?: number;
+  /**
+   * How much narrower one end is: a drop. Allowed: 0 to 3. Source: trade, drops; the form is **(ours)**.
+   */
+  taper?: number;
+  /**
+   * How much nearer to the middle one end is: a button's flat side. Allowed: 0 to 1.5. Source: trade, buttons; the form is **(ours)**.
+   */
+  flattening?: number;
+  /**
+   * Difference of the widths across the axis, as a share of their mean. Allowed: 0 to 0.3. Source: trade: round under 2 %, near-round 2 to 5 %.
+   */
+  out_of_round?: number;
+  /**
+   * Spread (standard deviation) of the lumps of a baroque pearl, as a share of the distance from its middle. Allowed: 0 to 0.2. Source: trade, baroque pearls; the form is **(ours)**.
+   */
+  lumps?: number;
+  /**
+   * Size of the lumps, from top to foot. Allowed: 0.5 to 20 mm. Left out: 0.6 x diameter_mm. Source: **(ours)**.
+   */
+  lump_mm?: number;
+  /**
+   * Grooves about the axis: a circled pearl. Allowed: 0 to 12. Source: trade, circled pearls.
+   */
+  circles?: number;
+  /**
+   * Mean depth of a groove, as a share of the distance from the middle. Allowed: 0 to 0.15. Source: trade, circled pearls; the number is **(ours)**.
+   */
+  circle_depth?: number;
+  /**
+   * Diameter of the hole along the axis, drilled through; 0 for none. Allowed: 0 to 3 mm. Source: trade: 0.6 to 1 mm for strands.
+   */
+  drill_mm?: number;
+  /**
+   * Width of the hole's worn edge. Allowed: 0 to 1 mm. Source: **(ours)**.
+   */
+  drill_wear_mm?: number;
+}
+/**
  * How the pearl is turned: grain, coat and blemishes turn with it (the transport model).
  */
 export interface Pose {
@@ -512,7 +565,7 @@ export interface Pose {
    */
   turn_deg?: number;
   /**
-   * Lean of the axis of growth from the upright towards azimuth 0. Allowed: -3600 to 3600 degrees. Source: **(ours)**.
+   * Lean of the axis of growth from the upright towards azimuth 0. Allowed: -3600 to 3600 degrees. Left out: 0 for a round pearl; another lies at rest, its axis across the view. Source: **(ours)**.
    */
   tilt_deg?: number;
   /**

@@ -40,7 +40,7 @@ impl Drill {
             return None;
         }
         let hole = (0.5 - from_edge_mm / soft_mm).clamp(0.0, 1.0);
-        let worn = if from_edge_mm < self.wear_mm {
+        let worn = if self.wear_mm > 0.0 && from_edge_mm < self.wear_mm {
             (1.0 - from_edge_mm.max(0.0) / self.wear_mm) * (1.0 - hole)
         } else {
             0.0
@@ -74,6 +74,18 @@ mod tests {
         let edge = at(0.42).unwrap();
         assert!(edge.slope.x > 0.3 && edge.inside > 0.999 && edge.chalk < 0.7);
         assert!(at(0.52).is_none());
+    }
+
+    #[test]
+    fn an_edge_without_wear_neither_leans_nor_turns_matt() {
+        let drill = Drill { wear_mm: 0.0, ..DRILL };
+        for from_axis_mm in [0.0, 0.2, 0.396, 0.4, 0.404] {
+            let sin = from_axis_mm / 4.0;
+            let local = drill.at(DVec3::new(sin, 0.0, (1.0_f64 - sin * sin).sqrt()), 0.01).unwrap();
+            assert_eq!(local.slope, DVec3::ZERO, "{from_axis_mm}");
+            let hole = (1.0 - local.inside) / (1.0 - LEFT);
+            assert!((local.chalk - hole).abs() < 1e-12, "{from_axis_mm}");
+        }
     }
 
     #[test]

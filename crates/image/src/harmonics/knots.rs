@@ -5,7 +5,7 @@
 
 use crate::harmonics::place::Place;
 
-/// The knots around a place on a grid of `rows` rows as [`super::synthesise`] fills it, and how much each counts; the shares
+/// The knots around a place on a grid of `rows` rows as `synthesise` fills it, and how much each counts; the shares
 /// add up to 1.
 #[inline]
 pub(crate) fn knots(rows: usize, place: Place) -> [(usize, f32); 4] {

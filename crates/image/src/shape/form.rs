@@ -121,7 +121,7 @@ impl Form {
             grooves: grooves(from, &mut random),
         };
         form.level_lumps(from.lumps);
-        form.scale = 1.0 / form.half_width();
+        form.fit(from.length);
         form
     }
 
@@ -147,12 +147,11 @@ impl Form {
     }
 
     /// The ovoid: x^2/a^2 W^2 + y^2/b^2 W^2 + z^2/c^2 F^2 = 1, with W = 1 + taper ((1 + z)/2)^2 and
-    /// F = 1 + flattening ((1 - z)/2)^4.
+    /// F = 1 + flattening ((1 - z)/2)^2.
     fn ovoid(&self, towards: DVec3) -> (f64, DVec3) {
         let (above, below) = (0.5 * (1.0 + towards.z), 0.5 * (1.0 - towards.z));
-        let below3 = below * below * below;
         let narrow = 1.0 + self.taper * above * above;
-        let flat = 1.0 + self.flattening * below3 * below;
+        let flat = 1.0 + self.flattening * below * below;
         let across =
             self.squares.x * towards.x * towards.x + self.squares.y * towards.y * towards.y;
         let along = self.squares.z * towards.z * towards.z;
@@ -162,7 +161,7 @@ impl Form {
             self.squares.x * towards.x * narrow * narrow,
             self.squares.y * towards.y * narrow * narrow,
             across * narrow * self.taper * above + self.squares.z * towards.z * flat * flat
-                - along * flat * 2.0 * self.flattening * below3,
+                - along * flat * self.flattening * below,
         );
         (radius, half * (-radius / sum))
     }
@@ -202,15 +201,33 @@ impl Form {
         self.lumps_mean = mean * factor;
     }
 
-    /// Half the width of the ovoid at its widest, on average around the axis.
-    fn half_width(&self) -> f64 {
+    /// Makes the ovoid's half width 1, on average around the axis, and its half length `length`: taper and flattening move
+    /// both.
+    fn fit(&mut self, length: f64) {
+        const TRIES: usize = 40;
+        for _ in 0..TRIES {
+            let [half_width, half_length] = self.extents();
+            self.scale /= half_width;
+            let short = length * half_width / half_length;
+            if (short - 1.0).abs() < 1e-12 {
+                return;
+            }
+            self.squares.z /= short * short;
+        }
+    }
+
+    /// Half the width of the ovoid at its widest, on average around the axis, and half its length.
+    fn extents(&self) -> [f64; 2] {
         const STEPS: usize = 512;
-        let at = |step: usize| {
+        let (mut width, mut top, mut bottom) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for step in 0..=STEPS {
             let (sin, cos) = libm::sincos(std::f64::consts::PI * step as f64 / STEPS as f64);
-            let of = |towards: DVec3| self.ovoid(towards).0;
-            0.5 * sin * (of(DVec3::new(sin, 0.0, cos)) + of(DVec3::new(0.0, sin, cos)))
-        };
-        (1..STEPS).map(at).fold(0.0, f64::max)
+            let sides = [DVec3::new(sin, 0.0, cos), DVec3::new(0.0, sin, cos)];
+            let [x, y] = sides.map(|towards| self.ovoid(towards).0);
+            width = width.max(0.5 * sin * (x + y));
+            (top, bottom) = (top.max(x * cos), bottom.max(-x * cos));
+        }
+        [width, 0.5 * (top + bottom)]
     }
 }
 
@@ -321,15 +338,20 @@ pub(crate) mod tests {
 
     #[test]
     fn a_form_is_as_wide_and_as_long_as_it_shall_be() {
-        for (length, taper) in [(1.3, 0.0), (1.5, 1.0), (0.7, 0.0)] {
-            let form = Form::new(&FormParameters { length, taper, ..FormParameters::ROUND });
-            let width = even_directions(20_000)
-                .map(|to| to.truncate().length() * form.at(to).0)
-                .fold(0.0, f64::max);
-            assert!((width - 1.0).abs() < 1e-3, "{width}");
-            if taper == 0.0 {
-                assert!((form.at(DVec3::Z).0 - length).abs() < 1e-9);
-            }
+        let kinds =
+            [(1.3, 0.0, 0.0), (1.5, 1.0, 0.0), (2.5, 3.0, 1.5), (0.7, 0.0, 0.0), (0.7, 0.0, 0.9)];
+        for (length, taper, flattening) in kinds {
+            let from = FormParameters { length, taper, flattening, ..FormParameters::ROUND };
+            let form = Form::new(&from);
+            let places: Vec<DVec3> = even_directions(20_000)
+                .chain([DVec3::Z, DVec3::NEG_Z])
+                .map(|to| to * form.at(to).0)
+                .collect();
+            let widest = places.iter().map(|at| at.truncate().length()).fold(0.0, f64::max);
+            let top = places.iter().map(|at| at.z).fold(0.0, f64::max);
+            let bottom = places.iter().map(|at| -at.z).fold(0.0, f64::max);
+            assert!((widest - 1.0).abs() < 1e-3, "{from:?}: {widest}");
+            assert!((0.5 * (top + bottom) - length).abs() < 1e-3, "{from:?}: {top} {bottom}");
         }
     }
 

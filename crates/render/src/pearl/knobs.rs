@@ -2,9 +2,12 @@
 
 use nacreous_image::{Grain, Parameters};
 
-use crate::spec::pearl::{PearlSpec, TransportSpec};
+use crate::{
+    pearl::shape::lump_mm_of,
+    spec::pearl::{PearlSpec, TransportSpec},
+};
 
-/// What each key of a pearl that may be left open for the knobs comes to, by the key's path in a file.
+/// What each key of a pearl that may be left open comes to, by the key's path in a file.
 ///
 /// ```
 /// use nacreous_render::{resolved_of, spec::Recipe};
@@ -27,6 +30,7 @@ pub fn resolved_of(pearl: &PearlSpec) -> Vec<(&'static str, f64)> {
             keys.push(("film.outer_um", outer_um_of(pearl)));
             keys.push(("coat.grain_relief_rad", grain.relief_rad));
             keys.push(("inside.spread", spread_of(pearl)));
+            keys.push(("shape.lump_mm", lump_mm_of(pearl)));
         }
         PearlSpec::Illuminant(pearl) => {
             let (how, surface) = (&pearl.interference, &pearl.surface);

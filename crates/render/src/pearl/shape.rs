@@ -1,6 +1,6 @@
 //! A pearl's shape and how it lies: what stands in place of values left open.
 
-use nacreous_image::{FormParameters, Pose, Rest, Solid};
+use nacreous_image::{Dimensions, FormParameters, Pose, Rest, Solid};
 
 use crate::spec::pearl::{PearlSpec, PoseSpec, TransportSpec};
 
@@ -22,6 +22,8 @@ impl SolidKey {
 /// A pearl lies down only where that brings its middle lower by more than this share of half its width: one that is
 /// round to the eye stays as it is **(ours)**.
 const LEAST_DROP: f64 = 0.01;
+/// Size of a lump left open, over the pearl's width: a dozen lumps all around **(ours)**.
+const LUMP: f64 = 0.6;
 
 /// Of a pearl that is not round.
 pub(crate) fn solid_key(pearl: &PearlSpec) -> Option<SolidKey> {
@@ -39,11 +41,21 @@ pub(crate) fn form_of(pearl: &TransportSpec) -> FormParameters {
         flattening: shape.flattening,
         out_of_round: shape.out_of_round,
         lumps: shape.lumps,
-        lump_rad: shape.lump_mm / (0.5 * pearl.diameter_mm),
+        lump_rad: lump_mm_of(pearl) / (0.5 * pearl.diameter_mm),
         circles: shape.circles,
         circle_depth: shape.circle_depth,
         seed: shape.seed.unwrap_or_else(|| pearl.nacre.seed()),
     }
+}
+
+/// Size of a lump: the file's, or a share of the pearl's width, so that a pearl of another size has the same form.
+pub(crate) fn lump_mm_of(pearl: &TransportSpec) -> f64 {
+    pearl.shape.lump_mm.unwrap_or(LUMP * pearl.diameter_mm)
+}
+
+/// What a gauge reads of a pearl: the numbers that the trade's words for shapes stand for.
+pub fn dimensions_of(pearl: &TransportSpec) -> Dimensions {
+    Dimensions::of(&form_of(pearl))
 }
 
 /// How a pearl is turned. Left open, a pearl that is not round lies at rest with its axis across the view.

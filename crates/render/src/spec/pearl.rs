@@ -260,8 +260,8 @@ pub struct ShapeSpec {
     pub out_of_round: f64,
     /// Standard deviation of a baroque pearl's lumps.
     pub lumps: f64,
-    /// Size of a lump, from its top to its foot.
-    pub lump_mm: f64,
+    /// Size of a lump, from its top to its foot; by the pearl's size where left out.
+    pub lump_mm: Option<f64>,
     /// Number of grooves about the axis.
     pub circles: usize,
     /// Depth of a groove.
