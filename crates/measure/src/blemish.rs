@@ -16,10 +16,12 @@ const FARTHEST: f64 = 0.9;
 /// What is left out around the lamp's image: half-widths, and degrees of the normal.
 const CLEAR: (f64, f64) = (1.6, 8.0);
 /// Difference from the pearl's own course of colour, in CIELAB, from which a pixel belongs to a spot: about
-/// one that is just seen; and the same in running medians, for the pearl's texture and what it mirrors differ too
+/// one that is just seen; and the same in what is usual nearby, for the pearl's texture and what it mirrors differ too
 /// **(ours)**.
 const LEAST_DIFFERENCE: f64 = 1.0;
-const DEVIATIONS: f64 = 3.5;
+const DEVIATIONS: f64 = 5.0;
+/// Of what is nearby, this share differs less: few enough that spots beside each other do not hide themselves.
+const QUIET: f64 = 0.3;
 /// The smallest spot, in shares of the disc.
 const LEAST_SPOT: f64 = 2e-4;
 
@@ -57,7 +59,7 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
     }
     let radius = circle.radius_px / disc.factor as f64;
     let course = residuals(disc, &held, circle)?;
-    let usual = nearby(&course, &held, disc, radius);
+    let usual = nearby(&course, &held, disc, radius, 0.5);
     let less = |(one, usual): (&[f64; 3], &[f64; 3])| [0, 1, 2].map(|i| one[i] - usual[i]);
     let residual: Vec<[f64; 3]> = course.iter().zip(&usual).map(less).collect();
     let hides = |(pixel, held): (&Option<Pixel>, &bool)| {
@@ -73,7 +75,7 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
     };
     let size = |[l, a, b]: &[f64; 3]| [sqrt(l * l + a * a + b * b)];
     let difference: Vec<[f64; 1]> = residual.iter().map(size).collect();
-    let usual = nearby(&difference, &held, disc, radius);
+    let usual = nearby(&difference, &held, disc, radius, QUIET);
     let difference = difference.as_flattened();
     let thresholds: Vec<f64> =
         usual.iter().map(|[usual]| (DEVIATIONS * usual).max(LEAST_DIFFERENCE)).collect();
@@ -147,13 +149,11 @@ fn spots(
 /// The disc as large as a spot, around its middle, in original pixels.
 fn around(disc: &Disc, spot: &[usize]) -> Circle {
     let count = spot.len() as f64;
-    let side = disc.factor as f64;
-    let mean = |place: fn(&usize, usize) -> usize| {
-        spot.iter().map(|at| place(at, disc.width) as f64 + 0.5).sum::<f64>() / count * side
-    };
-    Circle {
-        x_px: mean(|at, width| at % width),
-        y_px: mean(|at, width| at / width),
-        radius_px: side * sqrt(count / std::f64::consts::PI),
+    let (mut x_px, mut y_px) = (0.0, 0.0);
+    for pixel in spot.iter().filter_map(|&at| disc.pixels[at].as_ref()) {
+        x_px += pixel.place.0 / count;
+        y_px += pixel.place.1 / count;
     }
+    let radius_px = disc.factor as f64 * sqrt(count / std::f64::consts::PI);
+    Circle { x_px, y_px, radius_px }
 }

@@ -1,21 +1,22 @@
-//! What is usual nearby: the running median, which follows slopes and edges of light, and no spots.
+//! What is usual nearby: a running quantile; the median which follows slopes and edges of light, and no spots.
 
 use crate::disc::Disc;
-use crate::value::median;
+use crate::value::quantile;
 
-/// How far around a place its neighbours lie, in radii: a spot of 0.2 radii fills under half of that **(ours)**.
-const REACH: f64 = 0.3;
+/// How far around a place its neighbours lie, in radii: a spot of 0.2 radii fills a quarter of that **(ours)**.
+const REACH: f64 = 0.4;
 /// Places at which the median is worked out, in a radius; between them it is taken as straight.
 const NODES: f64 = 24.0;
 /// About as many neighbours are enough.
 const ENOUGH: f64 = 300.0;
 
-/// The running median of each channel, where something is looked at; 0 elsewhere.
+/// A running quantile of each channel, where something is looked at; 0 elsewhere.
 pub fn nearby<const N: usize>(
     rest: &[[f64; N]],
     held: &[bool],
     disc: &Disc,
     radius: f64,
+    share: f64,
 ) -> Vec<[f64; N]> {
     let side = (radius / NODES).max(1.0);
     let (width, height) = (disc.width, rest.len() / disc.width);
@@ -40,7 +41,7 @@ pub fn nearby<const N: usize>(
                 }
             }
         }
-        (!parts[0].is_empty()).then(|| parts.map(|mut part| median(&mut part)))
+        (!parts[0].is_empty()).then(|| parts.map(|mut part| quantile(&mut part, share)))
     };
     let nodes: Vec<Option<[f64; N]>> = (0..columns * rows).map(own).collect();
     let usual = |at: usize| {
@@ -54,12 +55,12 @@ pub fn nearby<const N: usize>(
             right * down,
         ];
         let (mut sum, mut whole) = ([0.0; N], 0.0);
-        for (share, node) in
+        for (part, node) in
             shares.into_iter().zip([first, first + 1, first + columns, first + columns + 1])
         {
             if let Some(node) = nodes[node] {
-                sum = std::array::from_fn(|channel| sum[channel] + share * node[channel]);
-                whole += share;
+                sum = std::array::from_fn(|channel| sum[channel] + part * node[channel]);
+                whole += part;
             }
         }
         if whole > 0.0 { sum.map(|one| one / whole) } else { [0.0; N] }
