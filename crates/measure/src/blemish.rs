@@ -19,9 +19,9 @@ const CLEAR: (f64, f64) = (1.6, 8.0);
 /// one that is just seen; and the same in what is usual nearby, for the pearl's texture and what it mirrors differ too
 /// **(ours)**.
 const LEAST_DIFFERENCE: f64 = 1.0;
-const DEVIATIONS: f64 = 5.0;
-/// Of what is nearby, this share differs less: few enough that spots beside each other do not hide themselves.
-const QUIET: f64 = 0.3;
+const DEVIATIONS: f64 = 3.5;
+/// What is usual: of what is nearby, this share differs less. Below, mirrored tables count as spots.
+const QUIET: f64 = 0.5;
 /// The smallest spot, in shares of the disc.
 const LEAST_SPOT: f64 = 2e-4;
 

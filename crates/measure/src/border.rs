@@ -90,3 +90,29 @@ impl Differences<'_> {
         inside.then(|| row.cast_unsigned() * self.width + column.cast_unsigned())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a spot of 8 pixels of radius has a border, on a pearl of 64, when it fades over so many pixels.
+    fn is_bordered(fade_px: f64, hidden_from: usize) -> bool {
+        let width = 64;
+        let away = |at: usize| ((at % width) as f64 - 32.0).hypot((at / width) as f64 - 32.0);
+        let light = |at| [10.0 * (0.5 + (8.0 - away(at)) / fade_px).clamp(0.0, 1.0), 0.0, 0.0];
+        let residual: Vec<[f64; 3]> = (0..width * width).map(light).collect();
+        let hidden: Vec<bool> = (0..width * width).map(|at| at % width >= hidden_from).collect();
+        let held: Vec<bool> = hidden.iter().map(|hidden| !hidden).collect();
+        let spot: Vec<usize> =
+            (0..width * width).filter(|&at| held[at] && residual[at][0] >= 5.0).collect();
+        let (residual, held, hidden) = (&residual[..], &held[..], &hidden[..]);
+        Differences { residual, held, hidden, width, radius: 64.0 }.has_border(&spot)
+    }
+
+    #[test]
+    fn a_spot_has_a_border_and_what_fades_or_is_cut_off_by_the_lamp_has_none() {
+        assert!(is_bordered(1.0, 64) && is_bordered(3.0, 64));
+        assert!(!is_bordered(14.0, 64));
+        assert!(!is_bordered(1.0, 32));
+    }
+}

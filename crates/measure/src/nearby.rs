@@ -3,8 +3,8 @@
 use crate::disc::Disc;
 use crate::value::quantile;
 
-/// How far around a place its neighbours lie, in radii: a spot of 0.2 radii fills a quarter of that **(ours)**.
-const REACH: f64 = 0.4;
+/// How far around a place its neighbours lie, in radii: a spot of 0.2 radii fills under half of that **(ours)**.
+const REACH: f64 = 0.3;
 /// Places at which the median is worked out, in a radius; between them it is taken as straight.
 const NODES: f64 = 24.0;
 /// About as many neighbours are enough.
