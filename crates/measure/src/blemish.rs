@@ -1,13 +1,13 @@
 //! Blemishes: spots that differ from the pearl around them.
 
-use std::collections::HashSet;
-
 use libm::{fabs, sqrt};
 use serde::Serialize;
 
+use crate::border::Differences;
 use crate::course::residuals;
 use crate::disc::{Disc, Pixel};
 use crate::lamp::Highlight;
+use crate::nearby::nearby;
 use crate::value::median;
 use crate::{Circle, Value};
 
@@ -16,12 +16,12 @@ const FARTHEST: f64 = 0.9;
 /// What is left out around the lamp's image: half-widths, and degrees of the normal.
 const CLEAR: (f64, f64) = (1.6, 8.0);
 /// Difference from the pearl's own course of colour, in CIELAB, from which a pixel belongs to a spot: about
-/// one that is just seen; and the same in medians over the pearl, whose own texture differs too **(ours)**.
+/// one that is just seen; and the same in what is usual nearby, for the pearl's texture and what it mirrors differ too
+/// **(ours)**.
 const LEAST_DIFFERENCE: f64 = 1.0;
 const DEVIATIONS: f64 = 3.5;
-/// A spot ends: so far off it, in radii, at most this share of its difference is left **(ours)**.
-const OFF: f64 = 0.06;
-const LEFT: f64 = 0.5;
+/// What is usual: of what is nearby, this share differs less. Below, mirrored tables count as spots.
+const QUIET: f64 = 0.5;
 /// The smallest spot, in shares of the disc.
 const LEAST_SPOT: f64 = 2e-4;
 
@@ -35,7 +35,7 @@ pub struct Blemishes {
     pub count: usize,
     /// Share of the visible half of the ball that was looked at.
     pub looked_at: f64,
-    /// The difference that counted, in CIELAB.
+    /// The difference that counted, in CIELAB: the median over what was looked at.
     pub threshold: f64,
     /// Middles, and radii of discs as large as they look, in pixels, the largest first.
     pub spots: Vec<Circle>,
@@ -57,33 +57,50 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
     if looked_at < 0.1 {
         return None;
     }
-    let residual = residuals(disc, &held, circle)?;
-    let difference: Vec<f64> =
-        residual.iter().map(|[l, a, b]| sqrt(l * l + a * a + b * b)).collect();
-    let off = ((OFF * circle.radius_px / disc.factor as f64).round() as usize).max(2);
-    let mut sizes: Vec<f64> =
-        difference.iter().zip(&held).filter(|(_, held)| **held).map(|(one, _)| *one).collect();
-    let threshold = (DEVIATIONS * median(&mut sizes)).max(LEAST_DIFFERENCE);
+    let radius = circle.radius_px / disc.factor as f64;
+    let course = residuals(disc, &held, circle)?;
+    let usual = nearby(&course, &held, disc, radius, 0.5);
+    let less = |(one, usual): (&[f64; 3], &[f64; 3])| [0, 1, 2].map(|i| one[i] - usual[i]);
+    let residual: Vec<[f64; 3]> = course.iter().zip(&usual).map(less).collect();
+    let hides = |(pixel, held): (&Option<Pixel>, &bool)| {
+        !held && pixel.is_some_and(|pixel| pixel.away < FARTHEST)
+    };
+    let hidden: Vec<bool> = disc.pixels.iter().zip(&held).map(hides).collect();
+    let map = Differences {
+        residual: &residual,
+        held: &held,
+        hidden: &hidden,
+        width: disc.width,
+        radius,
+    };
+    let size = |[l, a, b]: &[f64; 3]| [sqrt(l * l + a * a + b * b)];
+    let difference: Vec<[f64; 1]> = residual.iter().map(size).collect();
+    let usual = nearby(&difference, &held, disc, radius, QUIET);
+    let difference = difference.as_flattened();
+    let thresholds: Vec<f64> =
+        usual.iter().map(|[usual]| (DEVIATIONS * usual).max(LEAST_DIFFERENCE)).collect();
+    let mut looked: Vec<f64> =
+        (0..held.len()).filter(|&at| held[at]).map(|at| thresholds[at]).collect();
+    let threshold = median(&mut looked);
     let least = LEAST_SPOT * std::f64::consts::PI / (unit * unit);
-    let at = |threshold: f64| {
-        let mut spots = spots(disc, &difference, &held, threshold);
-        spots.retain(|spot| {
-            spot.len() as f64 >= least.max(2.0) && ends(spot, &residual, &held, disc.width, off)
-        });
+    let at = |factor: f64| {
+        let mut spots = spots(disc, difference, &held, |at| factor * thresholds[at]);
+        spots.retain(|spot| spot.len() as f64 >= least.max(2.0));
         // Its border is where half of its difference is left, as seen through pixels that are averaged.
         for spot in &mut spots {
             let mut own: Vec<f64> = spot.iter().map(|&at| difference[at]).collect();
             let level = 0.5 * median(&mut own);
             spot.retain(|&at| difference[at] >= level);
         }
+        spots.retain(|spot| map.has_border(spot));
         spots
     };
     let percent = |spots: &[Vec<usize>]| {
         // The sum of nothing is -0.
         100.0 * spots.iter().flatten().map(|&at| areas[at]).sum::<f64>() / whole + 0.0
     };
-    let found = at(threshold);
-    let doubt = 0.5 * (percent(&at(0.75 * threshold)) - percent(&at(1.25 * threshold)));
+    let found = at(1.0);
+    let doubt = 0.5 * (percent(&at(0.75)) - percent(&at(1.25)));
     let mut spots: Vec<Circle> = found.iter().map(|spot| around(disc, spot)).collect();
     spots.sort_by(|one, other| other.radius_px.total_cmp(&one.radius_px));
     let area = Value::new(percent(&found), fabs(doubt));
@@ -99,30 +116,15 @@ fn areas(disc: &Disc, circle: &Circle) -> Vec<f64> {
     disc.pixels.iter().map(area).collect()
 }
 
-/// Whether the difference of a spot is gone a little off it: that of a slow course of colour is not.
-fn ends(spot: &[usize], residual: &[[f64; 3]], held: &[bool], width: usize, off: usize) -> bool {
-    let mut own = [0.0; 3];
-    for &at in spot {
-        own = [0, 1, 2].map(|i| own[i] + residual[at][i] / spot.len() as f64);
-    }
-    let within: HashSet<usize> = spot.iter().copied().collect();
-    let (mut left, mut count) = (0.0, 0.0);
-    for &at in spot {
-        for near in [at.wrapping_sub(off), at + off, at.wrapping_sub(off * width), at + off * width]
-        {
-            if held.get(near).copied().unwrap_or(false) && !within.contains(&near) {
-                left += (0..3).map(|i| residual[near][i] * own[i]).sum::<f64>();
-                count += 1.0;
-            }
-        }
-    }
-    count > 0.0 && left < LEFT * count * own.iter().map(|one| one * one).sum::<f64>()
-}
-
 /// Pixels beyond a threshold that hang together.
-fn spots(disc: &Disc, difference: &[f64], held: &[bool], threshold: f64) -> Vec<Vec<usize>> {
+fn spots(
+    disc: &Disc,
+    difference: &[f64],
+    held: &[bool],
+    threshold: impl Fn(usize) -> f64,
+) -> Vec<Vec<usize>> {
     let mut free: Vec<bool> =
-        difference.iter().zip(held).map(|(one, held)| *held && *one > threshold).collect();
+        (0..held.len()).map(|at| held[at] && difference[at] > threshold(at)).collect();
     let mut spots = Vec::new();
     for first in 0..free.len() {
         if !free[first] {
@@ -147,13 +149,11 @@ fn spots(disc: &Disc, difference: &[f64], held: &[bool], threshold: f64) -> Vec<
 /// The disc as large as a spot, around its middle, in original pixels.
 fn around(disc: &Disc, spot: &[usize]) -> Circle {
     let count = spot.len() as f64;
-    let side = disc.factor as f64;
-    let mean = |place: fn(&usize, usize) -> usize| {
-        spot.iter().map(|at| place(at, disc.width) as f64 + 0.5).sum::<f64>() / count * side
-    };
-    Circle {
-        x_px: mean(|at, width| at % width),
-        y_px: mean(|at, width| at / width),
-        radius_px: side * sqrt(count / std::f64::consts::PI),
+    let (mut x_px, mut y_px) = (0.0, 0.0);
+    for pixel in spot.iter().filter_map(|&at| disc.pixels[at].as_ref()) {
+        x_px += pixel.place.0 / count;
+        y_px += pixel.place.1 / count;
     }
+    let radius_px = disc.factor as f64 * sqrt(count / std::f64::consts::PI);
+    Circle { x_px, y_px, radius_px }
 }

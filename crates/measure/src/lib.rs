@@ -26,6 +26,7 @@
 //! ```
 
 mod blemish;
+mod border;
 mod circle;
 mod contour;
 mod course;
@@ -34,6 +35,7 @@ mod edge;
 mod error;
 mod lamp;
 mod measures;
+mod nearby;
 mod outline;
 mod path;
 mod picture;
