@@ -26,7 +26,7 @@
 //! ```
 
 mod blemish;
-mod border;
+
 mod circle;
 mod contour;
 mod course;
@@ -35,16 +35,18 @@ mod edge;
 mod error;
 mod lamp;
 mod measures;
-mod nearby;
 mod outline;
 mod path;
 mod picture;
+mod regions;
 mod rim;
 mod rings;
 mod search;
 mod solve;
+mod spot;
 mod value;
 mod white;
+mod window;
 
 pub use blemish::Blemishes;
 pub use circle::Circle;
