@@ -35,6 +35,9 @@ const ENOUGH: usize = 400;
 /// A course over the ring: 1, x, y, x^2, x y, y^2.
 const TERMS: usize = 6;
 
+/// A course of each channel.
+type Course = [Vec<f64>; 3];
+
 /// A map of differences from the pearl's own course, in CIELAB.
 pub struct Map<'a> {
     pub residual: &'a [[f64; 3]],
@@ -135,25 +138,25 @@ impl<'a> Ring<'a> {
     }
 
     /// Where a place of the window lies from the region's middle, in reaches.
-    fn from_middle(&self, at: usize) -> (f64, f64) {
+    fn offset(&self, at: usize) -> (f64, f64) {
         let place = self.window.places[at];
         let (x, y) = ((place % self.map.width) as f64, (place / self.map.width) as f64);
         ((x - self.middle.0) / self.reach, (y - self.middle.1) / self.reach)
     }
 
     fn terms(&self, at: usize) -> [f64; TERMS] {
-        let (x, y) = self.from_middle(at);
+        let (x, y) = self.offset(at);
         [1.0, x, y, x * x, x * y, y * y]
     }
 
-    fn less(&self, at: usize, course: &[Vec<f64>; 3]) -> [f64; 3] {
+    fn less(&self, at: usize, course: &Course) -> [f64; 3] {
         let terms = self.terms(at);
         let own = self.map.residual[self.window.places[at]];
         [0, 1, 2].map(|i| own[i] - product(&terms, &course[i]))
     }
 
     /// The course of the surroundings, robustly, and what is left of them.
-    fn course(&self) -> Option<([Vec<f64>; 3], Vec<[f64; 3]>)> {
+    fn course(&self) -> Option<(Course, Vec<[f64; 3]>)> {
         let taken: Vec<usize> = self
             .around
             .iter()
@@ -201,7 +204,7 @@ impl<'a> Ring<'a> {
     }
 
     fn sector(&self, at: usize, of: usize) -> usize {
-        let (x, y) = self.from_middle(at);
+        let (x, y) = self.offset(at);
         (((atan2(y, x) / TAU).rem_euclid(1.0) * of as f64) as usize).min(of - 1)
     }
 

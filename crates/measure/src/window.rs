@@ -37,7 +37,7 @@ impl Window {
         let (out, within) = (distance(&inside, columns), distance(&outside, columns));
         let away: Vec<f64> = out.iter().zip(&within).map(|(out, within)| out - within).collect();
         let area = inside.iter().filter(|inside| **inside).count();
-        let border = within.iter().filter(|&&within| within == 1.0).count();
+        let border = within.iter().filter(|&&within| within > 0.0 && within < 1.2).count();
         Self { places, away, area, border }
     }
 }
