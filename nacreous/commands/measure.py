@@ -157,22 +157,17 @@ def _white(given: str, linear: NDArray[np.float32]) -> tuple[float, float, float
 
     from nacreous import colour
 
+    allowed = f"--white is {given!r}; allowed: '#rrggbb', or X,Y,SIDE in pixels"
     if given.startswith("#"):
         try:
-            codes = bytes.fromhex(given[1:])
-        except ValueError:
-            codes = b""
-        if len(codes) != 3:
-            raise InputError(f"--white is {given!r}; allowed: '#rrggbb', or X,Y,SIDE in pixels")
-        red, green, blue = colour.decode(np.array([*codes]) / 255).tolist()
-        return red, green, blue
+            return colour.linear_from_hex(given)
+        except InputError:
+            raise InputError(allowed) from None
     try:
         x, y, side = (float(part) for part in given.split(","))
         left, top, wide = round(x - side / 2), round(y - side / 2), round(side)
     except (ValueError, OverflowError):  # of no number, and of nan and inf
-        raise InputError(
-            f"--white is {given!r}; allowed: '#rrggbb', or X,Y,SIDE in pixels"
-        ) from None
+        raise InputError(allowed) from None
     height, width = linear.shape[:2]
     right, below = left + wide, top + wide
     if not (0 <= left < right <= width and 0 <= top < below <= height):

@@ -1,41 +1,45 @@
 //! Blemishes: spots that differ from the pearl around them.
 
-use std::collections::HashSet;
-
 use libm::{fabs, sqrt};
 use serde::Serialize;
 
 use crate::course::residuals;
 use crate::disc::{Disc, Pixel};
 use crate::lamp::Highlight;
-use crate::value::median;
+use crate::regions::regions;
+use crate::spot::{Map, Spot, spot};
 use crate::{Circle, Value};
 
 /// Out to here the pearl is looked at: nearer to the rim, spots are seen too obliquely.
 const FARTHEST: f64 = 0.9;
+/// Out to here surroundings are.
+const SURROUNDINGS: f64 = 0.96;
 /// What is left out around the lamp's image: half-widths, and degrees of the normal.
 const CLEAR: (f64, f64) = (1.6, 8.0);
-/// Difference from the pearl's own course of colour, in CIELAB, from which a pixel belongs to a spot: about
-/// one that is just seen; and the same in medians over the pearl, whose own texture differs too **(ours)**.
+/// Difference from the surroundings' own course of colour, in CIELAB, from which a region is a spot: about one
+/// that is just seen.
 const LEAST_DIFFERENCE: f64 = 1.0;
-const DEVIATIONS: f64 = 3.5;
-/// A spot ends: so far off it, in radii, at most this share of its difference is left **(ours)**.
-const OFF: f64 = 0.06;
-const LEFT: f64 = 0.5;
-/// The smallest spot, in shares of the disc.
-const LEAST_SPOT: f64 = 2e-4;
+/// The smallest spot, in shares of the disc and pixels, and the largest, a radius in radii: what is larger is shading or
+/// mirrored **(ours)**.
+const LEAST_SPOT: (f64, f64) = (2e-4, 4.0);
+const LARGEST_SPOT: f64 = 0.17;
+/// Regions that share more than this are one spot.
+const SHARED: f64 = 0.3;
+/// Where spots fill more than this of what lies within 2.5 radii of one, and 0.2 of the pearl's, it is a pattern,
+/// mirrored **(ours)**.
+const PATTERN: f64 = 0.3;
 
 /// Spots found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Blemishes {
-    /// Their area on the ball, in percent of what was looked at; its error: half of what a threshold a
-    /// quarter lower or higher changes.
+    /// Their area on the ball, in percent of what was looked at; its error: half of what thresholds a
+    /// quarter lower or higher change.
     pub area: Value,
     /// How many there are.
     pub count: usize,
     /// Share of the visible half of the ball that was looked at.
     pub looked_at: f64,
-    /// The difference that counted, in CIELAB.
+    /// The least difference that counts, in CIELAB.
     pub threshold: f64,
     /// Middles, and radii of discs as large as they look, in pixels, the largest first.
     pub spots: Vec<Circle>,
@@ -43,51 +47,100 @@ pub struct Blemishes {
 
 /// Looks for spots on a ball; None where too little of it is left.
 pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> Option<Blemishes> {
-    let looks = |pixel: &Pixel| {
-        let lamp = highlight.is_some_and(|lamp| lamp.covers(circle, pixel.place, CLEAR.0, CLEAR.1));
-        pixel.away < FARTHEST && !pixel.clipped && !lamp
+    let open: Vec<bool> =
+        disc.pixels.iter().map(|pixel| is_open(pixel.as_ref(), circle, highlight)).collect();
+    let within = |most: f64, hidden: bool| -> Vec<bool> {
+        let inside = |pixel: &Option<Pixel>| pixel.is_some_and(|pixel| pixel.away < most);
+        disc.pixels.iter().zip(&open).map(|(one, open)| inside(one) && *open != hidden).collect()
     };
-    let held: Vec<bool> =
-        disc.pixels.iter().map(|pixel| pixel.as_ref().is_some_and(looks)).collect();
+    let (looked, held, hidden) =
+        (within(FARTHEST, false), within(SURROUNDINGS, false), within(1.0, true));
     let areas = areas(disc, circle);
-    let whole: f64 =
-        areas.iter().zip(&held).map(|(area, held)| f64::from(u8::from(*held)) * area).sum();
-    let unit = disc.factor as f64 / circle.radius_px;
-    let looked_at = whole * unit * unit / std::f64::consts::TAU;
+    let area = |at: usize| if looked[at] { areas[at] } else { 0.0 };
+    let whole: f64 = (0..areas.len()).map(area).sum();
+    let radius = circle.radius_px / disc.factor as f64;
+    let looked_at = whole / (radius * radius) / std::f64::consts::TAU;
     if looked_at < 0.1 {
         return None;
     }
     let residual = residuals(disc, &held, circle)?;
-    let difference: Vec<f64> =
-        residual.iter().map(|[l, a, b]| sqrt(l * l + a * a + b * b)).collect();
-    let off = ((OFF * circle.radius_px / disc.factor as f64).round() as usize).max(2);
-    let mut sizes: Vec<f64> =
-        difference.iter().zip(&held).filter(|(_, held)| **held).map(|(one, _)| *one).collect();
-    let threshold = (DEVIATIONS * median(&mut sizes)).max(LEAST_DIFFERENCE);
-    let least = LEAST_SPOT * std::f64::consts::PI / (unit * unit);
-    let at = |threshold: f64| {
-        let mut spots = spots(disc, &difference, &held, threshold);
-        spots.retain(|spot| {
-            spot.len() as f64 >= least.max(2.0) && ends(spot, &residual, &held, disc.width, off)
-        });
-        // Its border is where half of its difference is left, as seen through pixels that are averaged.
-        for spot in &mut spots {
-            let mut own: Vec<f64> = spot.iter().map(|&at| difference[at]).collect();
-            let level = 0.5 * median(&mut own);
-            spot.retain(|&at| difference[at] >= level);
-        }
-        spots
-    };
-    let percent = |spots: &[Vec<usize>]| {
+    let map = Map { residual: &residual, held: &held, hidden: &hidden, width: disc.width, radius };
+    let known = known(&map);
+    let percent = |spots: &[&Spot]| {
+        let covered = covered(spots, held.len());
         // The sum of nothing is -0.
-        100.0 * spots.iter().flatten().map(|&at| areas[at]).sum::<f64>() / whole + 0.0
+        100.0 * (0..covered.len()).filter(|&at| covered[at]).map(area).sum::<f64>() / whole + 0.0
     };
-    let found = at(threshold);
-    let doubt = 0.5 * (percent(&at(0.75 * threshold)) - percent(&at(1.25 * threshold)));
-    let mut spots: Vec<Circle> = found.iter().map(|spot| around(disc, spot)).collect();
+    let mut found = chosen(&known, 1.0, &map);
+    let value = percent(&found);
+    let doubt = 0.5 * (percent(&chosen(&known, 0.75, &map)) - percent(&chosen(&known, 1.25, &map)));
+    found.retain(|spot| spot.places.iter().any(|&at| looked[at]));
+    let mut spots: Vec<Circle> = found.iter().map(|spot| around(disc, &spot.places)).collect();
     spots.sort_by(|one, other| other.radius_px.total_cmp(&one.radius_px));
-    let area = Value::new(percent(&found), fabs(doubt));
-    Some(Blemishes { area, count: spots.len(), looked_at, threshold, spots })
+    let area = Value::new(value, fabs(doubt));
+    Some(Blemishes { area, count: spots.len(), looked_at, threshold: LEAST_DIFFERENCE, spots })
+}
+
+/// Whether a place is no lamp's image and not clipped.
+fn is_open(pixel: Option<&Pixel>, circle: &Circle, highlight: Option<Highlight>) -> bool {
+    pixel.is_some_and(|pixel| {
+        let lamp = highlight.is_some_and(|lamp| lamp.covers(circle, pixel.place, CLEAR.0, CLEAR.1));
+        !pixel.clipped && !lamp
+    })
+}
+
+/// What may be spots, the sharpest first.
+fn known(map: &Map<'_>) -> Vec<Spot> {
+    let disc = std::f64::consts::PI * map.radius * map.radius;
+    let least = (LEAST_SPOT.0 * disc).max(LEAST_SPOT.1) as usize;
+    let most = (LARGEST_SPOT * LARGEST_SPOT * disc) as usize;
+    let mut known: Vec<Spot> =
+        regions(map, least, most).iter().filter_map(|region| spot(map, region)).collect();
+    known.sort_by(|one, other| other.sharpness.total_cmp(&one.sharpness));
+    known
+}
+
+/// Those that differ enough, by a factor; of those over each other the sharpest, and none of patterns.
+fn chosen<'a>(known: &'a [Spot], factor: f64, map: &Map<'_>) -> Vec<&'a Spot> {
+    let differs =
+        |spot: &&Spot| spot.contrast >= factor * LEAST_DIFFERENCE && spot.clearness >= factor;
+    let mut taken = vec![false; map.held.len()];
+    let mut chosen = Vec::new();
+    for spot in known.iter().filter(differs) {
+        let shared = spot.places.iter().filter(|&&at| taken[at]).count();
+        if shared as f64 <= SHARED * spot.places.len() as f64 {
+            spot.places.iter().for_each(|&at| taken[at] = true);
+            chosen.push(spot);
+        }
+    }
+    chosen.retain(|spot| is_alone(spot, &taken, map));
+    chosen
+}
+
+/// Whether there are few other spots around one.
+fn is_alone(spot: &Spot, taken: &[bool], map: &Map<'_>) -> bool {
+    let count = spot.places.len() as f64;
+    let mean = |of: &dyn Fn(usize) -> usize| {
+        spot.places.iter().map(|&at| of(at) as f64).sum::<f64>() / count
+    };
+    let (x, y) = (mean(&|at| at % map.width), mean(&|at| at / map.width));
+    let reach = (2.5 * spot.radius).max(0.2 * map.radius);
+    let near = |at: &usize| {
+        let (right, down) = ((at % map.width) as f64 - x, (at / map.width) as f64 - y);
+        map.held[*at] && right * right + down * down <= reach * reach
+    };
+    let (mut all, mut filled) = (-count, -count);
+    for at in (0..taken.len()).filter(near) {
+        all += 1.0;
+        filled += f64::from(u8::from(taken[at]));
+    }
+    all > 0.0 && filled <= PATTERN * all
+}
+
+fn covered(spots: &[&Spot], count: usize) -> Vec<bool> {
+    let mut covered = vec![false; count];
+    spots.iter().flat_map(|spot| &spot.places).for_each(|&at| covered[at] = true);
+    covered
 }
 
 /// What each pixel covers of the ball, in pixels seen from straight ahead.
@@ -99,61 +152,14 @@ fn areas(disc: &Disc, circle: &Circle) -> Vec<f64> {
     disc.pixels.iter().map(area).collect()
 }
 
-/// Whether the difference of a spot is gone a little off it: that of a slow course of colour is not.
-fn ends(spot: &[usize], residual: &[[f64; 3]], held: &[bool], width: usize, off: usize) -> bool {
-    let mut own = [0.0; 3];
-    for &at in spot {
-        own = [0, 1, 2].map(|i| own[i] + residual[at][i] / spot.len() as f64);
-    }
-    let within: HashSet<usize> = spot.iter().copied().collect();
-    let (mut left, mut count) = (0.0, 0.0);
-    for &at in spot {
-        for near in [at.wrapping_sub(off), at + off, at.wrapping_sub(off * width), at + off * width]
-        {
-            if held.get(near).copied().unwrap_or(false) && !within.contains(&near) {
-                left += (0..3).map(|i| residual[near][i] * own[i]).sum::<f64>();
-                count += 1.0;
-            }
-        }
-    }
-    count > 0.0 && left < LEFT * count * own.iter().map(|one| one * one).sum::<f64>()
-}
-
-/// Pixels beyond a threshold that hang together.
-fn spots(disc: &Disc, difference: &[f64], held: &[bool], threshold: f64) -> Vec<Vec<usize>> {
-    let mut free: Vec<bool> =
-        difference.iter().zip(held).map(|(one, held)| *held && *one > threshold).collect();
-    let mut spots = Vec::new();
-    for first in 0..free.len() {
-        if !free[first] {
-            continue;
-        }
-        free[first] = false;
-        let (mut spot, mut next) = (Vec::new(), vec![first]);
-        while let Some(at) = next.pop() {
-            spot.push(at);
-            for near in [at.wrapping_sub(1), at + 1, at.wrapping_sub(disc.width), at + disc.width] {
-                if free.get(near).copied().unwrap_or(false) {
-                    free[near] = false;
-                    next.push(near);
-                }
-            }
-        }
-        spots.push(spot);
-    }
-    spots
-}
-
 /// The disc as large as a spot, around its middle, in original pixels.
 fn around(disc: &Disc, spot: &[usize]) -> Circle {
     let count = spot.len() as f64;
-    let side = disc.factor as f64;
-    let mean = |place: fn(&usize, usize) -> usize| {
-        spot.iter().map(|at| place(at, disc.width) as f64 + 0.5).sum::<f64>() / count * side
-    };
-    Circle {
-        x_px: mean(|at, width| at % width),
-        y_px: mean(|at, width| at / width),
-        radius_px: side * sqrt(count / std::f64::consts::PI),
+    let (mut x_px, mut y_px) = (0.0, 0.0);
+    for pixel in spot.iter().filter_map(|&at| disc.pixels[at].as_ref()) {
+        x_px += pixel.place.0 / count;
+        y_px += pixel.place.1 / count;
     }
+    let radius_px = disc.factor as f64 * sqrt(count / std::f64::consts::PI);
+    Circle { x_px, y_px, radius_px }
 }

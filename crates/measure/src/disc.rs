@@ -4,6 +4,9 @@ use crate::contour::Contour;
 use crate::white::{White, lab};
 use crate::{Circle, Picture};
 
+/// Beyond so many mean radii from the middle no pearl reaches.
+const FARTHEST: f64 = 2.0;
+
 /// The pearl in a picture of blocks.
 pub struct Disc {
     /// Pixels in a row of the copy.
@@ -40,14 +43,26 @@ impl Disc {
     ) -> Self {
         let Circle { radius_px, .. } = contour.middle;
         let factor = (radius_px / most_px).ceil().max(1.0) as usize;
-        let small = picture.reduced(factor);
+        // Of a small pearl in a large picture nothing else is copied.
+        let part = |middle: f64, side: usize| {
+            let ends = [middle - FARTHEST * radius_px, middle + FARTHEST * radius_px];
+            let [first, last] =
+                ends.map(|end| ((end.max(0.0) / factor as f64) as usize).min(side / factor));
+            first..(last + 1).min(side / factor)
+        };
+        let (columns, rows) = (
+            part(contour.middle.x_px, picture.width()),
+            part(contour.middle.y_px, picture.height()),
+        );
+        let (left, top) = (columns.start, rows.start);
+        let small = picture.reduced_part(factor, columns, rows);
         let share = contour.share();
         let pixel = |at: usize| {
-            let (row, column) = (at / small.width, at % small.width);
+            let (row, column) = (top + at / small.width, left + at % small.width);
             let place = ((column as f64 + 0.5) * factor as f64, (row as f64 + 0.5) * factor as f64);
             let far =
                 (place.0 - contour.middle.x_px).abs().max((place.1 - contour.middle.y_px).abs());
-            let away = if far > 2.0 * radius_px { far } else { share(place.0, place.1) };
+            let away = if far > FARTHEST * radius_px { far } else { share(place.0, place.1) };
             (away < 1.0).then(|| {
                 let rgb = small.light[at];
                 let xyz = white.xyz(rgb);

@@ -26,6 +26,7 @@
 //! ```
 
 mod blemish;
+
 mod circle;
 mod contour;
 mod course;
@@ -37,12 +38,15 @@ mod measures;
 mod outline;
 mod path;
 mod picture;
+mod regions;
 mod rim;
 mod rings;
 mod search;
 mod solve;
+mod spot;
 mod value;
 mod white;
+mod window;
 
 pub use blemish::Blemishes;
 pub use circle::Circle;

@@ -53,7 +53,11 @@ impl Outline {
 pub fn near(picture: &Picture<'_>, given: Circle) -> Result<Outline, MeasureError> {
     require_inside(picture, given)?;
     match trace(picture, Contour::round(given), &FIRST_ROUNDS, RAYS.0) {
-        Some(first) if first.is_seen() => Ok(refined(picture, first)),
+        Some(first) if first.is_seen() => {
+            let outline = refined(picture, first);
+            require_inside(picture, outline.contour.middle)?;
+            Ok(outline)
+        }
         other => Ok(Outline {
             contour: Contour::round(given),
             share: other.map_or(0.0, |one| one.share),

@@ -1,5 +1,7 @@
 //! Linear light [row, column, rgb], looked up between pixels.
 
+use std::ops::Range;
+
 use libm::floor;
 
 use crate::MeasureError;
@@ -68,12 +70,23 @@ impl<'a> Picture<'a> {
 
     /// Means over blocks of `factor` x `factor` pixels; what is left over is left out.
     pub(crate) fn reduced(&self, factor: usize) -> Reduced {
-        let (width, height) = (self.width / factor, self.height / factor);
+        self.reduced_part(factor, 0..self.width / factor, 0..self.height / factor)
+    }
+
+    /// The same of some columns and rows of blocks alone.
+    pub(crate) fn reduced_part(
+        &self,
+        factor: usize,
+        columns: Range<usize>,
+        rows: Range<usize>,
+    ) -> Reduced {
+        let (width, height) = (columns.len(), rows.len());
         let mut light = vec![[0.0; 3]; width * height];
         let share = 1.0 / (factor * factor) as f64;
         for row in 0..height * factor {
             for column in 0..width * factor {
-                let first = 3 * (row * self.width + column);
+                let (x, y) = (columns.start * factor + column, rows.start * factor + row);
+                let first = 3 * (y * self.width + x);
                 let block = &mut light[row / factor * width + column / factor];
                 for channel in 0..3 {
                     block[channel] += share * f64::from(self.light[first + channel]);

@@ -38,10 +38,15 @@ pub fn jackknife(left_out: &[f64]) -> f64 {
 
 /// The middle of some numbers; NaN of none. They are put in order.
 pub fn median(values: &mut [f64]) -> f64 {
+    quantile(values, 0.5)
+}
+
+/// What so large a share of some numbers lies below; NaN of none. They are put in order.
+pub fn quantile(values: &mut [f64], share: f64) -> f64 {
     if values.is_empty() {
         return f64::NAN;
     }
-    let middle = values.len() / 2;
+    let middle = ((share * values.len() as f64) as usize).min(values.len() - 1);
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 

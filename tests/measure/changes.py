@@ -1,0 +1,128 @@
+"""Changes of a picture that its measures should not follow, and how far they do.
+
+    python -m tests.measure.changes
+
+prints the table of docs/measure.md.
+"""
+
+import io
+from collections.abc import Callable
+
+import numpy as np
+from PIL import Image
+
+import nacreous as nc
+from nacreous.measure import Measures, measure
+from tests.measure.synthetic import Light
+
+#: The white under which pictures are turned: illuminant A, against D65.
+THERE, D65 = np.array([1.0985, 1.0, 0.3558]), np.array([0.95047, 1.0, 1.08883])
+PEARLS = ("tahitian", "akoya-rg", "south-sea-gold")
+SCENES = ("paper", "north-window-black")
+SIZES = (192, 384)
+#: Light is made darker by this, so that no code ends before it does.
+DARKER = 0.25
+
+
+def numbers(found: Measures) -> dict[str, float]:
+    """What must not change with the picture's making."""
+    assert found.roundness is not None
+    assert found.lamp is not None
+    assert found.lamp.haze is not None
+    assert found.interference is not None
+    assert found.rings is not None
+    chroma = {
+        f"ring {number}": ring.colour.chroma.value
+        for number, ring in enumerate(found.rings)
+        if ring.colour is not None and ring.share > 0.5
+    }
+    return chroma | {
+        "diameter": found.size.mean.value,
+        "half-width": found.lamp.half_width_deg.value,
+        "peak": found.lamp.peak,
+        "gloss": found.lamp.contrast_gloss.value,
+        "haze": found.lamp.haze.value,
+        "chroma": found.interference.chroma.value,
+        "orient": found.interference.orient.value,
+        "score": found.interference.score.value,
+    }
+
+
+def jpeg(linear: Light) -> Light:
+    stream = io.BytesIO()
+    codes = np.rint(255 * nc.colour.encode(np.clip(linear, 0, 1))).astype(np.uint8)
+    Image.fromarray(codes).save(stream, "JPEG", quality=90)
+    read = np.asarray(Image.open(stream), float) / 255
+    return nc.colour.decode(read).astype(np.float32)
+
+
+def halved(linear: Light) -> Light:
+    side = len(linear) // 2
+    return linear.reshape(side, 2, side, 2, 3).mean((1, 3), dtype=np.float32)
+
+
+def shifted(linear: Light) -> Light:
+    """By 3.4 pixels to the left and 1.7 down, the border going on."""
+    rows, columns = np.clip(np.arange(len(linear)) - 1.7, 0, None), np.arange(len(linear)) + 3.4
+    for axis, place in ((0, rows), (1, np.clip(columns, 0, len(linear) - 1.01))):
+        first = place.astype(int)
+        part = (place - first).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+        linear = (1 - part) * linear.take(first, axis) + part * linear.take(first + 1, axis)
+    return linear.astype(np.float32)
+
+
+def turned(linear: Light) -> Light:
+    """As illuminant A would show it."""
+    xyz = nc.colour.xyz_from_rgb(linear.astype(float))
+    return nc.colour.rgb_from_xyz(nc.colour.adapt(xyz, D65, THERE)).astype(np.float32)
+
+
+#: By name: the change, what it makes of lengths, and of the white.
+CHANGES: dict[str, tuple[Callable[[Light], Light], float, bool]] = {
+    "jpeg": (jpeg, 1.0, False),
+    "half size": (halved, 0.5, False),
+    "shift": (shifted, 1.0, False),
+    "white": (turned, 1.0, True),
+}
+
+
+def moved(linear: Light, change: str, white: float = 1.0) -> dict[str, tuple[float, float]]:
+    """Each measure before and after a change, lengths scaled alike; nan where refused after."""
+    made, length, is_turned = CHANGES[change]
+    before = numbers(measure(linear, white=(white,) * 3))
+    other = np.maximum(white * nc.colour.rgb_from_xyz(THERE), 1e-3) if is_turned else [white] * 3
+    after = numbers(measure(made(linear), white=other))
+    before["diameter"] *= length
+    return {name: (value, after.get(name, np.nan)) for name, value in before.items()}
+
+
+def main() -> None:
+    print(
+        "| measure |",
+        " | ".join(f"{change}, {size} px" for size in SIZES for change in CHANGES),
+        "|",
+    )
+    print("|---" * (1 + len(CHANGES) * len(SIZES)) + "|")
+    most: dict[str, dict[tuple[int, str], float]] = {}
+    for size in SIZES:
+        for pearl in PEARLS:
+            for scene in SCENES:
+                linear = DARKER * nc.render(pearl, scene, size=size, samples=4).linear
+                for change in CHANGES:
+                    for name, (before, after) in moved(linear, change, DARKER).items():
+                        kind = "a ring's chroma" if name.startswith("ring") else name
+                        # A ring of a grey has no chroma to keep a share of.
+                        off = (
+                            100
+                            * abs(after - before)
+                            / max(abs(before), 3.0 if "ring" in kind else 1e-3)
+                        )
+                        row = most.setdefault(kind, {})
+                        row[size, change] = max(row.get((size, change), 0.0), off)
+    for name, row in most.items():
+        cells = (f"{row[size, change]:.1f}" for size in SIZES for change in CHANGES)
+        print(f"| {name} |", " | ".join(cells), "|")
+
+
+if __name__ == "__main__":
+    main()
