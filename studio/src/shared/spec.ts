@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * ddc7179faa46c9472c27a98215bf6bd2bf674dae057911aead43d58d054e7983
+ * 7a64c7fcc4917d68de307a2d371d70a2da544be4331883fa70a49ddb8bf28d3d
  */
 
 /**
@@ -137,6 +137,10 @@ export interface Coat {
    * Share of what differs that lies in bands about the axis of growth. Allowed: 0 to 1. Source: trade, circled pearls; the share is **(ours)**.
    */
   banding?: number;
+  /**
+   * Share of what differs beside the bands that changes with the angle it is seen at: patches that go over into others as the pearl turns. Allowed: 0 to 1. Source: paper 6 wishes for it, by chaos; the map is **(ours)** (docs/coat.md).
+   */
+  liveliness?: number;
   /**
    * Spread of the lean of a hammered surface: shallow dents that break the lamp's image. Allowed: 0 to 0.2 rad. Source: trade, hammered pearls; the number is **(ours)**.
    */
@@ -581,6 +585,10 @@ export interface Row {
    * The pearls: presets, files relative to this one, "*" for the next of the pearls given to render, or "*0", "*1" and so on for one of them. Allowed: 1 to 400 pearl presets, paths ending in .toml, "*" or "*0" to "*999". Source: **(ours)**.
    */
   pearls?: string[];
+  /**
+   * How they lie: side by side on a line, or around a neck ("neck"), each touching the next, in the only row of its scene. Allowed: "line" or "neck". Source: trade: strands are shown around a bust; the ellipse is **(ours)**.
+   */
+  form?: "line" | "neck";
   /**
    * What the row is, for people who read the file. Allowed: one line of 1 to 120 characters. Left out: no label. Source: trade: masters above, goods below.
    */

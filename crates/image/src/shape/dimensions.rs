@@ -115,7 +115,7 @@ impl Figure {
         let crossing = |along: usize| {
             let [[above, wide], [below, next]] = [place(along), place(along + 1)];
             let part = (above - height) / (above - below);
-            (0.0..=1.0).contains(&part).then(|| wide + part * (next - wide))
+            (0.0..=1.0).contains(&part).then_some(wide + part * (next - wide))
         };
         (0..ALONG).filter_map(crossing).fold(f64::MIN_POSITIVE, f64::max)
     }
