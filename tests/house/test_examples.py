@@ -8,7 +8,7 @@ import pytest
 
 EXAMPLES = sorted((Path(__file__).parent.parent.parent / "examples").glob("*.py"))
 #: Whether an example runs does not hang on how finely it does.
-OPTIONS = {"families.py": (".", "roughly")}
+OPTIONS = {"families.py": (".", "roughly"), "shapes.py": ("shapes.png", "48")}
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.name)
