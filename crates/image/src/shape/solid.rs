@@ -238,11 +238,10 @@ impl Solid {
             if outward == DVec3::ZERO { normal.any_orthonormal_vector() } else { outward };
         let point = self.surface(towards).0;
         let along = |direction: DVec3| {
-            let step_mm = BEND_STEP * self.radius_mm;
-            let [before, after] = [-step_mm, step_mm]
-                .map(|step| self.surface((point + direction * step).normalize()));
-            let moved = (after.0 - before.0).dot(direction);
-            ((after.1 - before.1).dot(direction) * self.radius_mm / moved).abs()
+            let aside = point + direction * (BEND_STEP * self.radius_mm);
+            let (place, turned) = self.surface(aside.normalize());
+            let moved_mm = (place - point).dot(direction);
+            ((turned - normal).dot(direction) * self.radius_mm / moved_mm).abs()
         };
         [along(outward), along(normal.cross(outward))].map(|bend| bend.max(LEAST_BEND))
     }
