@@ -25,27 +25,26 @@ DARKER = 0.25
 
 
 def numbers(found: Measures) -> dict[str, float]:
-    """What must not change with the picture's making."""
-    assert found.roundness is not None
-    assert found.lamp is not None
-    assert found.lamp.haze is not None
-    assert found.interference is not None
-    assert found.rings is not None
-    chroma = {
-        f"ring {number}": ring.colour.chroma.value
-        for number, ring in enumerate(found.rings)
-        if ring.colour is not None and ring.share > 0.5
-    }
-    return chroma | {
-        "diameter": found.size.mean.value,
-        "half-width": found.lamp.half_width_deg.value,
-        "peak": found.lamp.peak,
-        "gloss": found.lamp.contrast_gloss.value,
-        "haze": found.lamp.haze.value,
-        "chroma": found.interference.chroma.value,
-        "orient": found.interference.orient.value,
-        "score": found.interference.score.value,
-    }
+    """What must not change with the picture's making; without what was refused."""
+    numbers = {"diameter": found.size.mean.value}
+    for number, ring in enumerate(found.rings or ()):
+        if ring.colour is not None and ring.share > 0.5:
+            numbers[f"ring {number}"] = ring.colour.chroma.value
+    if (lamp := found.lamp) is not None:
+        numbers |= {
+            "half-width": lamp.half_width_deg.value,
+            "peak": lamp.peak,
+            "gloss": lamp.contrast_gloss.value,
+        }
+        if lamp.haze is not None:
+            numbers["haze"] = lamp.haze.value
+    if (colours := found.interference) is not None:
+        numbers |= {
+            "chroma": colours.chroma.value,
+            "orient": colours.orient.value,
+            "score": colours.score.value,
+        }
+    return numbers
 
 
 def jpeg(linear: Light) -> Light:
@@ -118,9 +117,10 @@ def main() -> None:
                             / max(abs(before), 3.0 if "ring" in kind else 1e-3)
                         )
                         row = most.setdefault(kind, {})
-                        row[size, change] = max(row.get((size, change), 0.0), off)
+                        if not np.isnan(off):
+                            row[size, change] = max(row.get((size, change), 0.0), off)
     for name, row in most.items():
-        cells = (f"{row[size, change]:.1f}" for size in SIZES for change in CHANGES)
+        cells = (f"{row.get((size, change), np.nan):.1f}" for size in SIZES for change in CHANGES)
         print(f"| {name} |", " | ".join(cells), "|")
 
 
