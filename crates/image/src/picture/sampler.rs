@@ -5,19 +5,12 @@
 
 use std::{ops::Range, sync::Arc};
 
-use glam::DVec3;
-
 use crate::{
-    coat::local::Local,
     parallel,
-    pearl::{
-        model::{Model, Pearl},
-        reflection_cache::Arounds,
-        sight::{Sight, Spread},
-    },
+    pearl::model::Pearl,
     picture::{
         channels::CHANNELS,
-        detail::{ALIKE, DARK, Detail, FEWEST_ALIKE, FINE, RIM, RIM_PX},
+        detail::{ALIKE, DARK, Detail},
         pixel::Pixel,
         reflections::{Reflections, pixels_mm},
         tent::{rook, tent, width_between},
@@ -49,15 +42,6 @@ pub struct Sampler {
     pub(super) pixel_mm: Vec<f64>,
     pub(super) reflections: Arc<Reflections>,
 }
-
-/// So near to a silhouette, in pixels, a pixel has to know how far off it is.
-const NEAR_PX: f64 = 4.0;
-
-/// Places of one pixel that lie farther apart than this share of a pearl's radius are of different parts of it **(ours)**.
-const STEP: f64 = 0.08;
-
-/// Width of an even disc that spreads as a pixel's tent does.
-const PIXEL_PX: f64 = 1.633;
 
 impl Sampler {
     /// `pearls[i]` is the ball `surroundings.balls[i]`; `samples_side` samples stand along a pixel's side.
@@ -122,28 +106,6 @@ impl Sampler {
             pixel.shadow = self.surroundings.shadow(&self.camera.ray(x, y));
             pixel.store(out);
         }
-    }
-
-    /// The balls that a pixel may show.
-    fn find(&self, row: usize, column: usize, balls: &[usize], view: &mut View) {
-        let (x, y) = self.place(row, column, 0.0, 0.0);
-        let ray = self.camera.ray(x, y);
-        view.balls.clear();
-        view.inside_mm.clear();
-        view.free_mm.clear();
-        for &ball in balls {
-            let aside_mm = 2.0 * self.pixel_mm[ball];
-            if !self.surroundings.is_passed(ball, &ray, aside_mm) {
-                let near_mm = NEAR_PX * self.pixel_mm[ball];
-                let (inside_mm, free_mm) = self.surroundings.inside_mm(ball, &ray, near_mm);
-                if inside_mm > -aside_mm {
-                    view.balls.push(ball);
-                    view.inside_mm.push(inside_mm);
-                    view.free_mm.push(free_mm);
-                }
-            }
-        }
-        view.clear();
     }
 
     /// Through a point of a pixel, offsets in pixels from the pixel's middle.
@@ -219,15 +181,6 @@ impl Sampler {
         (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + dark))
     }
 
-    /// Whether one part of a pearl stood before another in the samples.
-    fn shows_steps(&self, view: &View) -> bool {
-        let (Some([near_mm, far_mm]), &[ball]) = (view.reach_mm, &view.balls[..]) else {
-            return false;
-        };
-        far_mm - near_mm
-            > (STEP * self.surroundings.balls[ball].radius_mm).max(2.0 * self.pixel_mm[ball])
-    }
-
     /// All samples.
     fn all(&self, (row, column): (usize, usize), view: &mut View) {
         let side = self.offsets.len();
@@ -264,60 +217,6 @@ impl Sampler {
         1.0 / self.offsets.len().pow(2) as f64
     }
 
-    /// What detail a pixel may have.
-    fn detail(&self, row: usize, column: usize, view: &View) -> Detail {
-        let many = self.offsets.len() >= FEWEST_ALIKE;
-        let ray = self.ray((row, column), 0.0, 0.0);
-        let crossed =
-            |(&ball, inside_mm): (&usize, &f64)| inside_mm.abs() < RIM_PX * self.pixel_mm[ball];
-        if view.balls.iter().zip(&view.inside_mm).any(crossed) {
-            return Detail::Rim;
-        }
-        let ball = match view.balls[..] {
-            [] if many => return Detail::Unknown,
-            [ball] => ball,
-            [] | [_, _, ..] => return Detail::Edges,
-        };
-        let (radius_mm, pixel_mm) = (self.surroundings.balls[ball].radius_mm, self.pixel_mm[ball]);
-        let rim_mm = view.inside_mm[0];
-        if rim_mm <= 3.0 * pixel_mm {
-            return Detail::Rim;
-        }
-        let cached = self.reflections.are_cached(ball);
-        if !self.pearls[ball].model.is_smooth() {
-            return if many { Detail::Unknown } else { Detail::Edges };
-        }
-        if self.pearls[ball].has_fine_relief() {
-            return if cached { Detail::BelowPixel } else { Detail::Edges };
-        }
-        let hides = self.surroundings.hides_itself(ball);
-        if cached && !hides && rim_mm > RIM * radius_mm && pixel_mm < FINE * radius_mm {
-            Detail::None
-        } else if !cached && self.shows(ball, &ray, Model::has_edges) {
-            Detail::Edges
-        } else {
-            Detail::BelowPixel
-        }
-    }
-
-    /// Whether a pixel around a line of sight shows something of what a ball mirrors.
-    pub(super) fn shows(
-        &self,
-        ball: usize,
-        ray: &Ray,
-        something: impl Fn(&Model, &Lit, &Sight) -> bool,
-    ) -> bool {
-        let pixel_mm = self.pixel_mm[ball];
-        let hit = self.surroundings.nearest(ball, ray);
-        let spread = self.spread(ball, &hit, -ray.along, PIXEL_PX);
-        let (view, part, around) = (-ray.along, (0, 1), Arounds::default());
-        let outward = self.surroundings.outward(ball, &hit);
-        let (local, grain) = (Local::EVEN, None);
-        let sight =
-            Sight { ball, hit, outward, local, grain, view, pixel_mm, spread, part, around };
-        something(&self.pearls[ball].model, &self.surroundings, &sight)
-    }
-
     /// What one line of sight shows. Gives its light.
     fn sample(&self, ray: &Ray, (weight, part): (f64, (usize, usize)), view: &mut View) -> Rgb {
         let Some((place, hit)) = self.front(ray, view) else {
@@ -330,67 +229,6 @@ impl Sampler {
         let shade = self.pearls[ball].shade(&self.surroundings, &sight);
         view.parts[place].add(&shade, weight);
         shade.light()
-    }
-
-    /// What a point of a ball mirrors to so many pixels' width of the picture.
-    pub(super) fn spread(&self, ball: usize, hit: &Hit, view: DVec3, width_px: f64) -> Spread {
-        self.bent_spread(ball, hit, self.surroundings.bend(ball, hit, view), width_px)
-    }
-
-    /// The same where the surface's curvature is known.
-    fn bent_spread(&self, ball: usize, hit: &Hit, bend: [f64; 2], width_px: f64) -> Spread {
-        let width = width_px * self.pixel_mm[ball] / self.surroundings.balls[ball].radius_mm;
-        Spread::of_bent(width, hit.cos_view, bend)
-    }
-
-    /// The curvature of a ball where a sample sees it, worked out once a pixel; and how far off that is.
-    fn bend(&self, ball: usize, hit: &Hit, ray: &Ray, view: &mut View) -> [f64; 2] {
-        if self.surroundings.solid(ball).is_none() {
-            return [1.0; 2];
-        }
-        let far_mm = hit.point.distance(ray.from);
-        let [near, far] = view.reach_mm.unwrap_or([far_mm; 2]);
-        view.reach_mm = Some([near.min(far_mm), far.max(far_mm)]);
-        let worked_out = || self.surroundings.bend(ball, hit, -ray.along);
-        if view.balls.len() > 1 {
-            return worked_out();
-        }
-        *view.bend.get_or_insert_with(worked_out)
-    }
-
-    /// A point of a ball under the eye, with the relief of its coat.
-    pub(super) fn sight(
-        &self,
-        (ball, hit): (usize, Hit),
-        view: DVec3,
-        spread: Spread,
-        part: (usize, usize),
-    ) -> Sight {
-        let (pearl, pixel_mm) = (&self.pearls[ball], self.pixel_mm[ball]);
-        let outward = self.surroundings.outward(ball, &hit);
-        if !pearl.has_relief() {
-            let (local, grain) = (Local::EVEN, None);
-            let around = self.reflections.around(ball, hit.normal);
-            return Sight {
-                ball,
-                hit,
-                outward,
-                local,
-                grain,
-                view,
-                pixel_mm,
-                spread,
-                part,
-                around,
-            };
-        }
-        let (local, grain) =
-            pearl.local((outward, hit.cos_view), self.surroundings.balls[ball].radius_mm, pixel_mm);
-        let normal = local.normal(hit.normal, view);
-        let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
-        let spread = spread.over_slopes(local.fine_slope2);
-        let around = self.reflections.around(ball, normal);
-        Sight { ball, hit, outward, local, grain, view, pixel_mm, spread, part, around }
     }
 
     /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.

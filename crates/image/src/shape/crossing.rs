@@ -1,0 +1,147 @@
+//! Where a line of sight meets a pearl that is not round.
+//!
+//! Steps that cannot pass the surface (Hart 1996), as long as its steepness allows, then Newton's.
+//! Left out: rises thinner than the least feature, which no form has.
+
+use glam::DVec3;
+
+use crate::shape::{ball::Hit, solid::Solid};
+
+/// A line of sight as the form has it, over half of the pearl's width.
+pub(super) struct Line {
+    pub(super) from: DVec3,
+    pub(super) along: DVec3,
+}
+
+impl Line {
+    pub(super) fn point(&self, t: f64) -> DVec3 {
+        self.from + self.along * t
+    }
+
+    /// From where to where it is nearer to the middle than `reach`.
+    pub(super) fn within(&self, reach: f64) -> Option<[f64; 2]> {
+        let middle = -self.from.dot(self.along);
+        let passing2 = (self.from + self.along * middle).length_squared();
+        let half2 = reach * reach - passing2;
+        (half2 > 0.0 && middle + half2.sqrt() > 0.0)
+            .then(|| [(middle - half2.sqrt()).max(0.0), middle + half2.sqrt()])
+    }
+}
+
+/// Nearer to the surface than this, over the pearl's half width, a line of sight has met it.
+const MET: f64 = 1e-10;
+/// From here on nothing lies between that a longer step could pass.
+const NEAR: f64 = 1e-3;
+
+/// The most steps of a ray; near a silhouette many are short.
+const MOST_STEPS: usize = 200;
+/// No form has a rise that is thinner than this share of half its width.
+const LEAST_FEATURE: f64 = 0.02;
+/// At the silhouette the cosine of the view angle is taken to be at least this.
+const LEAST_COSINE: f64 = 1e-5;
+
+impl Solid {
+    /// Where a ray from `from`, as seen from the middle, meets the surface.
+    pub fn hit(&self, from: DVec3, along: DVec3) -> Option<Hit> {
+        self.followed(from, along, [0.0; 2]).0
+    }
+
+    /// The same from `near_mm` on, where that is outside of the pearl; and how far the ray goes without coming nearer to the
+    /// pearl than `clear_mm`, from where rays beside it may be followed.
+    pub(crate) fn followed(
+        &self,
+        from: DVec3,
+        along: DVec3,
+        [near_mm, clear_mm]: [f64; 2],
+    ) -> (Option<Hit>, f64) {
+        let line = self.line(from, along);
+        let Some([start, end]) = self.hull.within(from, along) else { return (None, near_mm) };
+        let [start, end] = [start.max(0.0), end].map(|mm| mm / self.radius_mm);
+        let [near, clear] = [near_mm, clear_mm * self.steepest].map(|mm| mm / self.radius_mm);
+        let mut t = if near > start && self.height(&line, near).0 > 0.0 { near } else { start };
+        let (mut outside, mut free, mut is_clear) = (t, t, true);
+        for _ in 0..MOST_STEPS {
+            if t > end {
+                return (None, free * self.radius_mm);
+            }
+            let (height, change) = self.height(&line, t);
+            is_clear &= height > clear;
+            if is_clear {
+                free = t;
+            }
+            if height < MET {
+                // Past the surface, the place is between here and the last one outside.
+                let met = if height > -MET { t } else { self.between(&line, outside, t) };
+                return (Some(self.met(&line, met)), free * self.radius_mm);
+            }
+            outside = t;
+            t += self.step(height, change);
+        }
+        (None, free * self.radius_mm)
+    }
+
+    /// How far a ray may go on at a height above the surface, and its change.
+    fn step(&self, height: f64, change: f64) -> f64 {
+        let sure = height / self.steepest;
+        match -height / change {
+            // It moves away, and nothing that it could meet again is thinner than this.
+            _ if change >= 0.0 => sure.max(LEAST_FEATURE),
+            newton if height < NEAR => newton.max(sure),
+            newton => newton.clamp(sure, 2.0 * sure),
+        }
+    }
+
+    /// Where it meets the surface, or the place at the silhouette that it passes nearest to.
+    pub(crate) fn nearest(&self, from: DVec3, along: DVec3) -> Hit {
+        self.hit(from, along).unwrap_or_else(|| {
+            let line = self.line(from, along);
+            let own = line.point(self.passing(&line).at).normalize();
+            let mut hit = self.hit_in(own, line.along);
+            // Grazed from outside.
+            hit.cos_view = hit.cos_view.max(LEAST_COSINE);
+            hit
+        })
+    }
+
+    pub(super) fn line(&self, from: DVec3, along: DVec3) -> Line {
+        Line { from: self.pose.own(from) / self.radius_mm, along: self.pose.own(along) }
+    }
+
+    /// How far a place of a line is from the surface, and how fast that changes.
+    fn height(&self, line: &Line, t: f64) -> (f64, f64) {
+        let point = line.point(t);
+        let far = point.length();
+        let towards = point / far;
+        let (radius, gradient) = self.form.at(towards);
+        (far - radius, line.along.dot(towards - gradient / far))
+    }
+
+    /// The crossing between a place outside and one inside.
+    fn between(&self, line: &Line, mut low: f64, mut high: f64) -> f64 {
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if self.height(line, middle).0 > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+
+    fn met(&self, line: &Line, t: f64) -> Hit {
+        self.hit_in(line.point(t).normalize(), line.along)
+    }
+
+    /// The surface in a direction of the form, seen along another; the point is as from the middle.
+    fn hit_in(&self, own: DVec3, along: DVec3) -> Hit {
+        let (radius, gradient) = self.form.at(own);
+        let normal = (own - gradient / radius).normalize();
+        let cos_view = (-normal.dot(along)).max(LEAST_COSINE);
+        Hit {
+            point: self.pose.scene(own * radius) * self.radius_mm,
+            normal: self.pose.scene(normal),
+            cos_view,
+        }
+    }
+}
