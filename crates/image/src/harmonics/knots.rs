@@ -39,7 +39,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::harmonics::directions_of_grid;
+    use crate::harmonics::analysis::directions_of_grid;
 
     #[test]
     fn a_smooth_field_between_knots_is_what_it_is_there_poles_included() {
