@@ -1,4 +1,7 @@
-"""Nine pearls of unlike shapes and colours on black cloth: `python examples/shapes.py out.png [SIZE]`."""
+"""Nine pearls of unlike shapes and colours on black cloth.
+
+`python examples/shapes.py out.png [SIZE]`, SIZE being pixels a side.
+"""
 
 import sys
 
