@@ -302,3 +302,15 @@ def test_frames_of_several_different_pearls_are_kept_too(tmp_path: Path) -> None
     before = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
     nc.turn.save(tmp_path / "out", PATCHED, tray, **how)
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
+
+
+def test_more_than_fits_is_refused_before_any_frame_is_laid_out(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("nacreous.turn.plan.plan", never)
+    words = ["turn", "akoya-rg", "--size", "8192", "--frames", "2000", "-o", "t.webp"]
+    assert main(words) == 2
+    assert "allowed for .webp: 1000" in capsys.readouterr().err
