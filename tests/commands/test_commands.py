@@ -7,6 +7,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import time
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -17,8 +18,10 @@ from PIL import Image as Pillow
 
 import nacreous as nc
 from nacreous import cli
+from nacreous.file import read_panorama
 from nacreous.nacre import diary
 from nacreous.spec import Growth
+from nacreous.strand import read_lot
 
 Run = Callable[..., list[str]]
 
@@ -514,7 +517,7 @@ def test_a_link_that_leads_nowhere_is_called_so(tmp_path: Path) -> None:
     for name in ("lot.csv", "pearl.toml", "panorama.hdr"):
         (tmp_path / name).symlink_to("nowhere")
     for read, name in (
-        (nc.strand.read_lot, "lot.csv"),
+        (read_lot, "lot.csv"),
         (nc.Pearl.load, "pearl.toml"),
         (read_panorama, "panorama.hdr"),
     ):
