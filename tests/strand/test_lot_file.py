@@ -162,7 +162,7 @@ def test_what_falls_out_of_the_range_is_drawn_again_as_a_truncated_normal() -> N
     assert drawn.max() < 30
     assert kstest(drawn, truncnorm(*ends, 29, 5).cdf).pvalue > 0.01
     assert np.array_equal(wide.draw(300, seed=1).size_mm, drawn[:300])
-    with pytest.raises(nc.InputError, match="facet_spread_rad is 100, with which 1.9% of the"):
+    with pytest.raises(nc.InputError, match=r"facet_spread_rad is 100, with which 1\.9% of the"):
         AKOYA.replace({}, {"facet_spread_rad": 100.0})
 
 
@@ -188,7 +188,7 @@ def test_one_quantity_said_twice_is_refused_unless_both_agree(
 
 def test_a_lot_without_pearls_is_told_to_want_pearls(tmp_path: Path) -> None:
     (tmp_path / "lot.csv").write_text(HEAD)
-    with pytest.raises(nc.InputError, match="has no rows; allowed: 1 to 5000 pearls"):
+    with pytest.raises(nc.InputError, match=r"has no rows; allowed: 1 to 5000 pearls"):
         read_lot(tmp_path / "lot.csv")
 
 
