@@ -220,8 +220,8 @@ def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
     picture.save(sys.stdout.buffer if args.output == STREAM else args.output)
     say(
         f"{args.output}: {counted(len(strand), 'pearl')} {_LAID[args.laid]} in scene "
-        f"{scene.name}, {args.size} x {args.size}, {time.monotonic() - begin:.1f} s; body colours by the nearest pigment, "
-        f"{found.colour_off:.1f} CIEDE2000 off in mean",
+        f"{scene.name}, {args.size} x {args.size}, {time.monotonic() - begin:.1f} s; "
+        f"body colours by the nearest pigment, {found.colour_off:.1f} CIEDE2000 off in mean",
         [args.output],
     )
 
