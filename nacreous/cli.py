@@ -9,6 +9,7 @@ This frame turns what goes wrong into one plain line and an exit code; the comma
 | 2 | something given cannot be used; nothing was written |
 | 130 | interrupted; nothing was written |
 | 141 | the reader of a pipe went away, as `head` does |
+| 143 | terminated; nothing was written |
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from nacreous.commands.parser import COMMANDS, build_parser, nearest
 from nacreous.frames import without_pandas
 from nacreous.printable import printable
 from nacreous.problem import InputError
+from nacreous.stopping import code_of, how_stopped, stop_cleanly
 
 
 def run_program() -> int:
@@ -35,6 +37,7 @@ def run_program() -> int:
     # A notebook names a backend of its own to the programs that it starts; ours open no window.
     os.environ.pop("MPLBACKEND", None)
     without_pandas()
+    stop_cleanly()
     _speak_utf8()
     return main()
 
@@ -60,8 +63,8 @@ def main(argv: Sequence[str] | None = None) -> int:
             sys.stdout.flush()  # so that a closed pipe or a full disk shows here
     except InputError as problem:
         return _complain(str(problem), 2)
-    except KeyboardInterrupt:
-        return _complain("interrupted; nothing was written", 130)
+    except KeyboardInterrupt as stop:
+        return _stopped(stop)
     except BrokenPipeError:
         _leave_pipe()
         return 141
@@ -71,8 +74,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as problem:
         if not _wraps_interrupt(problem):
             raise
-        return _complain("interrupted; nothing was written", 130)
+        return _stopped(problem)
     return code
+
+
+def _stopped(stop: BaseException) -> int:
+    return _complain(f"{how_stopped(stop)}; nothing was written", code_of(stop))
 
 
 def _place(problem: OSError) -> str:
@@ -88,7 +95,9 @@ def _place(problem: OSError) -> str:
 
 def _wraps_interrupt(problem: Exception) -> bool:
     """Whether Ctrl-C met pydantic as it built a validator: it raises an error that quotes it."""
-    return type(problem).__name__ == "SchemaError" and "KeyboardInterrupt" in str(problem)
+    return type(problem).__name__ == "SchemaError" and any(
+        name in str(problem) for name in ("KeyboardInterrupt", "Terminated")
+    )
 
 
 def _run(arguments: list[str]) -> int:

@@ -249,7 +249,7 @@ def _same_file(one: str | PathLike[str], other: str | PathLike[str] | int) -> bo
 
 def _there(path: str | PathLike[str]) -> str | PathLike[str]:
     """The path, unless nothing is there."""
-    if not os.path.lexists(named(path)):
+    if not os.access(named(path), os.F_OK):  # behind links
         raise missing(path)
     return path
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from os import PathLike
 from pathlib import Path
 
@@ -19,6 +20,9 @@ def missing(path: str | PathLike[str], wanted: str = "") -> InputError:
     >>> str(missing("no such folder/pearl.toml", "a pearl file"))
     'no such folder/pearl.toml: does not exist; wanted: a pearl file'
     """
+    with suppress(OSError, ValueError):  # no link, or no name that one can have
+        leads = printable(str(Path(path).readlink()))
+        return InputError(f"{printable(os.fspath(path))}: is a link that leads nowhere, to {leads}")
     near = beside(path)
     hints = [f"; wanted: {wanted}" if wanted else "", f"; did you mean {near}?" if near else ""]
     return InputError(f"{printable(os.fspath(path))}: does not exist{''.join(hints)}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
@@ -60,7 +61,13 @@ def _again(cards: Sequence[Card], texts: Texts, output: str) -> str:
     line = command(cards, texts.language, output)
     if line is None:
         return f"<p>{_safe(texts('no_command'))}</p>\n"
-    return f"<p>{_safe(texts('again'))} <code>{_safe(line)}</code></p>\n"
+    return f"<p>{_safe(texts('again'))} {_code(line)}</p>\n"
+
+
+def _code(line: str) -> str:
+    """A command, whose options are broken between, and within only where one is too long."""
+    parts = re.split(r" (?=--?[a-z])", line)
+    return f"<code>{' '.join(f'<span>{_safe(part)}</span>' for part in parts)}</code>"
 
 
 def _batch(cards: Sequence[Card], texts: Texts) -> str:
@@ -132,9 +139,9 @@ def _factor(factor: Factor, texts: Texts) -> str:
 
 
 def _bounds(factor: Factor, texts: Texts) -> str:
-    """What the word stands for, and who says so, in the table's own English."""
+    """What the word stands for, and who says so."""
     here = {figure.quantity for figure in factor.figures}
     ranges = () if factor.word is None else factor.word.ranges
-    sources = dict.fromkeys(one.source.replace("**", "") for one in ranges if one.quantity in here)
-    said = "".join(f'<small lang="en">{_safe(one)}</small>' for one in sources)
+    sources = dict.fromkeys(one.said_by(texts.language) for one in ranges if one.quantity in here)
+    said = "".join(f"<small>{_safe(one)}</small>" for one in sources)
     return _safe(texts.bounds(factor)) + said

@@ -85,6 +85,8 @@ def run(args: argparse.Namespace) -> int:
         cards = card.make(args.pearl, args.scene, *how)
     card.save(args.output, cards, args.language)
     written = [_report(args.output, cards, time.monotonic() - begin)]
+    if note := _note(cards, args.set):
+        written.append(note)
     if args.json is not None:
         held = card.record(cards, args.output, args.language)
         with file.atomic(args.json) as temporary:
@@ -92,6 +94,16 @@ def run(args: argparse.Namespace) -> int:
         written.append(f"{args.json}: all factors")
     say("\n".join(written))
     return 0
+
+
+def _note(cards: list[Card], settings: list[str]) -> str:
+    """What was set and changes nothing."""
+    import json
+
+    from nacreous.commands.idle import idle_note
+
+    pearls = [card.pearl.model_dump(mode="json") for card in cards]
+    return idle_note(json.dumps({"pearls": pearls}), settings)
 
 
 def _files(args: argparse.Namespace) -> list[str]:

@@ -84,7 +84,9 @@ def _pearl(name: str, settings: list[str]) -> Pearl:
     from nacreous.spec.specfile import find
 
     parsed = [override.parse(setting) for setting in settings]
-    overrides = [(f"nacre.{key.removeprefix('nacre.')}", value) for key, value in parsed]
+    full = [(f"nacre.{key.removeprefix('nacre.')}", value) for key, value in parsed]
+    once = override.once(f"{key}={value}" for key, value in full)
+    overrides = [override.parse(setting) for setting in once]
     path = Path(name)
     is_name = path.suffix.lower() != ".toml" and len(path.parts) == 1 and name != STREAM
     if is_name and not path.is_file():

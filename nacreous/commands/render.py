@@ -91,6 +91,7 @@ def run(args: argparse.Namespace) -> int:
     """Check everything, render, write, say what was made."""
     from nacreous import image
     from nacreous.commands import standard
+    from nacreous.commands.idle import idle_note
     from nacreous.commands.progress import bar
 
     output = _output(args)
@@ -105,6 +106,8 @@ def run(args: argparse.Namespace) -> int:
     place = sys.stdout.buffer if output == STREAM else output
     outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
     say(_report(output, job, time.monotonic() - begin, outside), [output])
+    if note := idle_note(job.made.json, args.set):
+        say(note, [output])
     return 0
 
 
@@ -144,7 +147,9 @@ def _first(args: argparse.Namespace) -> _Job:
 def _settings(args: argparse.Namespace) -> list[str]:
     """What --word and --set say, as key=value; where both set a key, the latter counts."""
     if not args.word:
-        return list(args.set)  # without reading the table
+        from nacreous.spec.override import once
+
+        return once(args.set)  # without reading the table
     from nacreous.trade import with_words
 
     return with_words(args.word, args.set)
@@ -229,7 +234,9 @@ def _report(output: str, job: _Job, seconds: float, outside: float) -> str:
     shown = f"{1 + len(others)} different pearls"
     if not others:
         stack, _ = _core.stack_of_nacre(json.dumps(pearl["nacre"]))
-        nacre = f"{len(stack)} layers, {stack.total_um():.0f} um of nacre"
+        given_mm = pearl.get("body", {}).get("nacre_mm")
+        nacre_um = stack.total_um() if given_mm is None else 1000 * given_mm
+        nacre = f"{len(stack)} layers, {nacre_um:.0f} um of nacre"
         shown = f"pearl {pearl['name']} ({nacre})"
     line = (
         f"{output}: {shown} in scene {values['scene']['name']}, {values['size']} x "

@@ -53,7 +53,7 @@ def _of_table(place: str) -> dict[str, tuple[Called, ...]]:
     from nacreous.scaling.data.spreadsheet import as_given
     from nacreous.scaling.data.table import read_table
 
-    table = read_table(place, [{_LABEL}])
+    table = read_table(place, [{_LABEL}], rows="stimuli")
     faults = table.faults()
     if _LABEL not in table.columns:
         faults.say(f"has no column {_LABEL}; it has {', '.join(table.columns)}")

@@ -7,7 +7,7 @@ import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from nacreous.commands.terminal import say
+from nacreous.commands.terminal import counted, say
 
 if TYPE_CHECKING:
     from nacreous.strand import Lot, Sorting, Strand
@@ -120,15 +120,18 @@ def draw(args: argparse.Namespace) -> int:
     """Draw a lot and write it."""
     from nacreous import file
     from nacreous.commands import standard
+    from nacreous.number import whole_of
     from nacreous.strand import AKOYA, write_lot
+    from nacreous.strand.lot import MOST_PEARLS
 
     standard.check_output(args.output, (".csv",))
+    whole_of("--count", args.count, 1, MOST_PEARLS)
     changes = (_numbers("mean", args.mean), _numbers("spread", args.deviation))
     lot = AKOYA.replace(*changes).draw(args.count, args.seed)
     with standard.writing(args.output, ".csv") as output, file.atomic(output) as temporary:
         write_lot(temporary, lot)
     sizes = f"{lot.size_mm.min():.2f} to {lot.size_mm.max():.2f} mm"
-    say(f"{args.output}: {len(lot)} pearls, {sizes}, seed {args.seed}", [args.output])
+    say(f"{args.output}: {counted(len(lot), 'pearl')}, {sizes}, seed {args.seed}", [args.output])
     return 0
 
 
@@ -137,11 +140,14 @@ def sort(args: argparse.Namespace) -> int:
     from nacreous import file
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
+    from nacreous.number import whole_of, within
     from nacreous.strand import Form, cut_lot, read_lot, sort_lot, write_sorted
+    from nacreous.strand.form import LONGEST, MOST_GRADUATED_MM
 
     standard.check_output(args.output, (".csv",))
     standard.require_apart([args.output], [args.lot])
-    form = Form(args.length, args.graduated)
+    length = whole_of("--length", args.length, 2, LONGEST)
+    form = Form(length, within("--graduated", args.graduated, 0, MOST_GRADUATED_MM))
     with standard.reading(args.lot, ".csv") as given:
         lot = read_lot(given)
     begin = time.monotonic()
@@ -155,7 +161,7 @@ def sort(args: argparse.Namespace) -> int:
         return 0
     cut = cut_lot(lot, form, args.strands).score
     say(
-        f"{args.output}: {len(sorting.strands)} strands of {form.length} pearls, "
+        f"{args.output}: {counted(len(sorting.strands), 'strand')} of {form.length} pearls, "
         f"{len(sorting.spare)} left over, {seconds:.1f} s; mean score {sorting.score:.2f} "
         f"(0 is all alike), sorted and cut {cut:.2f}",
         [args.output],
@@ -213,10 +219,9 @@ def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
         picture = image.render_recipe(made, progress)
     picture.save(sys.stdout.buffer if args.output == STREAM else args.output)
     say(
-        f"{args.output}: {len(strand)} pearls {_LAID[args.laid]} in scene {scene.name}, "
-        f"{args.size} x {args.size}, {time.monotonic() - begin:.1f} s; "
-        "body colours by the nearest pigment, "
-        f"{found.colour_off:.1f} CIEDE2000 off in mean",
+        f"{args.output}: {counted(len(strand), 'pearl')} {_LAID[args.laid]} in scene "
+        f"{scene.name}, {args.size} x {args.size}, {time.monotonic() - begin:.1f} s; "
+        f"body colours by the nearest pigment, {found.colour_off:.1f} CIEDE2000 off in mean",
         [args.output],
     )
 

@@ -7,7 +7,16 @@ from collections.abc import Collection
 
 from nacreous.printable import printable_lines
 
-__all__ = ["say"]
+__all__ = ["counted", "say"]
+
+
+def counted(count: int, what: str) -> str:
+    """A number of things.
+
+    >>> counted(1, "strand"), counted(2, "strand")
+    ('1 strand', '2 strands')
+    """
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def say(text: str, outputs: Collection[str] = ()) -> None:

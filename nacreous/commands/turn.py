@@ -19,6 +19,7 @@ examples:
   nacreous turn tahitian --what lamp --scene north-window-black -o lamp.gif
   nacreous turn akoya-rg --degrees 90 --frames 24 -o quarter.png
   nacreous turn tahitian --set coat.thickness_spread=0.06 -o frames   a folder of pictures
+  nacreous turn akoya-rg --word shape=Drop         words of the trade (nacreous words)
   nacreous turn tahitian -o turn.mp4               a video:   pip install 'nacreous[video]'
 
 A folder that was interrupted is gone on with by the same call.
@@ -54,6 +55,14 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change one key of a file"
     )
     parser.add_argument(
+        "--word",
+        action="append",
+        default=[],
+        metavar="FACTOR=WORD",
+        help="set the keys that a word of the trade stands for, such as luster=Excellent; --set "
+        "goes before it",
+    )
+    parser.add_argument(
         "-o",
         "--output",
         default="turn.webp",
@@ -65,6 +74,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run(args: argparse.Namespace) -> int:
     """Check everything, render the frames, keep them, say what was made."""
     from nacreous.commands import standard
+    from nacreous.commands.idle import idle_note
     from nacreous.commands.progress import bar
     from nacreous.named_files import files_needed
     from nacreous.problem import InputError
@@ -74,7 +84,7 @@ def run(args: argparse.Namespace) -> int:
 
     if args.output == STREAM:
         raise InputError("- is given as the output; allowed: a file or a folder")
-    place = turn.check_place(args.output, args.size)
+    place = turn.check_place(args.output, args.size, args.frames, args.fps)
     pearl, scene = _specs(args)
     laid = plan(pearl, scene, args.frames, args.what, args.degrees, args.size, args.samples)
     needed = files_needed(laid.recipes[0].json)
@@ -83,11 +93,12 @@ def run(args: argparse.Namespace) -> int:
     try:
         with bar("turning") as show:
             rendered = turn.keep(place, laid, args.fps, show)
-    except KeyboardInterrupt:
-        return _interrupted(place, laid)
+    except KeyboardInterrupt as stop:
+        return _interrupted(place, laid, stop)
     say(_report(args.output, laid, rendered, time.monotonic() - begin))
-    if note := _note(pearl, args.what):
-        say(note)
+    for note in (_note(pearl, args.what), idle_note(laid.recipes[0].json, args.set)):
+        if note:
+            say(note)
     return 0
 
 
@@ -95,20 +106,22 @@ def _specs(args: argparse.Namespace) -> tuple[Pearl, Scene]:
     """Pearl and scene, with single keys changed."""
     from nacreous.spec import Pearl, Scene
     from nacreous.spec.load import shared_out
+    from nacreous.trade import with_words
 
-    of_pearl, of_scene = shared_out(args.set)
+    of_pearl, of_scene = shared_out(with_words(args.word, args.set))
     return Pearl.load(args.pearl, of_pearl), Scene.load(args.scene, of_scene)
 
 
-def _interrupted(place: Path, laid: Plan) -> int:
+def _interrupted(place: Path, laid: Plan, stop: KeyboardInterrupt) -> int:
     """Of a folder, say how far it came; files are left as they were."""
+    from nacreous.stopping import code_of, how_stopped
     from nacreous.turn import series
 
     if not (series.is_folder(place) and (done := series.finished(place))):
-        raise KeyboardInterrupt
+        raise stop
     left = f"{done} of {len(laid.recipes)} frames are in {place}; the same call goes on"
-    say(f"nacreous: interrupted; {left}", ["-"])
-    return 130
+    say(f"nacreous: {how_stopped(stop)}; {left}", ["-"])
+    return code_of(stop)
 
 
 def _report(output: str, laid: Plan, rendered: int, seconds: float) -> str:

@@ -60,8 +60,7 @@ def _lines(factor: Factor, language: Language) -> list[str]:
     for word in factor.words:
         for number, one in enumerate(word.ranges):
             name = word.text(language) if number == 0 else ""
-            source = one.source.replace("**", "")
-            lines.append(f"  {_padded(name, 20)}  {_said(one)} [{source}]")
+            lines.append(f"  {_padded(name, 20)}  {_said(one)} [{one.said_by(language)}]")
     return lines
 
 

@@ -27,6 +27,24 @@ def parse(setting: str) -> tuple[str, str]:
     return key.strip(), value.strip()
 
 
+def once(settings: Iterable[str]) -> list[str]:
+    """The settings `key=value`, of which no two set the same key. Raises `InputError`.
+
+    >>> once(["depth=0.7", "depth=0.8"])
+    Traceback (most recent call last):
+    nacreous.problem.InputError: --set "depth=0.8": sets depth, as "depth=0.7" does; allowed: once
+    """
+    said: dict[str, str] = {}
+    for setting in settings:
+        key = parse(setting)[0]
+        if key in said:
+            raise InputError(
+                f"--set {shown(setting)}: sets {key}, as {shown(said[key])} does; allowed: once"
+            )
+        said[key] = setting
+    return list(said.values())
+
+
 def value_of(text: str) -> Any:
     """The TOML value that the text spells; text that is no TOML stands for itself.
 

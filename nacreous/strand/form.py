@@ -8,10 +8,12 @@ from numpy.typing import NDArray
 from nacreous.number import whole_of, within
 from nacreous.value import value_class
 
-__all__ = ["LONGEST", "Form"]
+__all__ = ["LONGEST", "MOST_GRADUATED_MM", "Form"]
 
 #: As many pearls as a scene may hold.
 LONGEST = 400
+#: From the smallest pearl of a lot to the largest.
+MOST_GRADUATED_MM = 29
 
 
 @value_class
@@ -30,7 +32,7 @@ class Form:
     def __post_init__(self) -> None:
         """Check both."""
         object.__setattr__(self, "length", whole_of("length", self.length, 2, LONGEST))
-        graduation_mm = within("graduation_mm", self.graduation_mm, 0, 29)
+        graduation_mm = within("graduation_mm", self.graduation_mm, 0, MOST_GRADUATED_MM)
         object.__setattr__(self, "graduation_mm", graduation_mm)
 
     @property

@@ -137,10 +137,7 @@ def _rounded(values: list[float]) -> list[float]:
 
 
 def _table(path: str | PathLike[str]) -> Table:
-    table = read_table(path, [set(_NUMBERS[:1])])
-    if table.rows > MOST_PEARLS:
-        raise InputError(f"{table.place}: {table.rows} pearls; allowed: up to {MOST_PEARLS}")
-    return table
+    return read_table(path, [set(_NUMBERS[:1])], rows="pearls", most_rows=MOST_PEARLS)
 
 
 def _lot_of(table: Table) -> Lot:
@@ -155,6 +152,7 @@ def _lot_of(table: Table) -> Lot:
         for quantity in QUANTITIES
     ]
     names = _names(table, faults)
+    _say_apart(table, columns, faults)
     faults.stop()
     return Lot(names, np.column_stack(columns))
 
@@ -175,6 +173,46 @@ def _numbers(table: Table, quantity: Quantity, faults: Faults) -> Array:
     inside[sorted(unread.rows)] = True  # told already
     faults.say_of_rows(np.flatnonzero(~inside), verdict)
     return values
+
+
+def _say_apart(table: Table, columns: Sequence[Array], faults: Faults) -> None:
+    """Columns that say one quantity twice, where the two differ: L and L*, luster by both ways."""
+    for quantity, values in zip(QUANTITIES, columns, strict=True):
+        starred = f"{quantity.name}*"
+        if not {quantity.name, starred} <= set(table.columns):
+            continue
+        other = number_column(table, starred, None, faults, -np.inf)
+        texts = text_column(table, starred)
+        faults.say_of_rows(
+            np.flatnonzero(~(np.isnan(other) | np.isnan(values) | (other == values))),
+            lambda row, name=quantity.name, starred=starred, values=values, texts=texts: (  # type: ignore[misc]
+                f"{starred} is {quoted(texts[row])} and {name} {values[row]:g}; allowed: both "
+                "alike, or one of the columns"
+            ),
+        )
+    if {_LUSTER_RAD, _LUSTER} <= set(table.columns):
+        _say_luster_apart(table, columns[-1], faults)
+
+
+def _say_luster_apart(table: Table, spread_rad: Array, faults: Faults) -> None:
+    """Words for luster whose range does not hold the facets' spread beside them."""
+    texts = [text or "" for text in text_column(table, _LUSTER).to_pylist()]
+
+    def verdict(row: int) -> str:
+        try:
+            held = range_of(_LUSTER, texts[row])
+        except InputError as problem:
+            return str(problem)
+        if np.isnan(spread_rad[row]) or held.holds(float(spread_rad[row])):
+            return ""
+        return (
+            f"{_LUSTER} is {quoted(texts[row])}, {_LUSTER_RAD} {held.text}, and {_LUSTER_RAD} is "
+            f"{spread_rad[row]:g}; allowed: both alike, or one of the columns"
+        )
+
+    said = {row: verdict(row) for row, text in enumerate(texts) if text.strip()}
+    bad = [row for row, text in said.items() if text]
+    faults.say_of_rows(np.array(bad, np.int64), lambda row: said[row])
 
 
 def _column(table: Table, name: str) -> str:

@@ -72,8 +72,8 @@ def laid_out(count: int, scene: Scene, laid: str = "folds") -> Scene:
 
     laid: "folds", in rows of which every other runs back, so that neighbours stay side by side, or
     "neck", each touching the next around an open ellipse whose front is towards the viewer. Rays
-    are parallel, so that the camera's distance holds for any number. Raises `InputError` for
-    a scene with rows of its own.
+    are parallel, so that the camera's distance holds for any number. Raises `InputError` for a
+    scene with rows of its own.
     """
     if scene.rows:
         raise InputError(f"scene {scene.name}: has rows of its own; allowed: a scene for one pearl")

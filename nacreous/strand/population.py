@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nacreous.number import seed_of, whole_of, within
 from nacreous.problem import InputError
@@ -12,7 +13,13 @@ from nacreous.spec.complaint import nearest, shown
 from nacreous.strand.lot import MOST_PEARLS, QUANTITIES, Lot
 from nacreous.value import value_class
 
-__all__ = ["AKOYA", "Population"]
+__all__ = ["AKOYA", "LEAST_INSIDE", "Population"]
+
+#: The least share of a population that its quantities' ranges must hold **(ours)**: of less, what
+#: is drawn has little of the mean and the spread that were asked for.
+LEAST_INSIDE = 0.1
+
+Array = NDArray[np.float64]
 
 _NAMES = [quantity.name for quantity in QUANTITIES]
 
@@ -23,7 +30,8 @@ class Population:
 
     Each is drawn by itself from a normal distribution; the facets' spread, whose words go by equal
     ratios, from a log-normal one: its mean is the median, its spread that of the natural logarithm.
-    What falls out of a quantity's range is put to its end. Raises `InputError`.
+    What falls out of a quantity's range is drawn again within it. Raises `InputError`, also where
+    less than `LEAST_INSIDE` of a quantity falls into its range.
     """
 
     mean: Mapping[str, float]
@@ -40,6 +48,14 @@ class Population:
             name = quantity.name
             within(f"mean {name}", self.mean[name], quantity.least, quantity.most)
             within(f"spread {name}", self.deviation[name], 0, 100)
+        least, most = self._ends()
+        for quantity, share in zip(QUANTITIES, _shares(least, most)[1], strict=True):
+            if share < LEAST_INSIDE:
+                raise InputError(
+                    f"spread {quantity.name} is {self.deviation[quantity.name]:g}, with which "
+                    f"{share:.1%} of the pearls are within {quantity.allowed}; allowed: a spread "
+                    f"that leaves {LEAST_INSIDE:.0%} there"
+                )
 
     def replace(self, mean: Mapping[str, float], deviation: Mapping[str, float]) -> Population:
         """With some of the means and deviations changed; another name is refused."""
@@ -58,15 +74,59 @@ class Population:
         """
         count = whole_of("count", count, 1, MOST_PEARLS)
         random = np.random.default_rng(seed_of(seed))
-        drawn = random.standard_normal((count, len(QUANTITIES)))
-        mean, spread = (
-            np.array([by[name] for name in _NAMES]) for by in (self.mean, self.deviation)
-        )
+        drawn = _again_within(random.standard_normal((count, len(QUANTITIES))), *self._ends())
+        mean, spread = self._arrays()
         values = mean + spread * drawn
         values[:, -1] = mean[-1] * np.exp(spread[-1] * drawn[:, -1])
         ends = np.array([(one.least, one.most) for one in QUANTITIES])
         names = tuple(f"{number:04}" for number in range(1, count + 1))
-        return Lot(names, np.clip(values, ends[:, 0], ends[:, 1]))
+        return Lot(names, np.clip(values, ends[:, 0], ends[:, 1]))  # the last bit may be beyond
+
+    def _arrays(self) -> tuple[Array, Array]:
+        """Float64 [quantity], means and deviations."""
+        mean, spread = (
+            np.array([float(by[name]) for name in _NAMES]) for by in (self.mean, self.deviation)
+        )
+        return mean, spread
+
+    def _ends(self) -> tuple[Array, Array]:
+        """Float64 [quantity], the ends of the ranges in deviations from the means."""
+        mean, spread = self._arrays()
+        ends = np.array([(one.least, one.most) for one in QUANTITIES])
+        off = ends - mean[:, None]
+        off[-1] = np.log(ends[-1] / mean[-1])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            off /= spread[:, None]
+        all_alike = spread == 0
+        return np.where(all_alike, -np.inf, off[:, 0]), np.where(all_alike, np.inf, off[:, 1])
+
+
+def _shares(least: Array, most: Array) -> tuple[Array, Array]:
+    """The share of a standard normal distribution below `least`, and that up to `most`."""
+    from scipy.special import ndtr
+
+    below = ndtr(least)
+    return below, ndtr(most) - below
+
+
+def _again_within(drawn: Array, least: Array, most: Array) -> Array:
+    """Draws from a standard normal distribution, those out of the range drawn again within it.
+
+    How far out in its tail a draw lies is a share between 0 and 1, each as probable, and nothing
+    else of it is used: the same share of the range's own distribution is the new draw. So the
+    pearls of a seed stay the same, however many are drawn.
+    """
+    from scipy.special import ndtr, ndtri
+
+    below, inside = _shares(least, most)
+    above = ndtr(-most)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        low, high = ndtr(drawn) / below, ndtr(-drawn) / above
+    again = np.where(drawn < least, below + low * inside, below + (1 - high) * inside)
+    out = (drawn < least) | (drawn > most)
+    found = drawn.copy()
+    found[out] = ndtri(again[out])
+    return found
 
 
 #: White to cream Akoya of 7.0 to 7.5 mm before sorting; all numbers **(ours)**, for no survey of a

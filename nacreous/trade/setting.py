@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
+from nacreous.spec.override import once
 from nacreous.trade.table import factor_of, factors, word_named
 from nacreous.trade.word import Factor
 
@@ -15,7 +16,8 @@ __all__ = ["overrides_of", "with_words"]
 def with_words(words: Iterable[str], settings: Iterable[str]) -> list[str]:
     """What `--word` and `--set` say, as `key=value`; where both set a key, the latter counts.
 
-    Raises `InputError` as `overrides_of`, and for two words that set the same key.
+    Raises `InputError` as `overrides_of`, for two words that set the same key, and for a key that
+    is set twice.
 
     >>> with_words(["luster=fair"], ["shininess=0.5"])
     ['surface.facet_spread_rad=0.116', 'shininess=0.253', 'shininess=0.5']
@@ -31,7 +33,7 @@ def with_words(words: Iterable[str], settings: Iterable[str]) -> list[str]:
                 )
             said[key] = word
             lines.append(f"{key}={value}")
-    return [*lines, *settings]
+    return [*lines, *once(settings)]
 
 
 def overrides_of(setting: str) -> list[tuple[str, str]]:

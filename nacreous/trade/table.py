@@ -45,11 +45,18 @@ def words(factor: str) -> tuple[Word, ...]:
 
 
 def factor_of(name: str) -> Factor:
-    """The factor of that name; `InputError` names the one that was probably meant."""
-    by_name = {factor.name: factor for factor in factors()}
+    """The factor of that name, in either language; `InputError` names what was probably meant.
+
+    >>> factor_of("テリ").name
+    'luster'
+    """
+    by_name = {one: factor for factor in factors() for one in (factor.name, factor.ja)}
     if name in by_name:
         return by_name[name]
-    raise InputError(f"{shown(name)} is no factor; {_meant(name, list(by_name))}")
+    listed = [factor.name for factor in factors()]
+    near = nearest(name, list(by_name))
+    hint = f"did you mean {near}?" if near else _meant(name, listed)
+    raise InputError(f"{shown(name)} is no factor; {hint}")
 
 
 def word_named(factor: str, name: str) -> Word:
@@ -165,4 +172,12 @@ def _upper(row: _Row) -> float:
 def _range(row: _Row, end: float) -> Range:
     lower, upper, sets = float(row["lower"]), _upper(row), float(row["sets"] or math.nan)
     names = row["quantity"], row["unit"], row["key"]
-    return Range(*names, lower, upper, sets, row["source"], closed=upper == end)
+    return Range(
+        *names,
+        lower,
+        upper,
+        sets,
+        row["source"],
+        closed=upper == end,
+        source_ja=row["source_ja"],
+    )

@@ -23,7 +23,8 @@ class Range:
     closed: `upper` itself belongs to it too, where no other word of the factor goes further.
     The quantity's name carries its unit where it has one; `unit` is for people. key: the key of a
     pearl file that has this quantity, or "" where none has it yet; sets: the value that the word
-    puts there, or NaN. source: where the bounds come from; **(ours)** where nobody states a number.
+    puts there, or NaN. source: where the bounds come from; **(ours)** where nobody states a number;
+    source_ja: the same in Japanese.
     Hues begin again after 360 degrees, so -30 to 50 is 330 to 50.
 
     >>> Range("hue_deg", "degrees", "", -30, 50, math.nan, "(ours)").holds(340)
@@ -38,6 +39,16 @@ class Range:
     sets: float
     source: str
     closed: bool = False
+    source_ja: str = ""
+
+    def said_by(self, language: Language) -> str:
+        """Where the bounds come from, without the marks of bold type.
+
+        >>> Range("a", "", "", 0, 1, 0, "**(ours)**", source_ja="**(当方)**").said_by("ja")
+        '(当方)'
+        """
+        text = self.source_ja if language == "ja" and self.source_ja else self.source
+        return text.replace("**", "")
 
     def holds(self, value: float) -> bool:
         """Whether the value is in the range."""

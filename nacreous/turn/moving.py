@@ -42,7 +42,7 @@ _MOST_PIXELS = 1_000_000_000
 ENDINGS = (".png", ".gif", ".webp", *_VIDEO)
 
 
-def check_place(place: Path, size: int) -> None:
+def check_place(place: Path, size: int, count: int, fps: int) -> None:
     """Refuse an ending, a place, or a size that its encoder cannot write, before any long work."""
     ending = place.suffix.lower()
     if ending not in ENDINGS:
@@ -50,6 +50,7 @@ def check_place(place: Path, size: int) -> None:
             f"{place}: the ending is {place.suffix}; allowed: {', '.join(ENDINGS)}, or none for a "
             "folder"
         )
+    _check_amount(place, size, count, fps)
     file.check_output(place, ENDINGS)
     if ending == ".webp":
         from PIL import features
@@ -65,7 +66,6 @@ def check_place(place: Path, size: int) -> None:
 
 def keep(place: Path, laid: Plan, fps: int, progress: Progress | None) -> int:
     """Render all frames and write the file, whole or not at all; how many frames that were."""
-    _check_amount(place, laid, fps)
     pictures = (image.render_recipe(made, show) for made, show in shares(laid.recipes, progress))
     ending = place.suffix.lower()
     with file.atomic(place) as temporary:
@@ -76,12 +76,11 @@ def keep(place: Path, laid: Plan, fps: int, progress: Progress | None) -> int:
     return len(laid.recipes)
 
 
-def _check_amount(place: Path, laid: Plan, fps: int) -> None:
+def _check_amount(place: Path, size: int, count: int, fps: int) -> None:
     """Refuse what no browser plays as fast, and more than fits into memory."""
     ending = place.suffix.lower()
     if ending == ".gif" and fps > _MOST_GIF_FPS:
         raise InputError(f"fps is {fps}; allowed for .gif: 1 to {_MOST_GIF_FPS}")
-    count, size = len(laid.recipes), laid.size
     if ending not in _VIDEO and count * size * size > _MOST_PIXELS:
         raise InputError(
             f"{place}: {count} frames of {size} x {size} are {count * size * size / 1e6:.0f} "

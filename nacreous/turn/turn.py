@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from nacreous import file, image
 from nacreous.number import whole_of
 from nacreous.turn import moving, series
-from nacreous.turn.plan import Plan, plan
+from nacreous.turn.plan import MOST_FRAMES, Plan, plan
 
 if TYPE_CHECKING:
     from nacreous.image import Image
@@ -75,17 +75,19 @@ def save(
     ...     save(f"{folder}/out", "akoya-rg", **how), save(f"{folder}/out", "akoya-rg", **how)
     (3, 0)
     """
-    place = check_place(path, size)
+    place = check_place(path, size, count, fps)
     return keep(place, plan(pearl, scene, count, what, degrees, size, samples), fps, progress)
 
 
-def check_place(path: str | Path, size: int) -> Path:
-    """Refuse a place or an ending, before any long work."""
+def check_place(path: str | Path, size: int, count: int, fps: int) -> Path:
+    """Refuse a place, an ending, or more than fits there, before any long work."""
+    count, fps = whole_of("frames", count, 2, MOST_FRAMES), whole_of("fps", fps, 1, MOST_FPS)
+    size = whole_of("size", size, 1, 8192)
     place = file.named(path)
     if series.is_folder(place):
         series.check_place(place)
     else:
-        moving.check_place(place, size)
+        moving.check_place(place, size, count, fps)
     return place
 
 

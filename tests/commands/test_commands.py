@@ -7,6 +7,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import time
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -17,8 +18,10 @@ from PIL import Image as Pillow
 
 import nacreous as nc
 from nacreous import cli
+from nacreous.file import read_panorama
 from nacreous.nacre import diary
 from nacreous.spec import Growth
+from nacreous.strand import read_lot
 
 Run = Callable[..., list[str]]
 
@@ -460,3 +463,63 @@ def test_the_installed_command_runs(tmp_path: Path) -> None:
         "nacreous: samples is 10; allowed: a square number from 1 to 1024, such as 16\n"
     )
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("command", [["render"], ["card"], ["turn"], ["grow"]])
+def test_a_key_that_is_set_twice_is_refused(
+    command: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["akoya-rg", "--set", "nacre.seed=1", "--set", "nacre.seed=2"]
+    assert cli.main([*command, *words]) == 2
+    said = '--set "nacre.seed=2": sets nacre.seed, as "nacre.seed=1" does; allowed: once'
+    assert said in capsys.readouterr().err
+
+
+def test_what_is_set_and_changes_nothing_is_noted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    small = ["--size", "8", "--samples", "1", "--set", "blemishes.area=0.1"]
+    noted = "note: blemishes.area is 0.1 and changes nothing"
+    for words in (["render"], ["card"], ["turn", "--frames", "2"]):
+        assert cli.main([*words, "akoya-rg", *small]) == 0
+        assert noted in capsys.readouterr().out
+    assert cli.main(["render", "akoya-rg", *small, "--set", "blemishes.pits=2"]) == 0
+    assert noted not in capsys.readouterr().out
+
+
+def test_the_summary_says_the_nacre_that_is_given_and_factors_have_japanese_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    words = ["--word", "巻き（黒蝶）=厚巻き", "--word", "テリ=最上"]
+    assert cli.main(["render", "tahitian", *words, "--size", "8", "--samples", "1"]) == 0
+    assert "layers, 2200 um of nacre" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends programs without SIGTERM")
+def test_sigterm_leaves_no_file_behind(tmp_path: Path) -> None:
+    words = ["turn", "akoya-rg", "--frames", "500", "-o", "t.webp"]
+    program = subprocess.Popen(
+        [sys.executable, "-m", "nacreous", *words], cwd=tmp_path, stderr=subprocess.PIPE, text=True
+    )
+    deadline = time.monotonic() + 60
+    while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    time.sleep(0.5)
+    program.terminate()
+    said = program.communicate(timeout=60)[1]
+    assert (program.returncode, list(tmp_path.iterdir())) == (143, [])
+    assert "terminated; nothing was written" in said
+
+
+def test_a_link_that_leads_nowhere_is_called_so(tmp_path: Path) -> None:
+    for name in ("lot.csv", "pearl.toml", "panorama.hdr"):
+        (tmp_path / name).symlink_to("nowhere")
+    for read, name in (
+        (read_lot, "lot.csv"),
+        (nc.Pearl.load, "pearl.toml"),
+        (read_panorama, "panorama.hdr"),
+    ):
+        with pytest.raises(nc.InputError, match="is a link that leads nowhere, to nowhere"):
+            read(tmp_path / name)

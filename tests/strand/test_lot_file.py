@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.stats import kstest, truncnorm
 
 import nacreous as nc
 from nacreous import cli
@@ -152,3 +153,50 @@ def test_a_strand_becomes_a_picture(tmp_path: Path) -> None:
     options = ["--size", "24", "--samples", "1", "-o", str(output)]
     assert cli.main(["strand", "show", str(tmp_path / "lot.csv"), *options]) == 0
     assert output.read_bytes().startswith(b"\x89PNG")
+
+
+def test_what_falls_out_of_the_range_is_drawn_again_as_a_truncated_normal() -> None:
+    wide = AKOYA.replace({"size_mm": 29.0}, {"size_mm": 5.0})
+    drawn = wide.draw(5000, seed=1).size_mm
+    ends = (np.array([1.0, 30.0]) - 29) / 5
+    assert drawn.max() < 30
+    assert kstest(drawn, truncnorm(*ends, 29, 5).cdf).pvalue > 0.01
+    assert np.array_equal(wide.draw(300, seed=1).size_mm, drawn[:300])
+    with pytest.raises(nc.InputError, match=r"facet_spread_rad is 100, with which 1\.9% of the"):
+        AKOYA.replace({}, {"facet_spread_rad": 100.0})
+
+
+@pytest.mark.parametrize(
+    ("columns", "cells", "said"),
+    [
+        ("L,L*,facet_spread_rad", "94,93,0.03", 'row 2: L\\* is "93" and L 94; allowed: both'),
+        ("L,facet_spread_rad,luster", "94,0.3,Excellent", "row 2: luster is .*0.3; allowed: both"),
+        ("L,L*,facet_spread_rad,luster", "94,94,0.03,上", None),
+    ],
+)
+def test_one_quantity_said_twice_is_refused_unless_both_agree(
+    columns: str, cells: str, said: str | None, tmp_path: Path
+) -> None:
+    path = tmp_path / "lot.csv"
+    path.write_text(f"size_mm,a,b,{columns}\n7,1,2,{cells}\n", "utf-8")
+    if said is None:
+        assert read_lot(path).values[0, -1] == 0.03
+        return
+    with pytest.raises(nc.InputError, match=said):
+        read_lot(path)
+
+
+def test_a_lot_without_pearls_is_told_to_want_pearls(tmp_path: Path) -> None:
+    (tmp_path / "lot.csv").write_text(HEAD)
+    with pytest.raises(nc.InputError, match=r"has no rows; allowed: 1 to 5000 pearls"):
+        read_lot(tmp_path / "lot.csv")
+
+
+@pytest.mark.parametrize(
+    "words", [["sort", "x.csv", "--graduated", "-1"], ["sort", "x.csv", "--length", "1"]]
+)
+def test_numbers_out_of_range_are_told_by_their_option(
+    words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["strand", *words]) == 2
+    assert f"{words[2]} is {words[3]}; allowed" in capsys.readouterr().err

@@ -180,12 +180,12 @@ def test_video_without_its_encoder_and_of_odd_size_is_refused(
 ) -> None:
     monkeypatch.setitem(sys.modules, "av", None)
     with pytest.raises(nc.InputError, match=r"not installed:   pip install 'nacreous\[video\]'"):
-        moving.check_place(tmp_path / "a.mp4", 64)
+        moving.check_place(tmp_path / "a.mp4", 64, 2, 24)
     with pytest.raises(nc.InputError, match=r"size is 65; allowed for \.mp4: an even number"):
-        moving.check_place(tmp_path / "a.mp4", 65)
+        moving.check_place(tmp_path / "a.mp4", 65, 2, 24)
     monkeypatch.setitem(sys.modules, "av", SimpleNamespace(codecs_available={"libvpx-vp9"}))
     with pytest.raises(nc.InputError, match=r"the PyAV here has no libx264; allowed without it"):
-        moving.check_place(tmp_path / "a.mp4", 64)
+        moving.check_place(tmp_path / "a.mp4", 64, 2, 24)
 
 
 def test_what_no_browser_plays_and_no_memory_holds_is_refused(tmp_path: Path) -> None:
@@ -203,7 +203,7 @@ def test_what_no_browser_plays_and_no_memory_holds_is_refused(tmp_path: Path) ->
 def test_a_pillow_without_webp_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("PIL.features.check", lambda feature: False)
     with pytest.raises(nc.InputError, match=r"writes no WebP; allowed: \.png or \.gif"):
-        moving.check_place(tmp_path / "a.webp", 16)
+        moving.check_place(tmp_path / "a.webp", 16, 2, 24)
 
 
 NO_LIGHT = Scene(name="dark")
@@ -302,3 +302,15 @@ def test_frames_of_several_different_pearls_are_kept_too(tmp_path: Path) -> None
     before = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
     nc.turn.save(tmp_path / "out", PATCHED, tray, **how)
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
+
+
+def test_more_than_fits_is_refused_before_any_frame_is_laid_out(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("nacreous.turn.plan.plan", never)
+    words = ["turn", "akoya-rg", "--size", "8192", "--frames", "2000", "-o", "t.webp"]
+    assert main(words) == 2
+    assert "allowed for .webp: 1000" in capsys.readouterr().err

@@ -79,10 +79,13 @@ def read_table(
     *,
     skip_rows: int = 0,
     encoding: str | None = None,
+    rows: str = "answers",
+    most_rows: int = MOST_ROWS,
 ) -> Table:
     """Read a text or .parquet file, or say in one line why that cannot be done.
 
-    wanted, skip_rows, encoding: of a text file, as `parse_csv` takes them.
+    wanted, skip_rows, encoding: of a text file, as `parse_csv` takes them. rows: what messages call
+    the rows, of which at most `most_rows` are taken.
     """
     file = named(path)
     place = printable(str(file))
@@ -97,9 +100,9 @@ def read_table(
         if skip_rows or encoding is not None:
             option = "skip_rows" if skip_rows else "encoding"
             raise InputError(f"{place}: {option} is given; allowed: with a text file")
-        return _table(place, _parse_parquet(place, content))
+        return _table(place, _parse_parquet(place, content), rows, most_rows)
     found = parse_csv(place, content, wanted, skip_rows=skip_rows, encoding=encoding)
-    table = _table(place, list(found.columns))
+    table = _table(place, list(found.columns), rows, most_rows)
     return replace(
         table,
         numbers=found.numbers,
@@ -193,7 +196,12 @@ def _columns_of_rows(rows: Sequence[Any]) -> list[tuple[Any, Any]]:
     return [(name, [row.get(name) for row in rows]) for name in names]
 
 
-def _table(place: str, columns: list[tuple[Any, Any]]) -> Table:
+def _table(
+    place: str,
+    columns: list[tuple[Any, Any]],
+    called: str = "answers",
+    most_rows: int = MOST_ROWS,
+) -> Table:
     names = [name_of(name) for name, _ in columns]
     _refuse_twice(place, names)
     arrays = {
@@ -205,9 +213,9 @@ def _table(place: str, columns: list[tuple[Any, Any]]) -> Table:
         raise InputError(f"{place}: columns differ in length ({both}); allowed: equal lengths")
     rows = next(iter(lengths.values()), 0)
     if rows == 0:
-        raise InputError(f"{place}: has no rows; allowed: 1 to {MOST_ROWS} answers")
-    if rows > MOST_ROWS:
-        raise InputError(f"{place}: has {rows} rows; allowed: 1 to {MOST_ROWS} answers")
+        raise InputError(f"{place}: has no rows; allowed: 1 to {most_rows} {called}")
+    if rows > most_rows:
+        raise InputError(f"{place}: has {rows} rows; allowed: 1 to {most_rows} {called}")
     return Table(place, arrays, np.arange(rows))
 
 
