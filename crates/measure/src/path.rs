@@ -9,11 +9,15 @@ use crate::{Circle, Picture};
 
 const TURNS: usize = 128;
 /// Distances tried, in radii of the circle to start from.
-const NEAREST: f64 = 0.55;
-const FARTHEST: f64 = 1.75;
-const STEPS: usize = 97;
+const NEAREST: f64 = 0.5;
+const FARTHEST: f64 = 2.0;
+const STEPS: usize = 121;
+/// Most places by which the line steps from a direction to the next, and what each of them costs, in the root of
+/// steepness **(ours)**: a drop's tip is reached, a detour by the table does not pay.
+const MOST_STEP: usize = 3;
+const COST: f64 = 0.02;
 
-/// The line that never steps by more than one place from a direction to the next, as edges.
+/// The line that never steps far from a direction to the next, as edges.
 pub fn closed_line(picture: &Picture<'_>, about: Circle) -> Vec<Edge> {
     let steep = polar(picture, about);
     // A first way from anywhere to anywhere finds where the closed one passes, half a turn on.
@@ -70,11 +74,12 @@ fn way(steep: &[Vec<f64>], start: usize, fixed: Option<usize>) -> Vec<usize> {
         let mut next = vec![0.0; STEPS];
         let mut from = vec![0; STEPS];
         for step in 0..STEPS {
-            let near = step.saturating_sub(1)..=(step + 1).min(STEPS - 1);
+            let near = step.saturating_sub(MOST_STEP)..=(step + MOST_STEP).min(STEPS - 1);
+            let left = |other: usize| sums[other] - COST * step.abs_diff(other) as f64;
             let best =
-                near.fold(step, |best, other| if sums[other] > sums[best] { other } else { best });
+                near.fold(step, |best, other| if left(other) > left(best) { other } else { best });
             from[step] = best;
-            next[step] = sums[best] + line[step];
+            next[step] = left(best) + line[step];
         }
         come_from.push(from);
         sums = next;
