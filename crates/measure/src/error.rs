@@ -71,16 +71,18 @@ pub enum MeasureError {
     },
     /// Seen in part.
     #[error(
-        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, no edge is seen on it over {degrees:.0} degrees; allowed: gaps of up to 90 degrees"
+        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, an edge is seen on it in {percent:.0} % of all directions, with a gap of {degrees:.0} degrees; wanted: 80 %, of what is round within 5 % 40 %, and gaps of 90 degrees at most"
     )]
-    Open {
+    NotFollowed {
         /// Middle.
         x: f64,
         /// Middle, downwards.
         y: f64,
         /// Mean radius.
         radius: f64,
-        /// The longest gap.
+        /// Share of directions with an edge, in percent.
+        percent: f64,
+        /// The longest gap between them.
         degrees: f64,
     },
     /// More than one.

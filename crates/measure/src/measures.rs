@@ -6,7 +6,7 @@ use crate::blemish::{Blemishes, blemishes};
 use crate::contour::Widths;
 use crate::disc::Disc;
 use crate::lamp::{LampImage, lamp_image};
-use crate::outline::{Outline, find, near};
+use crate::outline::{LEAST_RADIUS_PX, Outline, find, near};
 use crate::rings::{Colour, Rings, rings, whole};
 use crate::white::White;
 use crate::{Circle, MeasureError, Picture, Value};
@@ -207,6 +207,9 @@ fn check(given: &Given) -> Result<(), MeasureError> {
             if !(x_px.is_finite() && y_px.is_finite() && radius_px.is_finite()) =>
         {
             Err(number("circle", radius_px, "finite pixels"))
+        }
+        Some(Circle { radius_px, .. }) if radius_px < LEAST_RADIUS_PX => {
+            Err(number("the circle's radius", radius_px, "12 pixels and more"))
         }
         _ => Ok(()),
     }

@@ -22,24 +22,28 @@ const NEAR: f64 = 0.02;
 const FIRST_ROUNDS: [(f64, usize); 3] = [(0.10, 1), (0.05, 1), (0.05, 2)];
 const LAST_ROUNDS: [(f64, usize); 2] = [(0.04, 4), (0.03, 6)];
 const ROUNDS_OF_OVALS: [(f64, usize); 3] = [(0.10, 4), (0.06, 5), (0.04, 6)];
+/// With more waves, once it is believed: a drop's tip.
+const LAST_OF_OVALS: [(f64, usize); 2] = [(0.10, 8), (0.06, 10)];
 /// How often a closed line is looked for, each time from the middle of the last.
 const ROUNDS_OF_LINES: usize = 3;
-/// Seen in this share a circle is the outline; below, what is not round is looked for, which must be seen in this
-/// much more, for it bends to what edges it meets **(ours)**.
+/// Seen in this share a circle is the outline; below, what is not round is looked for. That must be seen in a large
+/// share too, for it bends to what edges it meets: on a checkered table up to 0.73 **(ours)**.
 const CLEAR: f64 = 0.9;
-const MORE: f64 = 1.1;
+const LEAST_OF_OVALS: f64 = 0.8;
+/// What is seen less clearly must be this round, or it is no outline: GIA's limit of near-round.
+const ROUND: f64 = 0.05;
 /// The outline is closed where no gap is longer than this share of a turn **(ours)**.
 const LONGEST_GAP: f64 = 0.25;
 /// What deviates by more than this from four waves is no pearl: corners, several things **(ours)**.
 const SMOOTH: f64 = 0.03;
-/// Colour changes across an outline over so many pixels to both sides, and by this much more than along it, squared
+/// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it, squared
 /// **(ours)**: a table's squares cross a circle at any angle.
 const ACROSS_PX: f64 = 1.5;
-const ACROSS: f64 = 2.0;
+const ACROSS: f64 = 1.0;
 /// Most rays of a first look, and of the outline in the end.
 const RAYS: (usize, usize) = (240, 720);
 /// The smallest pearl that is measured, in pixels of radius.
-const LEAST_RADIUS_PX: f64 = 12.0;
+pub const LEAST_RADIUS_PX: f64 = 12.0;
 
 /// The outline of the pearl that is measured.
 pub struct Outline {
@@ -70,7 +74,7 @@ pub fn near(picture: &Picture<'_>, given: Circle) -> Result<Outline, MeasureErro
     let share = found.as_ref().map_or(0.0, |outline| outline.share);
     match found.filter(Outline::is_seen) {
         Some(outline) => {
-            require_closed(&outline)?;
+            require_followed(&outline)?;
             require_inside(picture, outline.contour.middle)?;
             Ok(outline)
         }
@@ -89,7 +93,7 @@ pub fn find(picture: &Picture<'_>) -> Result<Outline, MeasureError> {
     let found = best_of(picture, &steepness.best(None));
     let percent = 100.0 * found.as_ref().map_or(0.0, |outline| outline.share);
     let outline = found.filter(Outline::is_seen).ok_or(MeasureError::NoPearl { percent })?;
-    require_closed(&outline)?;
+    require_followed(&outline)?;
     require_alone(picture, &steepness, &outline)?;
     require_inside(picture, outline.contour.middle)?;
     Ok(outline)
@@ -103,32 +107,33 @@ fn best_of(picture: &Picture<'_>, starts: &[Circle]) -> Option<Outline> {
         .filter_map(|start| trace(picture, Contour::round(*start), &FIRST_ROUNDS, RAYS.0))
         .max_by(by_weight);
     if let Some(round) = round.as_ref().filter(|round| round.share >= CLEAR) {
-        return Some(refined(picture, round));
+        return Some(refined(picture, round, &LAST_ROUNDS));
     }
-    let oval = starts.iter().filter_map(|start| oval(picture, *start)).max_by(by_weight);
-    match (round, oval) {
-        (Some(round), Some(oval)) if oval.weight() < MORE * round.weight() => {
-            Some(refined(picture, &round))
-        }
-        (Some(round), None) => Some(refined(picture, &round)),
-        (_, oval) => oval,
+    let clear = |oval: &Outline| oval.share >= LEAST_OF_OVALS;
+    let ovals = starts.iter().filter_map(|start| oval(picture, *start)).filter(clear);
+    match (ovals.max_by(by_weight), round) {
+        (Some(oval), _) => Some(refined(picture, &oval, &LAST_OF_OVALS)),
+        (None, round) => round.map(|round| refined(picture, &round, &LAST_ROUNDS)),
     }
 }
 
 /// The same outline with all its waves; how clearly it is seen stays that of the simpler one.
-fn refined(picture: &Picture<'_>, first: &Outline) -> Outline {
-    let last = trace(picture, first.contour.clone(), &LAST_ROUNDS, RAYS.1);
+fn refined(picture: &Picture<'_>, first: &Outline, rounds: &[(f64, usize)]) -> Outline {
+    let last = trace(picture, first.contour.clone(), rounds, RAYS.1);
     let contour = last.map_or_else(|| first.contour.clone(), |last| last.contour);
     Outline { contour, share: first.share, gap: first.gap }
 }
 
-/// Refuses an outline of which a long part is not seen: it is a guess there.
-fn require_closed(outline: &Outline) -> Result<(), MeasureError> {
-    if outline.gap <= LONGEST_GAP {
+/// Refuses an outline of which a long part is not seen, and one that is not round and not seen clearly.
+fn require_followed(outline: &Outline) -> Result<(), MeasureError> {
+    let is_clear = outline.share >= LEAST_OF_OVALS;
+    let is_round = || outline.contour.widths().roundness.value <= ROUND;
+    if outline.gap <= LONGEST_GAP && (is_clear || is_round()) {
         return Ok(());
     }
     let Circle { x_px: x, y_px: y, radius_px: radius } = outline.contour.middle;
-    Err(MeasureError::Open { x, y, radius, degrees: 360.0 * outline.gap })
+    let (percent, degrees) = (100.0 * outline.share, 360.0 * outline.gap);
+    Err(MeasureError::NotFollowed { x, y, radius, percent, degrees })
 }
 
 /// Refuses a picture in which another outline is seen beside the first.

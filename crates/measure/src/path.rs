@@ -40,26 +40,31 @@ fn distance(step: usize) -> f64 {
     NEAREST + (FARTHEST - NEAREST) * step as f64 / (STEPS - 1) as f64
 }
 
-/// How steeply shade changes outwards, [turn][step]; the root, as in the search for circles.
+/// How much more steeply shade changes outwards than aside, [turn][step]; the root, as in the search for circles.
 fn polar(picture: &Picture<'_>, about: Circle) -> Vec<Vec<f64>> {
     let mut steep = Vec::with_capacity(TURNS);
     let span = 0.5 * (FARTHEST - NEAREST) / (STEPS - 1) as f64;
     for at in 0..TURNS {
         let turn = TAU * at as f64 / TURNS as f64;
-        let (c, s) = (cos(turn), sin(turn));
-        let shade = |share: f64| {
+        let shade = |share: f64, aside: f64| {
             let away = about.radius_px * share;
+            let (c, s) = (cos(turn + aside), sin(turn + aside));
             let rgb = picture.at(about.x_px + c * away, about.y_px + s * away);
             rgb.map(|light| sqrt(light.max(0.0)))
         };
         let one = |step: usize| {
-            let (near, far) = (shade(distance(step) - span), shade(distance(step) + span));
-            let square: f64 = (0..3).map(|i| (far[i] - near[i]) * (far[i] - near[i])).sum();
-            sqrt(sqrt(square))
+            let away = distance(step);
+            let across = difference(shade(away - span, 0.0), shade(away + span, 0.0));
+            let along = difference(shade(away, -span / away), shade(away, span / away));
+            sqrt((across - along).max(0.0))
         };
         steep.push((0..STEPS).map(one).collect());
     }
     steep
+}
+
+fn difference(one: [f64; 3], other: [f64; 3]) -> f64 {
+    sqrt((0..3).map(|i| (one[i] - other[i]) * (one[i] - other[i])).sum())
 }
 
 /// The way of the greatest sum, from direction `start` once round; from and to one place if given.
