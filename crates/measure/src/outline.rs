@@ -34,8 +34,8 @@ const LEAST_OF_OVALS: f64 = 0.8;
 const ROUND: f64 = 0.05;
 /// The outline is closed where no gap is longer than this share of a turn **(ours)**.
 const LONGEST_GAP: f64 = 0.25;
-/// What deviates by more than this from four waves is no pearl: corners, several things **(ours)**.
-const SMOOTH: f64 = 0.03;
+/// What deviates by more than this from three waves is no pearl: corners, several things **(ours)**.
+const SMOOTH: f64 = 0.045;
 /// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it, squared
 /// **(ours)**: a table's squares cross a circle at any angle.
 const ACROSS_PX: f64 = 1.5;
@@ -167,7 +167,7 @@ fn oval(picture: &Picture<'_>, start: Circle) -> Option<Outline> {
     }
     let outline = trace(picture, contour, &ROUNDS_OF_OVALS, RAYS.1)?;
     let edges = edges(picture, &outline.contour, 180, 0.04);
-    let smooth = Contour::fit(&edges, outline.contour.middle, 4)?;
+    let smooth = Contour::fit(&edges, outline.contour.middle, 3)?;
     let off: f64 = (0..180)
         .map(|at| TAU * f64::from(at) / 180.0)
         .map(|turn| smooth.radius(turn) - outline.contour.radius(turn))
