@@ -128,7 +128,15 @@ def _light(picture: str) -> NDArray[np.float32]:
     from nacreous import file
 
     reads_light = Path(picture).suffix.lower() in _LIGHT
-    return file.read_panorama(picture) if reads_light else file.read_photograph(picture)
+    if reads_light:
+        return file.read_panorama(picture)
+    try:
+        return file.read_photograph(picture)
+    except InputError as problem:
+        # Photographs are told by their content; files of light are read here too, by their ending.
+        said = str(problem)
+        more = ", OpenEXR (.exr), Radiance (.hdr)" if said.endswith("PNG, JPEG, TIFF") else ""
+        raise InputError(said + more) from None
 
 
 def _own(picture: str, shape: tuple[int, ...]) -> _Own:

@@ -156,6 +156,7 @@ def test_a_pearl_that_is_cut_off_is_refused() -> None:
         ({"clipped_at": 0}, "clipped_at is 0"),
         ({"circle": (1, 2, float("nan"))}, "circle is NaN"),
         ({"circle": (10, 10, 50)}, "leaves the picture"),
+        ({"circle": (64, 64, -4)}, "radius is -4; allowed: 12 pixels and more"),
     ],
 )
 def test_a_wrong_number_is_told(wrong: dict[str, object], said: str) -> None:
@@ -186,6 +187,34 @@ def test_a_rendered_pearl_is_found_on_every_table(pearl: str, scene: str) -> Non
     assert width.value == pytest.approx(true, abs=2.5 * width.error)
     assert width.value == pytest.approx(true, rel=0.006)
     assert roundness.value < 3 * roundness.error
+
+
+@pytest.mark.parametrize(
+    ("shape", "scene"),
+    [
+        ({"length": 1.5}, "north-window-black"),
+        ({"length": 1.45, "taper": 0.6}, "north-window-black"),
+        ({"length": 0.74, "flattening": 0.8}, "booth"),
+    ],
+)
+def test_the_outline_of_what_is_not_round_is_the_renders_own(
+    shape: dict[str, float], scene: str
+) -> None:
+    picture = nc.render(nc.Pearl(nacre={"preset": "akoya-rg-1.0"}, shape=shape), scene, size=128)
+    rows, columns = np.nonzero(np.reshape(picture.layers["coverage"], (128, 128)) >= 0.5)
+    turns = np.linspace(0, np.pi, 180, endpoint=False)
+    widths = np.array([np.ptp(columns * np.cos(a) + rows * np.sin(a)) + 0.9 for a in turns])
+    found = measure(picture)
+    assert found.size.mean.value == pytest.approx(widths.mean(), rel=0.02)
+    assert found.roundness is not None
+    assert found.roundness.value == pytest.approx(100 * np.ptp(widths) / widths.mean(), abs=4)
+
+
+@pytest.mark.parametrize("beside", [1, 2])
+def test_small_dark_pearls_among_checks_are_refused_rather_than_guessed(beside: int) -> None:
+    one = nc.render("tahitian", "paper", size=64, samples=4).linear
+    with pytest.raises(nc.InputError, match=r"no pearl|cannot be followed|more than one"):
+        measure(np.concatenate([one] * beside, axis=1))
 
 
 def test_wider_facets_give_wider_images_and_more_disorder_less_colour() -> None:

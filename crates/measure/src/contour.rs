@@ -110,6 +110,24 @@ impl Contour {
         }
     }
 
+    /// The middle of the area within, and the circle of that area.
+    pub fn centroid(&self) -> Circle {
+        let places = self.places(DIRECTIONS);
+        let (mut area, mut x_px, mut y_px) = (0.0, 0.0, 0.0);
+        for (at, [x, y]) in places.iter().enumerate() {
+            let [next_x, next_y] = places[(at + 1) % places.len()];
+            let part = x * next_y - next_x * y;
+            area += part;
+            x_px += part * (x + next_x);
+            y_px += part * (y + next_y);
+        }
+        Circle {
+            x_px: x_px / (3.0 * area),
+            y_px: y_px / (3.0 * area),
+            radius_px: sqrt(fabs(area) / TAU),
+        }
+    }
+
     /// How far from the middle places lie, the outline being 1; from a table, for many of them.
     pub fn share(&self) -> impl Fn(f64, f64) -> f64 + use<> {
         let table: Vec<f64> =

@@ -69,6 +69,22 @@ pub enum MeasureError {
         /// Share of directions with an edge, in percent.
         percent: f64,
     },
+    /// Seen in part.
+    #[error(
+        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, an edge is seen on it in {percent:.0} % of all directions, with a gap of {degrees:.0} degrees; wanted: 80 %, of what is round within 5 % 40 %, and gaps of 90 degrees at most"
+    )]
+    NotFollowed {
+        /// Middle.
+        x: f64,
+        /// Middle, downwards.
+        y: f64,
+        /// Mean radius.
+        radius: f64,
+        /// Share of directions with an edge, in percent.
+        percent: f64,
+        /// The longest gap between them.
+        degrees: f64,
+    },
     /// More than one.
     #[error("more than one pearl: at ({:.0}, {:.0}), radius {:.0}, and at ({:.0}, {:.0}), radius {:.0}", first[0], first[1], first[2], second[0], second[1], second[2])]
     Several {

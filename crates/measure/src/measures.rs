@@ -6,7 +6,7 @@ use crate::blemish::{Blemishes, blemishes};
 use crate::contour::Widths;
 use crate::disc::Disc;
 use crate::lamp::{LampImage, lamp_image};
-use crate::outline::{Outline, find, near};
+use crate::outline::{LEAST_RADIUS_PX, Outline, find, near};
 use crate::rings::{Colour, Rings, rings, whole};
 use crate::white::White;
 use crate::{Circle, MeasureError, Picture, Value};
@@ -121,32 +121,14 @@ pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, Measure
     if colour.is_none() {
         refused.add("colour", "all of the pearl is clipped");
     }
-    let (mut of_rings, mut lamp, mut spots) = (None, None, None);
-    if sphere {
-        let found = lamp_image(picture, &white, &disc, &circle);
-        lamp = refused.taken("lamp", found.image);
-        if let Some(image) = &lamp {
-            if image.haze.is_none() {
-                refused.add("lamp.haze", "the lamp's image lies too near to the outline");
-            }
-            if image.distinctness.is_none() {
-                refused.add(
-                    "lamp.distinctness",
-                    "a degree of the surface is less than a pixel, or the outline is near",
-                );
-            }
-        }
-        let few = "the lamp's image and clipped light leave too little of the pearl";
-        of_rings =
-            refused.taken("rings", rings(&disc, &circle, found.highlight).ok_or(few.to_owned()));
-        let small = Disc::of(picture, &white, &outline.contour, clipped_at, SPOTS_PX);
-        spots = refused
-            .taken("blemishes", blemishes(&small, &circle, found.highlight).ok_or(few.to_owned()));
+    let OfSphere { rings, lamp, blemishes } = if sphere {
+        of_sphere(picture, &white, &outline, &disc, clipped_at, &mut refused)
     } else {
         for quantity in ["rings", "lamp", "blemishes"] {
             refused.add(quantity, "the pearl is no sphere: its diameters differ by more than 5 %");
         }
-    }
+        OfSphere::default()
+    };
     Ok(Measures {
         place: Place {
             circle,
@@ -158,11 +140,46 @@ pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, Measure
         roundness,
         sphere,
         colour,
-        rings: of_rings,
+        rings,
         lamp,
-        blemishes: spots,
+        blemishes,
         refused: refused.0,
     })
+}
+
+/// What is measured of a sphere alone.
+#[derive(Default)]
+struct OfSphere {
+    rings: Option<Rings>,
+    lamp: Option<LampImage>,
+    blemishes: Option<Blemishes>,
+}
+
+fn of_sphere(
+    picture: &Picture<'_>,
+    white: &White,
+    outline: &Outline,
+    disc: &Disc,
+    clipped_at: f64,
+    refused: &mut Refusals,
+) -> OfSphere {
+    let circle = outline.contour.middle;
+    let found = lamp_image(picture, white, disc, &circle);
+    let lamp = refused.taken("lamp", found.image);
+    if let Some(image) = &lamp {
+        if image.haze.is_none() {
+            refused.add("lamp.haze", "the lamp's image lies too near to the outline");
+        }
+        if image.distinctness.is_none() {
+            let reason = "a degree of the surface is less than a pixel, or the outline is near";
+            refused.add("lamp.distinctness", reason);
+        }
+    }
+    let few = || "the lamp's image and clipped light leave too little of the pearl".to_owned();
+    let rings = refused.taken("rings", rings(disc, &circle, found.highlight).ok_or_else(few));
+    let small = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
+    let spots = blemishes(&small, &circle, found.highlight).ok_or_else(few);
+    OfSphere { rings, lamp, blemishes: refused.taken("blemishes", spots) }
 }
 
 #[derive(Default)]
@@ -207,6 +224,9 @@ fn check(given: &Given) -> Result<(), MeasureError> {
             if !(x_px.is_finite() && y_px.is_finite() && radius_px.is_finite()) =>
         {
             Err(number("circle", radius_px, "finite pixels"))
+        }
+        Some(Circle { radius_px, .. }) if radius_px < LEAST_RADIUS_PX => {
+            Err(number("the circle's radius", radius_px, "12 pixels and more"))
         }
         _ => Ok(()),
     }

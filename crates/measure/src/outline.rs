@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use libm::{fabs, sqrt};
+use libm::{cos, fabs, sin, sqrt};
 
 use crate::contour::Contour;
 use crate::edge::{Edge, edge};
@@ -21,13 +21,29 @@ const NEAR: f64 = 0.02;
 /// How far about the last outline edges are looked for, in radii, and with how many waves.
 const FIRST_ROUNDS: [(f64, usize); 3] = [(0.10, 1), (0.05, 1), (0.05, 2)];
 const LAST_ROUNDS: [(f64, usize); 2] = [(0.04, 4), (0.03, 6)];
-const ROUNDS_OF_OVALS: [(f64, usize); 4] = [(0.12, 2), (0.08, 3), (0.05, 5), (0.04, 6)];
+const ROUNDS_OF_OVALS: [(f64, usize); 3] = [(0.10, 4), (0.06, 5), (0.04, 6)];
+/// With more waves, once it is believed: a drop's tip.
+const LAST_OF_OVALS: [(f64, usize); 2] = [(0.10, 8), (0.06, 10)];
+/// How often a closed line is looked for, each time from the middle of the last.
+const ROUNDS_OF_LINES: usize = 3;
+/// Seen in this share a circle is the outline; below, what is not round is looked for. That must be seen in a large
+/// share too, for it bends to what edges it meets: on a checkered table up to 0.73 **(ours)**.
+const CLEAR: f64 = 0.9;
+const LEAST_OF_OVALS: f64 = 0.8;
+/// What is seen less clearly must be this round, or it is no outline: GIA's limit of near-round.
+const ROUND: f64 = 0.05;
+/// The outline is closed where no gap is longer than this share of a turn **(ours)**.
+const LONGEST_GAP: f64 = 0.25;
 /// What deviates by more than this from three waves is no pearl: corners, several things **(ours)**.
-const SMOOTH: f64 = 0.03;
+const SMOOTH: f64 = 0.045;
+/// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it, squared
+/// **(ours)**: a table's squares cross a circle at any angle.
+const ACROSS_PX: f64 = 1.5;
+const ACROSS: f64 = 1.0;
 /// Most rays of a first look, and of the outline in the end.
 const RAYS: (usize, usize) = (240, 720);
 /// The smallest pearl that is measured, in pixels of radius.
-const LEAST_RADIUS_PX: f64 = 12.0;
+pub const LEAST_RADIUS_PX: f64 = 12.0;
 
 /// The outline of the pearl that is measured.
 pub struct Outline {
@@ -35,6 +51,8 @@ pub struct Outline {
     pub contour: Contour,
     /// In how large a share of directions an edge was seen on it.
     pub share: f64,
+    /// The longest part of it on which none was, in turns.
+    gap: f64,
 }
 
 impl Outline {
@@ -52,16 +70,15 @@ impl Outline {
 /// The outline near a given circle; that circle itself where no edge stands out.
 pub fn near(picture: &Picture<'_>, given: Circle) -> Result<Outline, MeasureError> {
     require_inside(picture, given)?;
-    match trace(picture, Contour::round(given), &FIRST_ROUNDS, RAYS.0) {
-        Some(first) if first.is_seen() => {
-            let outline = refined(picture, first);
+    let found = best_of(picture, &[given]);
+    let share = found.as_ref().map_or(0.0, |outline| outline.share);
+    match found.filter(Outline::is_seen) {
+        Some(outline) => {
+            require_followed(&outline)?;
             require_inside(picture, outline.contour.middle)?;
             Ok(outline)
         }
-        other => Ok(Outline {
-            contour: Contour::round(given),
-            share: other.map_or(0.0, |one| one.share),
-        }),
+        None => Ok(Outline { contour: Contour::round(given), share, gap: 1.0 }),
     }
 }
 
@@ -69,34 +86,54 @@ pub fn near(picture: &Picture<'_>, given: Circle) -> Result<Outline, MeasureErro
 ///
 /// Of circles that lie within the picture, those along which colour changes most are looked at more nearly, one
 /// of each size; the one is taken that is seen in the largest share of directions, large ones before small. Where
-/// none is seen so far, the closed line about the middle of one. A second one clear of the first is refused.
+/// none is seen nearly all round, the closed line about the middle of one, if it is seen in more directions. A
+/// second one clear of the first is refused.
 pub fn find(picture: &Picture<'_>) -> Result<Outline, MeasureError> {
     let steepness = Steepness::of(picture);
-    let starts = steepness.best(None);
-    let seen = starts
-        .iter()
-        .filter_map(|start| trace(picture, Contour::round(*start), &FIRST_ROUNDS, RAYS.0));
-    let best = seen.max_by(|one, other| one.weight().total_cmp(&other.weight()));
-    let share = best.as_ref().map_or(0.0, |outline| outline.share);
-    let outline = match best {
-        Some(outline) if outline.is_seen() => refined(picture, outline),
-        _ => starts
-            .iter()
-            .filter_map(|start| oval(picture, *start))
-            .max_by(|one, other| one.weight().total_cmp(&other.weight()))
-            .ok_or(MeasureError::NoPearl { percent: 100.0 * share })?,
-    };
+    let found = best_of(picture, &steepness.best(None));
+    let percent = 100.0 * found.as_ref().map_or(0.0, |outline| outline.share);
+    let outline = found.filter(Outline::is_seen).ok_or(MeasureError::NoPearl { percent })?;
+    require_followed(&outline)?;
     require_alone(picture, &steepness, &outline)?;
     require_inside(picture, outline.contour.middle)?;
     Ok(outline)
 }
 
-/// The same outline with all its waves; how clearly it is seen stays that of the simpler one.
-fn refined(picture: &Picture<'_>, first: Outline) -> Outline {
-    match trace(picture, first.contour.clone(), &LAST_ROUNDS, RAYS.1) {
-        Some(last) => Outline { contour: last.contour, share: first.share },
-        None => first,
+/// The outline about one of some circles that is seen best.
+fn best_of(picture: &Picture<'_>, starts: &[Circle]) -> Option<Outline> {
+    let by_weight = |one: &Outline, other: &Outline| one.weight().total_cmp(&other.weight());
+    let round = starts
+        .iter()
+        .filter_map(|start| trace(picture, Contour::round(*start), &FIRST_ROUNDS, RAYS.0))
+        .max_by(by_weight);
+    if let Some(round) = round.as_ref().filter(|round| round.share >= CLEAR) {
+        return Some(refined(picture, round, &LAST_ROUNDS));
     }
+    let clear = |oval: &Outline| oval.share >= LEAST_OF_OVALS;
+    let ovals = starts.iter().filter_map(|start| oval(picture, *start)).filter(clear);
+    match (ovals.max_by(by_weight), round) {
+        (Some(oval), _) => Some(refined(picture, &oval, &LAST_OF_OVALS)),
+        (None, round) => round.map(|round| refined(picture, &round, &LAST_ROUNDS)),
+    }
+}
+
+/// The same outline with all its waves; how clearly it is seen stays that of the simpler one.
+fn refined(picture: &Picture<'_>, first: &Outline, rounds: &[(f64, usize)]) -> Outline {
+    let last = trace(picture, first.contour.clone(), rounds, RAYS.1);
+    let contour = last.map_or_else(|| first.contour.clone(), |last| last.contour);
+    Outline { contour, share: first.share, gap: first.gap }
+}
+
+/// Refuses an outline of which a long part is not seen, and one that is not round and not seen clearly.
+fn require_followed(outline: &Outline) -> Result<(), MeasureError> {
+    let is_clear = outline.share >= LEAST_OF_OVALS;
+    let is_round = || outline.contour.widths().roundness.value <= ROUND;
+    if outline.gap <= LONGEST_GAP && (is_clear || is_round()) {
+        return Ok(());
+    }
+    let Circle { x_px: x, y_px: y, radius_px: radius } = outline.contour.middle;
+    let (percent, degrees) = (100.0 * outline.share, 360.0 * outline.gap);
+    Err(MeasureError::NotFollowed { x, y, radius, percent, degrees })
 }
 
 /// Refuses a picture in which another outline is seen beside the first.
@@ -122,12 +159,13 @@ fn require_alone(
 
 /// What is round in no sense, but smooth, and closed.
 fn oval(picture: &Picture<'_>, start: Circle) -> Option<Outline> {
-    let line = closed_line(picture, start);
-    let first = Contour::fit(&line, start, 3)?;
-    let mut about = first.centre();
-    about.radius_px = first.middle.radius_px;
-    let second = Contour::fit(&closed_line(picture, about), about, 4)?;
-    let outline = trace(picture, second, &ROUNDS_OF_OVALS, RAYS.1)?;
+    let mut about = start;
+    let mut contour = Contour::fit(&closed_line(picture, about), about, 3)?;
+    for _ in 1..ROUNDS_OF_LINES {
+        about = contour.centroid();
+        contour = Contour::fit(&closed_line(picture, about), about, 4)?;
+    }
+    let outline = trace(picture, contour, &ROUNDS_OF_OVALS, RAYS.1)?;
     let edges = edges(picture, &outline.contour, 180, 0.04);
     let smooth = Contour::fit(&edges, outline.contour.middle, 3)?;
     let off: f64 = (0..180)
@@ -135,8 +173,7 @@ fn oval(picture: &Picture<'_>, start: Circle) -> Option<Outline> {
         .map(|turn| smooth.radius(turn) - outline.contour.radius(turn))
         .map(|off| off * off)
         .sum();
-    let is_smooth = sqrt(off / 180.0) < SMOOTH * outline.contour.middle.radius_px;
-    (outline.is_seen() && is_smooth).then_some(outline)
+    (sqrt(off / 180.0) < SMOOTH * outline.contour.middle.radius_px).then_some(outline)
 }
 
 /// Follows an outline, ever nearer and with more waves, and says in which share of directions it is seen.
@@ -159,7 +196,8 @@ fn trace(
             contour = Contour::fit(&moved, centre, order)?;
         }
     }
-    Some(Outline { share: share_on(picture, &contour), contour })
+    let (share, gap) = seen_on(picture, &contour);
+    Some(Outline { contour, share, gap })
 }
 
 /// The same outline seen from its centre, to the first order.
@@ -187,14 +225,50 @@ fn edges(picture: &Picture<'_>, contour: &Contour, rays: usize, reach: f64) -> V
         .collect()
 }
 
-/// The share of directions in which the steepest place far about an outline lies on it.
-fn share_on(picture: &Picture<'_>, contour: &Contour) -> f64 {
+/// The share of directions in which the steepest place far about an outline lies on it and colour changes across it
+/// rather than along it, and the longest gap between them, in turns.
+fn seen_on(picture: &Picture<'_>, contour: &Contour) -> (f64, f64) {
     let radius = contour.middle.radius_px;
     // Far enough that noise has somewhere else to be steep.
     let found = edges(picture, contour, 288, (6.0 / radius).max(0.1));
     let near = (NEAR * radius).max(1.0);
-    let on = |edge: &&Edge| edge.seen && fabs(edge.away - contour.radius(edge.turn)) < near;
-    found.iter().filter(on).count() as f64 / found.len() as f64
+    let on: Vec<bool> = found
+        .iter()
+        .map(|edge| {
+            edge.seen
+                && fabs(edge.away - contour.radius(edge.turn)) < near
+                && is_across(picture, contour, edge.turn)
+        })
+        .collect();
+    let (mut gap, mut longest) = (0, 0);
+    for seen in on.iter().chain(&on) {
+        gap = if *seen { 0 } else { gap + 1 };
+        longest = longest.max(gap.min(on.len()));
+    }
+    let count = on.len() as f64;
+    (on.iter().filter(|seen| **seen).count() as f64 / count, longest as f64 / count)
+}
+
+/// Whether shade changes more across an outline than along it.
+fn is_across(picture: &Picture<'_>, contour: &Contour, turn: f64) -> bool {
+    let place = |turn: f64, more: f64| {
+        let away = contour.radius(turn) + more;
+        [contour.middle.x_px + away * cos(turn), contour.middle.y_px + away * sin(turn)]
+    };
+    let step = 1.0 / contour.radius(turn);
+    let [back, here, on] = [place(turn - step, 0.0), place(turn, 0.0), place(turn + step, 0.0)];
+    let [right, down] = [on[0] - back[0], on[1] - back[1]];
+    let long = sqrt(right * right + down * down);
+    let (c, s) = (down / long, -right / long);
+    let change = |along: f64, across: f64| {
+        let at = |side: f64| {
+            let (along, across) = (side * along, side * across);
+            picture.at(here[0] + along * -s + across * c, here[1] + along * c + across * s)
+        };
+        let (one, other) = (at(1.0), at(-1.0));
+        (0..3).map(|i| sqrt(one[i].max(0.0)) - sqrt(other[i].max(0.0))).map(|d| d * d).sum::<f64>()
+    };
+    change(0.0, ACROSS_PX) > ACROSS * change(ACROSS_PX, 0.0)
 }
 
 /// Refuses a pearl that is too small, or leaves the picture.

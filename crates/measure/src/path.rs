@@ -9,11 +9,15 @@ use crate::{Circle, Picture};
 
 const TURNS: usize = 128;
 /// Distances tried, in radii of the circle to start from.
-const NEAREST: f64 = 0.55;
-const FARTHEST: f64 = 1.75;
-const STEPS: usize = 97;
+const NEAREST: f64 = 0.5;
+const FARTHEST: f64 = 2.0;
+const STEPS: usize = 121;
+/// Most places by which the line steps from a direction to the next, and what each of them costs, in the root of
+/// steepness **(ours)**: a drop's tip is reached, a detour by the table does not pay.
+const MOST_STEP: usize = 3;
+const COST: f64 = 0.02;
 
-/// The line that never steps by more than one place from a direction to the next, as edges.
+/// The line that never steps far from a direction to the next, as edges.
 pub fn closed_line(picture: &Picture<'_>, about: Circle) -> Vec<Edge> {
     let steep = polar(picture, about);
     // A first way from anywhere to anywhere finds where the closed one passes, half a turn on.
@@ -36,26 +40,31 @@ fn distance(step: usize) -> f64 {
     NEAREST + (FARTHEST - NEAREST) * step as f64 / (STEPS - 1) as f64
 }
 
-/// How steeply shade changes outwards, [turn][step]; the root, as in the search for circles.
+/// How much more steeply shade changes outwards than aside, [turn][step]; the root, as in the search for circles.
 fn polar(picture: &Picture<'_>, about: Circle) -> Vec<Vec<f64>> {
     let mut steep = Vec::with_capacity(TURNS);
     let span = 0.5 * (FARTHEST - NEAREST) / (STEPS - 1) as f64;
     for at in 0..TURNS {
         let turn = TAU * at as f64 / TURNS as f64;
-        let (c, s) = (cos(turn), sin(turn));
-        let shade = |share: f64| {
+        let shade = |share: f64, aside: f64| {
             let away = about.radius_px * share;
+            let (c, s) = (cos(turn + aside), sin(turn + aside));
             let rgb = picture.at(about.x_px + c * away, about.y_px + s * away);
             rgb.map(|light| sqrt(light.max(0.0)))
         };
         let one = |step: usize| {
-            let (near, far) = (shade(distance(step) - span), shade(distance(step) + span));
-            let square: f64 = (0..3).map(|i| (far[i] - near[i]) * (far[i] - near[i])).sum();
-            sqrt(sqrt(square))
+            let away = distance(step);
+            let across = difference(shade(away - span, 0.0), shade(away + span, 0.0));
+            let along = difference(shade(away, -span / away), shade(away, span / away));
+            sqrt((across - along).max(0.0))
         };
         steep.push((0..STEPS).map(one).collect());
     }
     steep
+}
+
+fn difference(one: [f64; 3], other: [f64; 3]) -> f64 {
+    sqrt((0..3).map(|i| (one[i] - other[i]) * (one[i] - other[i])).sum())
 }
 
 /// The way of the greatest sum, from direction `start` once round; from and to one place if given.
@@ -70,11 +79,12 @@ fn way(steep: &[Vec<f64>], start: usize, fixed: Option<usize>) -> Vec<usize> {
         let mut next = vec![0.0; STEPS];
         let mut from = vec![0; STEPS];
         for step in 0..STEPS {
-            let near = step.saturating_sub(1)..=(step + 1).min(STEPS - 1);
+            let near = step.saturating_sub(MOST_STEP)..=(step + MOST_STEP).min(STEPS - 1);
+            let left = |other: usize| sums[other] - COST * step.abs_diff(other) as f64;
             let best =
-                near.fold(step, |best, other| if sums[other] > sums[best] { other } else { best });
+                near.fold(step, |best, other| if left(other) > left(best) { other } else { best });
             from[step] = best;
-            next[step] = sums[best] + line[step];
+            next[step] = left(best) + line[step];
         }
         come_from.push(from);
         sums = next;
