@@ -107,6 +107,6 @@ def test_a_study_has_the_words_of_the_pearls_that_its_pictures_were_made_from(
         encoding="utf-8",
     )
     found = called_stimuli(freeze(tmp_path / "study.toml", tmp_path / "study"))
-    assert [one.word[0] for one in found["a"]] == ["8.0-8.5 mm", "Poor", "clean"]
-    assert [one.word[1] for one in found["b"]] == ["8.0～8.5 mm", "上", "中キズ"]
+    assert [one.word[0] for one in found["a"]] == ["8.0-8.5 mm", "round", "Poor", "clean"]
+    assert [one.word[1] for one in found["b"]] == ["8.0～8.5 mm", "ラウンド", "上", "中キズ"]
     assert called_of(str(tmp_path / "study"), ["a", "b"]) == found

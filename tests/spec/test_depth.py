@@ -67,7 +67,7 @@ def test_every_door_refuses_depth_by_its_place() -> None:
 
 
 def test_nothing_but_the_door_and_our_own_texts_calls_the_parser() -> None:
-    own = {"exhibit.py", "translation.py", "method.py"}  # captions and sentences of the package
+    own = {"exhibit.py", "method.py"}  # captions and sentences of the package
     calling = {
         path.name
         for path in PACKAGE.rglob("*.py")
