@@ -32,6 +32,10 @@ def _grown_or_listed(nacre: Any) -> str:
     return "layers" if listed else "growth"
 
 
+#: Lumps are so many times as wide as they are high on average; steeper ones would be needles.
+_LUMP = 5
+
+
 class Pearl(SpecFile):
     """A pearl file: everything that belongs to the pearl and not to its surroundings.
 
@@ -117,6 +121,14 @@ class Pearl(SpecFile):
                     f"which is {radius_mm:g} mm",
                     "diameter_mm",
                 )
+        lump_mm, least_mm = self.shape.lump_mm, _LUMP * self.shape.lumps * radius_mm
+        if lump_mm is not None and lump_mm < least_mm:
+            yield Contradiction(
+                "shape.lump_mm",
+                f"is {lump_mm:g}; allowed: at least {_LUMP} x {{other}} x half of diameter_mm, "
+                f"{least_mm:g} mm",
+                "shape.lumps",
+            )
 
     def _unfit_media(self) -> Iterator[Contradiction]:
         """Absorbing layers, which neither model has, and crystals in the model of 1996."""

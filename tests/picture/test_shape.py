@@ -172,3 +172,25 @@ def test_the_model_of_1996_knows_no_shape() -> None:
         nc.InputError, match=r'shape\.length is given.*only with model = "transport"'
     ):
         Pearl(model="illuminant", shape={"length": 1.2})
+
+
+def test_lumps_that_would_be_needles_are_refused_with_what_they_may_be() -> None:
+    needles = nc.load("akoya-rg").replace(diameter_mm=8.0)
+    with pytest.raises(nc.InputError, match=r"shape.lump_mm is 0.5; allowed: at least 5 x .*1 mm"):
+        needles.replace(shape=needles.shape.replace(lumps=0.05, lump_mm=0.5))
+
+
+def test_a_hole_is_as_wide_on_a_long_pearl_as_on_a_ball() -> None:
+    def dark(length: float) -> float:
+        pearl = nc.load("akoya-rg")
+        shape = pearl.shape.replace(length=length, drill_mm=2.0, drill_wear_mm=0.0)
+        pose = pearl.pose.replace(tilt_deg=90.0)
+        scene = nc.Scene.load("north-window-white")
+        camera = scene.camera.replace(elevation_deg=0.0, field_mm=6.0)
+        seen = pearl.replace(shape=shape, pose=pose)
+        light = nc.render(seen, scene.replace(camera=camera), size=64, samples=4).linear
+        return float((light.sum(axis=-1) < 0.3).sum() * (6.0 / 64) ** 2)
+
+    assert dark(1.0) == pytest.approx(np.pi, rel=0.06)
+    assert dark(0.6) == pytest.approx(dark(1.0), rel=0.04)
+    assert dark(2.0) == pytest.approx(dark(1.0), rel=0.07)

@@ -30,6 +30,8 @@ const ROUNDS_OF_LINES: usize = 3;
 /// share too, for it bends to what edges it meets: on a checkered table up to 0.73 **(ours)**.
 const CLEAR: f64 = 0.9;
 const LEAST_OF_OVALS: f64 = 0.8;
+/// What is not round must be seen in so much more of all directions than a circle there **(ours)**.
+const MORE: f64 = 0.1;
 /// What is seen less clearly must be this round, or it is no outline: GIA's limit of near-round.
 const ROUND: f64 = 0.05;
 /// The outline is closed where no gap is longer than this share of a turn **(ours)**.
@@ -112,6 +114,10 @@ fn best_of(picture: &Picture<'_>, starts: &[Circle]) -> Option<Outline> {
     let clear = |oval: &Outline| oval.share >= LEAST_OF_OVALS;
     let ovals = starts.iter().filter_map(|start| oval(picture, *start)).filter(clear);
     match (ovals.max_by(by_weight), round) {
+        // A closed line bends to noise, a circle does not.
+        (Some(oval), Some(round)) if oval.share < round.share + MORE => {
+            Some(refined(picture, &round, &LAST_ROUNDS))
+        }
         (Some(oval), _) => Some(refined(picture, &oval, &LAST_OF_OVALS)),
         (None, round) => round.map(|round| refined(picture, &round, &LAST_ROUNDS)),
     }

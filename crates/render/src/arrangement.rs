@@ -85,7 +85,11 @@ impl Arrangement {
                 let fault = format!("has a place for one pearl, not {}", pearls.len());
                 return Err(RenderError::scene(&scene.name, fault));
             };
-            vec![size.placed(0, DVec3::ZERO)]
+            let places = vec![size.placed(0, DVec3::ZERO)];
+            if size.hull.is_some() {
+                check_clearance(scene, &places)?;
+            }
+            places
         } else {
             let places = in_rows(scene, &sizes, largest_mm)?;
             check_clearance(scene, &places)?;

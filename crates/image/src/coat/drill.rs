@@ -14,8 +14,6 @@ pub struct Drill {
     pub radius_mm: f64,
     /// Width of its worn edge.
     pub wear_mm: f64,
-    /// Distance of the surface from the pearl's middle at the upper and the lower end.
-    pub ends_mm: [f64; 2],
 }
 
 /// What a hole sends back of what a matt place there would **(ours)**.
@@ -27,13 +25,13 @@ const WORN: f64 = 0.6;
 
 impl Drill {
     /// No hole.
-    pub const NONE: Self = Self { radius_mm: 0.0, wear_mm: 0.0, ends_mm: [1.0; 2] };
+    pub const NONE: Self = Self { radius_mm: 0.0, wear_mm: 0.0 };
 
-    /// The place in a direction, the axis z, as wide as `footprint_mm`; `None` beside hole and edge.
-    pub(crate) fn at(&self, own: DVec3, footprint_mm: f64) -> Option<Local> {
-        let end_mm = self.ends_mm[usize::from(own.z < 0.0)];
+    /// The place in a direction, the axis z, so far from the middle and as wide as `footprint_mm`; `None` beside hole and
+    /// edge.
+    pub(crate) fn at(&self, own: DVec3, away_mm: f64, footprint_mm: f64) -> Option<Local> {
         let aside = own.truncate();
-        let from_axis_mm = aside.length() * end_mm;
+        let from_axis_mm = aside.length() * away_mm;
         let from_edge_mm = from_axis_mm - self.radius_mm;
         let soft_mm = footprint_mm.max(1e-9);
         if from_edge_mm > self.wear_mm.max(0.5 * soft_mm) {
@@ -60,11 +58,11 @@ impl Drill {
 mod tests {
     use super::*;
 
-    const DRILL: Drill = Drill { radius_mm: 0.4, wear_mm: 0.1, ends_mm: [4.0, 4.0] };
+    const DRILL: Drill = Drill { radius_mm: 0.4, wear_mm: 0.1 };
 
     fn at(from_axis_mm: f64) -> Option<Local> {
         let sin = from_axis_mm / 4.0;
-        DRILL.at(DVec3::new(sin, 0.0, (1.0 - sin * sin).sqrt()), 0.01)
+        DRILL.at(DVec3::new(sin, 0.0, (1.0 - sin * sin).sqrt()), 4.0, 0.01)
     }
 
     #[test]
@@ -81,7 +79,8 @@ mod tests {
         let drill = Drill { wear_mm: 0.0, ..DRILL };
         for from_axis_mm in [0.0, 0.2, 0.396, 0.4, 0.404] {
             let sin = from_axis_mm / 4.0;
-            let local = drill.at(DVec3::new(sin, 0.0, (1.0_f64 - sin * sin).sqrt()), 0.01).unwrap();
+            let local =
+                drill.at(DVec3::new(sin, 0.0, (1.0_f64 - sin * sin).sqrt()), 4.0, 0.01).unwrap();
             assert_eq!(local.slope, DVec3::ZERO, "{from_axis_mm}");
             let hole = (1.0 - local.inside) / (1.0 - LEFT);
             assert!((local.chalk - hole).abs() < 1e-12, "{from_axis_mm}");
@@ -96,7 +95,7 @@ mod tests {
             let step = 1e-4;
             let dark: f64 = (0..6000)
                 .map(|i| (f64::from(i) + 0.5) * step)
-                .filter_map(|r| drill.at(DVec3::new(r / 4.0, 0.0, 1.0), footprint_mm))
+                .filter_map(|r| drill.at(DVec3::new(r / 4.0, 0.0, 1.0), 4.0, footprint_mm))
                 .map(|local| (1.0 - local.inside) / (1.0 - LEFT) * step)
                 .sum();
             assert!((dark - 0.4).abs() < 1e-3, "{footprint_mm}: {dark}");

@@ -136,9 +136,14 @@ impl Coat {
         &self.made_from.pose
     }
 
-    /// The place in a direction of the scene from the pearl's middle, as wide as `footprint_mm`, seen at an angle of this
-    /// cosine to the normal.
-    pub(crate) fn at(&self, outward: DVec3, footprint_mm: f64, cos_view: f64) -> Local {
+    /// The place in a direction of the scene from the pearl's middle, `away_mm` from there and as wide as
+    /// `footprint_mm`, seen at an angle of this cosine to the normal.
+    pub(crate) fn at(
+        &self,
+        outward: DVec3,
+        [away_mm, footprint_mm]: [f64; 2],
+        cos_view: f64,
+    ) -> Local {
         let own = self.pose().own(outward);
         let mut local = Local::EVEN;
         if let Some(fields) = &self.fields {
@@ -155,7 +160,7 @@ impl Coat {
         }
         let drill = &self.made_from.drill;
         if drill.radius_mm > 0.0
-            && let Some(here) = drill.at(own, footprint_mm)
+            && let Some(here) = drill.at(own, away_mm, footprint_mm)
         {
             local = local.and(here);
         }

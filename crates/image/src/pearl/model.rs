@@ -172,17 +172,18 @@ impl Pearl {
         self.coat.as_ref().is_some_and(|coat| coat.has_edges())
     }
 
-    /// What its outer layers are like in a direction from its middle, seen at a cosine of the view angle, as wide as
-    /// `footprint_mm`; and the grain there, where
-    /// its relief tells it too.
+    /// What its outer layers are like in a direction from its middle, `away_mm` from there, seen at a cosine of the view
+    /// angle, as wide as `footprint_mm`; and the grain there, where its relief tells it too.
     pub(crate) fn local(
         &self,
         (outward, cos_view): (DVec3, f64),
         radius_mm: f64,
-        footprint_mm: f64,
+        [away_mm, footprint_mm]: [f64; 2],
     ) -> (Local, Option<Rgb>) {
-        let coat =
-            self.coat.as_ref().map_or(Local::EVEN, |coat| coat.at(outward, footprint_mm, cos_view));
+        let coat = self
+            .coat
+            .as_ref()
+            .map_or(Local::EVEN, |coat| coat.at(outward, [away_mm, footprint_mm], cos_view));
         match &self.texture {
             Some(texture) if self.grain.relief_rad > 0.0 => {
                 let (local, grain) = self.grained(texture, outward, footprint_mm / radius_mm);

@@ -72,8 +72,9 @@ impl Sampler {
                 around,
             };
         }
-        let (local, grain) =
-            pearl.local((outward, hit.cos_view), self.surroundings.balls[ball].radius_mm, pixel_mm);
+        let place = &self.surroundings.balls[ball];
+        let lengths_mm = [hit.point.distance(place.centre), pixel_mm];
+        let (local, grain) = pearl.local((outward, hit.cos_view), place.radius_mm, lengths_mm);
         let normal = local.normal(hit.normal, view);
         let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
         let spread = spread.over_slopes(local.fine_slope2);

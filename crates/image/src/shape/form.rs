@@ -47,12 +47,6 @@ impl FormParameters {
         seed: 0,
     };
 
-    /// Distance of the surface from the middle at the upper and the lower end of the axis.
-    pub fn ends(&self) -> [f64; 2] {
-        let form = Form::new(self);
-        [DVec3::Z, DVec3::NEG_Z].map(|end| form.at(end).0)
-    }
-
     /// Whether it is a ball.
     pub fn is_round(&self) -> bool {
         let is_smooth = self.circles == 0 || self.circle_depth <= 0.0;

@@ -2,10 +2,7 @@
 
 use nacreous_image::{BlemishKind, Blemishes, CoatParameters, Drill, NucleusBands, Pose};
 
-use super::{
-    body::bands_left,
-    shape::{form_of, pose_of},
-};
+use super::{body::bands_left, shape::pose_of};
 use crate::{
     RenderError,
     spec::pearl::{CoatSpec, PearlSpec, TransportSpec},
@@ -68,11 +65,7 @@ fn coat_of(pearl: &TransportSpec) -> CoatParameters {
             area: blemishes.area,
             seed: seed(blemishes.seed),
         },
-        drill: Drill {
-            radius_mm: 0.5 * pearl.shape.drill_mm,
-            wear_mm: pearl.shape.drill_wear_mm,
-            ends_mm: form_of(pearl).ends().map(|end| end * 0.5 * pearl.diameter_mm),
-        },
+        drill: Drill { radius_mm: 0.5 * pearl.shape.drill_mm, wear_mm: pearl.shape.drill_wear_mm },
         nucleus: NucleusBands { contrast: 0.0, band_mm: pearl.body.nucleus_band_mm },
     }
 }

@@ -25,6 +25,9 @@ const LEAST_DROP: f64 = 0.01;
 /// Size of a lump left open, over the pearl's width: a dozen lumps all around **(ours)**.
 const LUMP: f64 = 0.6;
 
+/// Heights over half the width that differ by less are the same.
+const SAME_HEIGHT: f64 = 0.002;
+
 /// Of a pearl that is not round.
 pub(crate) fn solid_key(pearl: &PearlSpec) -> Option<SolidKey> {
     let PearlSpec::Transport(pearl) = pearl else { return None };
@@ -33,7 +36,7 @@ pub(crate) fn solid_key(pearl: &PearlSpec) -> Option<SolidKey> {
     (!form.is_round()).then(|| SolidKey { form, pose: pose_of(pearl), radius_mm })
 }
 
-pub(crate) fn form_of(pearl: &TransportSpec) -> FormParameters {
+fn form_of(pearl: &TransportSpec) -> FormParameters {
     let shape = &pearl.shape;
     FormParameters {
         length: shape.length,
@@ -75,6 +78,8 @@ pub(crate) fn pose_of(pearl: &TransportSpec) -> Pose {
     let rest = Rest::new(&form);
     let height = |tilt: i32| rest.height(&posed(0.0, f64::from(tilt)));
     let lowest = (0..=180).min_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap_or(0);
+    // A pearl that is alike at both ends lies level: what its height differs by next to that is of the places looked at.
+    let lowest = if height(90) - height(lowest) < SAME_HEIGHT { 90 } else { lowest };
     if height(0) - height(lowest) < LEAST_DROP {
         return posed(turn_deg, 0.0);
     }
