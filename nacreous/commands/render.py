@@ -91,7 +91,6 @@ def run(args: argparse.Namespace) -> int:
     """Check everything, render, write, say what was made."""
     from nacreous import image
     from nacreous.commands import standard
-    from nacreous.commands.idle import idle_note
     from nacreous.commands.progress import bar
 
     output = _output(args)
@@ -106,8 +105,11 @@ def run(args: argparse.Namespace) -> int:
     place = sys.stdout.buffer if output == STREAM else output
     outside = picture.save(place, job.bits, job.space, job.gamut, job.alpha)
     say(_report(output, job, time.monotonic() - begin, outside), [output])
-    if note := idle_note(job.made.json, args.set):
-        say(note, [output])
+    if args.set:  # a preset as it is needs no keys
+        from nacreous.commands.idle import idle_note
+
+        if note := idle_note(job.made.json, args.set):
+            say(note, [output])
     return 0
 
 
@@ -146,6 +148,8 @@ def _first(args: argparse.Namespace) -> _Job:
 
 def _settings(args: argparse.Namespace) -> list[str]:
     """What --word and --set say, as key=value; where both set a key, the latter counts."""
+    if not args.word and not args.set:
+        return []
     if not args.word:
         from nacreous.spec.override import once
 
