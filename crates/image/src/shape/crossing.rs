@@ -145,3 +145,44 @@ impl Solid {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        coat::pose::Pose,
+        shape::form::{FormParameters, tests::kinds},
+    };
+
+    fn solid(form: &FormParameters) -> Solid {
+        Solid::new(form, Pose::new(0.4, 1.1, 0.2), 4.0)
+    }
+
+    #[test]
+    fn beside_a_ray_that_is_free_so_far_others_meet_the_same() {
+        let clear_mm = 0.1;
+        for form in kinds() {
+            let (solid, mut later) = (solid(&form), 0);
+            for i in 0..600 {
+                let t = f64::from(i);
+                let aim = 4.2 * DVec3::new((1.1 * t).cos(), (1.7 * t).sin(), (2.3 * t).cos());
+                let from = 40.0 * DVec3::new((0.7 * t).sin(), 0.4, (0.3 * t).cos()).normalize();
+                let along = (aim - from).normalize();
+                let (_, free_mm) = solid.followed(from, along, [0.0, clear_mm]);
+                let aside = along.any_orthonormal_vector() * (0.9 * clear_mm);
+                let whole = solid.hit(from + aside, along);
+                let short = solid.followed(from + aside, along, [free_mm, 0.0]).0;
+                match (whole, short) {
+                    (None, None) => {}
+                    (Some(whole), Some(short)) => {
+                        let apart_mm = whole.point.distance(short.point);
+                        assert!(apart_mm < 1e-6, "{form:?} {i}: {apart_mm}");
+                        later += i32::from(free_mm > 30.0);
+                    }
+                    (whole, short) => panic!("{form:?} {i}: {whole:?} {short:?}"),
+                }
+            }
+            assert!(later > 100, "{form:?}: {later} began anywhere near the pearl");
+        }
+    }
+}

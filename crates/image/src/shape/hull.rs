@@ -104,3 +104,70 @@ impl Hull {
         1.0 - (toward.y * area_mm2 / (distance_mm * distance_mm)).clamp(0.0, 1.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        shape::{
+            ball::Ball,
+            form::{FormParameters, tests::kinds},
+            solid::Solid,
+        },
+        view::ray::Ray,
+    };
+
+    fn solid(form: &FormParameters) -> Solid {
+        Solid::new(form, Pose::new(0.4, 1.1, 0.2), 4.0)
+    }
+
+    #[test]
+    fn the_hull_of_a_ball_hides_what_the_ball_does() {
+        let ball = Ball::alone(4.0);
+        let hull = Some(solid(&FormParameters::ROUND).hull());
+        let hulled = Ball { hull, ..ball };
+        for i in 0..60 {
+            let t = f64::from(i);
+            let on_table = DVec3::new(0.3 * t, -4.0, 0.1 * t);
+            assert!((ball.sky_past(on_table) - hulled.sky_past(on_table)).abs() < 2e-3, "{i}");
+            let from = DVec3::new(20.0, 0.2 * t - 6.0, 0.07 * t);
+            let ray = Ray { from, along: DVec3::NEG_X };
+            let share = |ball: &Ball| ball.stops(&ray, 0.1).map_or(0.0, |(_, share)| share);
+            assert!((share(&ball) - share(&hulled)).abs() < 5e-3, "{i}");
+            let past = |ball: &Ball| ball.light_past(from, DVec3::NEG_X, 0.05);
+            assert!((past(&ball) - past(&hulled)).abs() < 2e-2, "{i}");
+        }
+    }
+
+    #[test]
+    fn an_ellipsoids_shadow_is_as_wide_as_the_ellipsoid() {
+        let form = FormParameters { length: 1.5, ..FormParameters::ROUND };
+        let solid = Solid::new(&form, Pose::new(0.0, 0.0, 0.0), 4.0);
+        let ball = Ball { hull: Some(solid.hull()), ..Ball::alone(4.0) };
+        // The axis is upright, y: 6 mm to the end of it, 4 mm aside.
+        for (x, y, is_dark) in
+            [(0.0, 5.9, true), (0.0, 6.1, false), (3.9, 0.0, true), (4.1, 0.0, false)]
+        {
+            let past = ball.light_past(DVec3::new(x, y, -30.0), DVec3::Z, 1e-4);
+            assert!((past < 0.5) == is_dark, "{x} {y}: {past}");
+        }
+    }
+
+    #[test]
+    fn no_ray_that_meets_a_pearl_is_taken_to_pass_it() {
+        for form in kinds() {
+            let (solid, mut passed) = (solid(&form), 0);
+            for i in 0..2000 {
+                let t = f64::from(i);
+                let aim = 5.5 * DVec3::new((1.1 * t).cos(), (1.7 * t).sin(), (2.3 * t).cos());
+                let from = 40.0 * DVec3::new((0.7 * t).sin(), 0.4, (0.3 * t).cos()).normalize();
+                let along = (aim - from).normalize();
+                if solid.hull().is_passed(from, along, 0.0) {
+                    passed += 1;
+                    assert!(solid.hit(from, along).is_none(), "{form:?} {i}");
+                }
+            }
+            assert!(passed > 100, "{form:?}: {passed}");
+        }
+    }
+}
