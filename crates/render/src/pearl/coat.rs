@@ -14,7 +14,7 @@ pub(crate) const FILM_STEP: f64 = 0.02;
 
 /// How many films a pearl's thickness takes: an odd number, the middle one of layers as thick as on average.
 pub(crate) fn films_of(pearl: &TransportSpec) -> usize {
-    let range = coat_of(pearl).thickness_range();
+    let range = coat_of(pearl, Pose::new(0.0, 0.0, 0.0)).thickness_range();
     1 + 2 * libm::ceil(range / FILM_STEP - 1e-9) as usize
 }
 
@@ -30,19 +30,19 @@ pub(crate) fn thickness_of(films: usize) -> impl Iterator<Item = f64> {
 /// [`RenderError`] for a body or layers that cannot be.
 pub(crate) fn parameters_of(pearl: &PearlSpec) -> Result<Option<CoatParameters>, RenderError> {
     let PearlSpec::Transport(pearl) = pearl else { return Ok(None) };
-    let mut coat = coat_of(pearl);
+    let mut coat = coat_of(pearl, pose_of(pearl));
     coat.nucleus.contrast = bands_left(pearl)?;
     let is_turned = coat.pose != Pose::new(0.0, 0.0, 0.0);
     Ok((!coat.is_even() || is_turned).then_some(coat))
 }
 
-fn coat_of(pearl: &TransportSpec) -> CoatParameters {
+fn coat_of(pearl: &TransportSpec, pose: Pose) -> CoatParameters {
     let CoatSpec { thickness_spread, patch_mm, banding, liveliness, .. } = pearl.coat;
     let (coat, blemishes) = (&pearl.coat, &pearl.blemishes);
     let seed = |given: Option<u64>| given.unwrap_or_else(|| pearl.nacre.seed());
     CoatParameters {
         radius_mm: 0.5 * pearl.diameter_mm,
-        pose: pose_of(pearl),
+        pose,
         seed: seed(coat.seed),
         thickness_spread,
         patch_mm,

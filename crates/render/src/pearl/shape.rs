@@ -36,6 +36,11 @@ pub(crate) fn solid_key(pearl: &PearlSpec) -> Option<SolidKey> {
     (!form.is_round()).then(|| SolidKey { form, pose: pose_of(pearl), radius_mm })
 }
 
+/// Whether a pearl is a ball.
+pub(crate) fn is_round(pearl: &TransportSpec) -> bool {
+    form_of(pearl).is_round()
+}
+
 fn form_of(pearl: &TransportSpec) -> FormParameters {
     let shape = &pearl.shape;
     FormParameters {
@@ -75,13 +80,23 @@ pub(crate) fn pose_of(pearl: &TransportSpec) -> Pose {
     if form.is_round() {
         return posed(turn_deg, 0.0);
     }
-    let rest = Rest::new(&form);
-    let height = |tilt: i32| rest.height(&posed(0.0, f64::from(tilt)));
-    let lowest = (0..=180).min_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap_or(0);
-    // A pearl that is alike at both ends lies level: what its height differs by next to that is of the places looked at.
-    let lowest = if height(90) - height(lowest) < SAME_HEIGHT { 90 } else { lowest };
-    if height(0) - height(lowest) < LEAST_DROP {
-        return posed(turn_deg, 0.0);
+    match tilt_at_rest_deg(&form, |tilt_deg| posed(0.0, tilt_deg)) {
+        None => posed(turn_deg, 0.0),
+        Some(tilt_deg) => posed(turn_deg + 90.0, tilt_deg),
     }
-    posed(turn_deg + 90.0, f64::from(lowest))
+}
+
+/// The whole degree at which a form's middle of mass is lowest; `None` where lying down brings it hardly lower.
+fn tilt_at_rest_deg(form: &FormParameters, posed: impl Fn(f64) -> Pose) -> Option<f64> {
+    let rest = Rest::new(form);
+    let heights: Vec<f64> = (0..=180).map(|tilt| rest.height(&posed(f64::from(tilt)))).collect();
+    let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+    if heights[0] - lowest < LEAST_DROP {
+        return None;
+    }
+    // A pearl that is alike at both ends lies level: what its height differs by next to that is of the places looked at.
+    if heights[90] - lowest < SAME_HEIGHT {
+        return Some(90.0);
+    }
+    heights.iter().position(|height| *height <= lowest).map(|tilt| tilt as f64)
 }

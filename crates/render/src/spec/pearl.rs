@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::{Colour, nacre::NacreSpec};
-use crate::pearl::shape::solid_key;
+use crate::pearl::shape::is_round;
 
 /// A pearl in one of the two models.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -326,7 +326,7 @@ impl PearlSpec {
         let mut same = self.clone();
         let (name, grain, texture) = match &mut same {
             Self::Transport(pearl) => {
-                if solid_key(&Self::Transport(pearl.clone())).is_none() {
+                if is_round(pearl) {
                     pearl.pose = PoseSpec::default();
                 }
                 (&mut pearl.name, &mut pearl.grain, &mut pearl.texture)
