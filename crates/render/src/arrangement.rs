@@ -291,7 +291,7 @@ fn check_clearance(scene: &SceneSpec, places: &[Place]) -> Result<(), RenderErro
     let least_mm = CLEAR * most(|place| place.centre_mm.length() + place.reach_mm);
     let eye_mm = scene.camera.distance_mm;
     if scene.camera.projection == ProjectionSpec::Perspective && eye_mm < least_mm {
-        let allowed = format!("at least {} mm, clear of all rows", four_digits(least_mm));
+        let allowed = format!("at least {} mm, clear of every pearl", four_digits(least_mm));
         return fault(format!("camera.distance_mm is {eye_mm:?}; allowed: {allowed}"));
     }
     let side_mm =
