@@ -4,7 +4,9 @@
 
 Each knob is swept in five steps at random settings of the others. Each cell holds two medians over
 the settings: Spearman's rank correlation of knob and measure, and how far the measure goes over
-the sweep, in percent of its mean. docs/measure.md has the table. It takes about ten minutes.
+the sweep, in percent of its mean. Settings at which a measure is refused at a step are left out of
+its medians; how many pictures were refused as a whole stands at the end. docs/measure.md has the
+table. It takes about ten minutes.
 """
 
 from __future__ import annotations
@@ -56,8 +58,10 @@ MEASURES: dict[str, Callable[[Measures], float]] = {
 }
 
 
-def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, size: int) -> Measures:
-    """What is measured in the picture of one setting."""
+def picture(
+    setting: dict[str, float], scene: str, nacre: str, pigment: str, size: int
+) -> Measures | None:
+    """What is measured in the picture of one setting; None where the picture is refused."""
     kinds = [kind for kind in ("chalky_spots", "pits") if setting[kind] > 0]
     overrides = [("camera.field_mm", str(FIELD_MM)), ("table.kind", "plain")]
     place = nc.Scene.load(scene, overrides)
@@ -78,7 +82,10 @@ def picture(setting: dict[str, float], scene: str, nacre: str, pigment: str, siz
     )
     linear = nc.render(pearl, place, size=size, samples=4).linear
     linear = stretched(linear, setting["roundness"])
-    return measure(linear, mm_per_pixel=FIELD_MM / size)
+    try:
+        return measure(linear, mm_per_pixel=FIELD_MM / size)
+    except nc.InputError:
+        return None
 
 
 def stretched(linear: NDArray[np.float32], roundness: float) -> NDArray[np.float32]:
@@ -105,10 +112,13 @@ def change(found: NDArray[np.float64]) -> float:
     return float(100 * np.ptp(found) / abs(found.mean())) if found.any() else 0.0
 
 
-def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
-    """Rank correlation of one knob with each measure, and its change, [setting, measure, 2]."""
+def sweep(knob: str, settings: int, size: int) -> tuple[NDArray[np.float64], int]:
+    """Rank correlation of one knob with each measure, and its change, [setting, measure, 2].
+
+    And how many pictures were refused.
+    """
     random = np.random.default_rng(list(KNOBS).index(knob))
-    rows = []
+    rows, refused = [], 0
     for _ in range(settings):
         setting = {name: random.uniform(*ends) for name, ends in KNOBS.items()}
         words = [str(random.choice(choices)) for choices in (SCENES, NACRE, PIGMENTS)]
@@ -117,9 +127,13 @@ def sweep(knob: str, settings: int, size: int) -> NDArray[np.float64]:
             setting["roundness"] = 0.0
         values = np.linspace(*KNOBS[knob], STEPS)
         found = [picture(setting | {knob: value}, *words, size) for value in values]
-        columns = [np.array([*map(of, found)]) for of in MEASURES.values()]
+        refused += found.count(None)
+        columns = [
+            np.array([np.nan if one is None else of(one) for one in found])
+            for of in MEASURES.values()
+        ]
         rows.append([(rank_correlation(values, column), change(column)) for column in columns])
-    return np.array(rows)
+    return np.array(rows), refused
 
 
 def main() -> None:
@@ -128,17 +142,22 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=160)
     parser.add_argument("--only", action="append")
     args = parser.parse_args()
-    begin = time.monotonic()
+    begin, refused = time.monotonic(), 0
     print("| knob |", " | ".join(MEASURES), "|")
     print("|---" * (len(MEASURES) + 1) + "|")
     for knob in args.only or KNOBS:
-        found = sweep(knob, args.settings, args.size)
+        found, without = sweep(knob, args.settings, args.size)
+        refused += without
         told = [
             f"{rank:.2f} ({moved:.0f})" if np.isfinite(rank) else "-"
             for rank, moved in (np.nanmedian(column, axis=0) for column in found.swapaxes(0, 1))
         ]
         print(f"| {knob} |", " | ".join(told), "|", flush=True)
-    print(f"{args.settings} settings, {args.size} px, {time.monotonic() - begin:.0f} s")
+    pictures = args.settings * STEPS * len(args.only or KNOBS)
+    print(
+        f"{args.settings} settings, {args.size} px, {refused} of {pictures} pictures refused, "
+        f"{time.monotonic() - begin:.0f} s"
+    )
 
 
 if __name__ == "__main__":
