@@ -18,15 +18,16 @@ __all__ = ["Called", "cells", "note", "record"]
 class Called:
     """A word for a thing: of which factor, by which number, and what the word stands for.
 
-    factor, word: in English and in Japanese. number: "facet_spread_rad 0.116 rad". bounds: the
-    numbers that the word stands for, "facet_spread_rad 0.09 to 0.15 rad". source: who says so.
+    factor, word, source: in English and in Japanese; source: who says so.
+    number: "facet_spread_rad 0.116 rad". bounds: the numbers that the word stands for,
+    "facet_spread_rad 0.09 to 0.15 rad".
     """
 
     factor: tuple[str, str]
     word: tuple[str, str]
     number: str
     bounds: str
-    source: str
+    source: tuple[str, str]
 
 
 def cells(analysis: Analysis, words: Words) -> dict[str, Html] | None:
@@ -50,13 +51,17 @@ def note(analysis: Analysis, words: Words) -> Html:
     if not each:
         return Html("")
     said = [words("called.lead")]
+    at = 1 if words.language == "ja" else 0
     shared = _shared(analysis)
     alike = {_word(one): _said(one, words) for one in each if _word(one) in shared}
     if alike:
         said.append(words("called.shared", words=words.listed([*alike.values()])))
     meaning = {
         _word(one): words(
-            "called.meaning", word=_said(one, words), bounds=one.bounds, source=_english(one)
+            "called.meaning",
+            word=_said(one, words),
+            bounds=one.bounds,
+            source=markup(one.source[at]),
         )
         for one in each
     }
@@ -96,11 +101,6 @@ def _both(one: Called, language: int) -> Html:
     return markup(f"{one.factor[language]} {one.word[language]}")
 
 
-def _english(one: Called) -> Html:
-    """The source, in the table's own English."""
-    return Html(f'<span lang="en">{markup(one.source)}</span>')
-
-
 def record(called: Iterable[Called]) -> list[dict[str, object]]:
     """The words for JSON."""
     return [
@@ -109,7 +109,7 @@ def record(called: Iterable[Called]) -> list[dict[str, object]]:
             "word": dict(zip(("en", "ja"), one.word, strict=True)),
             "number": one.number,
             "bounds": one.bounds,
-            "source": one.source,
+            "source": dict(zip(("en", "ja"), one.source, strict=True)),
         }
         for one in called
     ]

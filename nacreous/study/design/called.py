@@ -9,6 +9,7 @@ from nacreous.scaling.report.called import Called
 from nacreous.spec import Pearl
 from nacreous.study.design.manifest import Frozen, FrozenStimulus
 from nacreous.trade import Word, factors, stated
+from nacreous.trade.word import Language
 
 __all__ = ["called", "called_stimuli"]
 
@@ -39,11 +40,14 @@ def called(word: Word, values: Mapping[str, float]) -> Called:
     ranges = [one for one in word.ranges if one.quantity in values]
     said = [f"{one.quantity} {values[one.quantity]:.3g} {one.unit}".rstrip() for one in ranges]
     bounds = [f"{one.quantity} {one.text}" for one in ranges]
-    sources = dict.fromkeys(one.source.replace("**", "") for one in ranges)
+
+    def sources(language: Language) -> str:
+        return "; ".join(dict.fromkeys(one.said_by(language) for one in ranges))
+
     return Called(
         (word.factor, japanese),
         (word.en, word.ja),
         ", ".join(said),
         ", ".join(bounds),
-        "; ".join(sources),
+        (sources("en"), sources("ja")),
     )
