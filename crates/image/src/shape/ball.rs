@@ -189,6 +189,10 @@ const FINEST_RAD: f64 = 1e-9;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{
+        coat::pose::Pose,
+        shape::form::{Form, FormParameters},
+    };
 
     const BALL: Ball =
         Ball { centre: DVec3::new(0.0, 0.0, -50.0), radius_mm: 4.0, glow: Glow::BLACK, hull: None };
@@ -239,5 +243,41 @@ mod tests {
             }
         }
         assert!(clear > 500);
+    }
+
+    /// Of a form whose axis is upright, y.
+    fn hull(form: &FormParameters) -> Hull {
+        Hull::around(&Form::new(form), &Pose::new(0.0, 0.0, 0.0), 4.0)
+    }
+
+    #[test]
+    fn the_hull_of_a_ball_hides_what_the_ball_does() {
+        let ball = Ball::alone(4.0);
+        let hull = Some(hull(&FormParameters::ROUND));
+        let hulled = Ball { hull, ..ball };
+        for i in 0..60 {
+            let t = f64::from(i);
+            let on_table = DVec3::new(0.3 * t, -4.0, 0.1 * t);
+            assert!((ball.sky_past(on_table) - hulled.sky_past(on_table)).abs() < 2e-3, "{i}");
+            let from = DVec3::new(20.0, 0.2 * t - 6.0, 0.07 * t);
+            let ray = Ray { from, along: DVec3::NEG_X };
+            let share = |ball: &Ball| ball.stops(&ray, 0.1).map_or(0.0, |(_, share)| share);
+            assert!((share(&ball) - share(&hulled)).abs() < 5e-3, "{i}");
+            let past = |ball: &Ball| ball.light_past(from, DVec3::NEG_X, 0.05);
+            assert!((past(&ball) - past(&hulled)).abs() < 2e-2, "{i}");
+        }
+    }
+
+    #[test]
+    fn an_ellipsoids_shadow_is_as_wide_as_the_ellipsoid() {
+        let form = FormParameters { length: 1.5, ..FormParameters::ROUND };
+        let ball = Ball { hull: Some(hull(&form)), ..Ball::alone(4.0) };
+        // 6 mm to the end of the axis, 4 mm aside.
+        for (x, y, is_dark) in
+            [(0.0, 5.9, true), (0.0, 6.1, false), (3.9, 0.0, true), (4.1, 0.0, false)]
+        {
+            let past = ball.light_past(DVec3::new(x, y, -30.0), DVec3::Z, 1e-4);
+            assert!((past < 0.5) == is_dark, "{x} {y}: {past}");
+        }
     }
 }

@@ -185,4 +185,22 @@ mod tests {
             assert!(later > 100, "{form:?}: {later} began anywhere near the pearl");
         }
     }
+
+    #[test]
+    fn no_ray_that_meets_a_pearl_is_taken_to_pass_it() {
+        for form in kinds() {
+            let (solid, mut passed) = (solid(&form), 0);
+            for i in 0..2000 {
+                let t = f64::from(i);
+                let aim = 5.5 * DVec3::new((1.1 * t).cos(), (1.7 * t).sin(), (2.3 * t).cos());
+                let from = 40.0 * DVec3::new((0.7 * t).sin(), 0.4, (0.3 * t).cos()).normalize();
+                let along = (aim - from).normalize();
+                if solid.hull().is_passed(from, along, 0.0) {
+                    passed += 1;
+                    assert!(solid.hit(from, along).is_none(), "{form:?} {i}");
+                }
+            }
+            assert!(passed > 100, "{form:?}: {passed}");
+        }
+    }
 }
