@@ -26,6 +26,18 @@ impl<T> Films<T> {
         Self { all, step }
     }
 
+    /// Something of each film in both.
+    pub(crate) fn with<U, V>(&self, other: &Films<U>, of: impl Fn(&T, &U) -> V) -> Films<V> {
+        let both = self.all.iter().zip(&other.all);
+        Films { all: both.map(|(a, b)| of(a, b)).collect(), step: self.step }
+    }
+
+    /// That of layers nearest to being so many times as thick as on average.
+    pub(crate) fn nearest(&self, thickness: f64) -> &T {
+        let FilmAt { film, share } = self.place(thickness);
+        &self.all[film + usize::from(share > 0.5)]
+    }
+
     /// That of layers as thick as on average.
     pub(crate) fn middle(&self) -> &T {
         &self.all[self.all.len() / 2]

@@ -52,6 +52,11 @@ impl Lit {
         self.charted(charted)
     }
 
+    /// The light that each pearl sends out, in the order of the balls.
+    pub fn glows(&self) -> Vec<Glow> {
+        self.balls.iter().map(|ball| ball.glow).collect()
+    }
+
     fn charted(mut self, charted: bool) -> Self {
         if !charted {
             return self;

@@ -59,6 +59,11 @@ impl Unlit<'_> {
         (!progress.is_stopped()).then(|| LitScene { models, surroundings: Arc::new(lit) })
     }
 
+    /// Surroundings in the light of lamps, windows and sky, and of pearls that send out `glows`, each in its place.
+    pub(crate) fn lit_by(&self, glows: Vec<Glow>) -> Lit {
+        self.surroundings().settled(false).with_glows(glows, true)
+    }
+
     fn surroundings(&self) -> Surroundings {
         let lamps = self.lights.lamps_for(self.pearls.iter().map(microfacets_of));
         let (table, walls) = (table(&self.scene.table), self.scene.walls.as_ref().map(walls));

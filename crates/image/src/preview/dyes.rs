@@ -1,0 +1,117 @@
+//! What a film makes of light, in RGB, by the cosine of the view angle: tables for the pixels of a preview.
+//!
+//! Matrices from light to what is mirrored and what leaves, of `Response`, nearest row. Light inside has the spectrum that the
+//! palette gives its colour, as evenly entering light has it, so that films without colour are exact.
+//! Left out: what lies between two films whose thickness differs by a step.
+
+use nacreous_colour::{
+    Matrix,
+    matrix::{inverse, product},
+};
+
+use crate::{
+    light::bands::BANDS,
+    pearl::{
+        films::Films,
+        lobe_colours::LobeColours,
+        passage::{self, Passage},
+        response::Response,
+    },
+    rgb,
+};
+
+/// From RGB to RGB.
+pub(super) type Dye = [[f32; 3]; 3];
+
+/// Steps of the cosine; neighbours differ by less than a code.
+pub(super) const STEPS: usize = 512;
+
+/// A film's tables.
+#[derive(Debug)]
+pub(super) struct Dyes {
+    /// What is mirrored of the mean light of each lobe, and of how it leans.
+    pub(super) lobes: Vec<[Vec<Dye>; 2]>,
+    /// What is mirrored of each lamp, by lobe.
+    pub(super) lamps: Vec<Vec<Vec<[f32; 3]>>>,
+    /// What leaves of light inside that looks so through a film without colour.
+    pub(super) leaving: Vec<Dye>,
+    /// Factor of chalk on such a film.
+    pub(super) chalk: f32,
+}
+
+impl Dyes {
+    /// Of all films of a response to light.
+    pub(super) fn of(response: &Response) -> Films<Self> {
+        let (passage, lamps) = (response.passage(), response.powers().len());
+        response
+            .films()
+            .with(passage.leaving(), |lobes, leaving| Self::new(lobes, leaving, &passage, lamps))
+    }
+
+    fn new(
+        lobes: &[LobeColours],
+        leaving: &[[[f32; BANDS]; 3]],
+        passage: &Passage,
+        lamps: usize,
+    ) -> Self {
+        let lamp = |lobe: &LobeColours, lamp: usize| {
+            let colour = |cosine: f64| lobe.lamp_mirrored(lamp, cosine).map(|part| part as f32);
+            cosines().map(colour).collect()
+        };
+        let amounts = inverse(&left(passage, passage.leaving_plain()));
+        let through =
+            |cosine| dye(&product(&left(passage, &leaving[passage::row(cosine)]), &amounts));
+        let lamps = |lobe| (0..lamps).map(|number| lamp(lobe, number)).collect();
+        Self {
+            lobes: lobes.iter().map(lobe).collect(),
+            lamps: lobes.iter().map(lamps).collect(),
+            leaving: cosines().map(through).collect(),
+            chalk: passage.plain().recip() as f32,
+        }
+    }
+}
+
+fn cosines() -> impl Iterator<Item = f64> {
+    (0..=STEPS).map(|step| step as f64 / STEPS as f64)
+}
+
+/// A row of the tables for a cosine.
+pub(super) fn row(cosine: f64) -> u16 {
+    (cosine.clamp(0.0, 1.0) * STEPS as f64 + 0.5) as u16
+}
+
+fn lobe(colours: &LobeColours) -> [Vec<Dye>; 2] {
+    let whole = |cosine: f64| dye(colours.mirrored_by_all(cosine));
+    let leaning = |cosine: f64| {
+        let (low, high) = ((cosine - STEP).max(0.0), (cosine + STEP).min(1.0));
+        let (below, above) = (colours.mirrored(low), colours.mirrored(high));
+        let of_white = |film: &Matrix| rgb::luminance(film.map(|row| row.iter().sum()));
+        let one = of_white(colours.mirrored(cosine));
+        let share = if one > 0.0 { of_white(colours.mirrored_by_all(cosine)) / one } else { 0.0 };
+        let slope = |i: usize, k: usize| share * (above[i][k] - below[i][k]) / (high - low);
+        dye(&std::array::from_fn(|i| std::array::from_fn(|k| slope(i, k))))
+    };
+    [cosines().map(whole).collect(), cosines().map(leaning).collect()]
+}
+
+/// Half of the way over which the slope of a film's colour is taken: a step of its own table.
+const STEP: f64 = 1.0 / 128.0;
+
+/// What leaves by bands of RGB each, of light inside that has the spectrum that the palette's curves give it, as it enters from all sides.
+fn left(passage: &Passage, leaving: &[[f32; BANDS]; 3]) -> Matrix {
+    let shares = passage.share(0);
+    let mut dye = [[0.0; 3]; 3];
+    for band in 0..BANDS {
+        let curves = passage.palette().curves_of_white(band);
+        for (row, weights) in dye.iter_mut().zip(leaving) {
+            for (sum, curve) in row.iter_mut().zip(curves) {
+                *sum += f64::from(weights[band]) * shares[band] * curve;
+            }
+        }
+    }
+    dye
+}
+
+fn dye(matrix: &Matrix) -> Dye {
+    matrix.map(|row| row.map(|value| value as f32))
+}
