@@ -1,8 +1,8 @@
 //! The binding of the render room's job: a recipe in JSON in, rows of light out.
 
-use nacreous_image::{CHANNELS, Progress};
-use nacreous_render::{View, spec::Recipe};
-use wasm_bindgen::prelude::*;
+use nacreous_image::{CHANNELS, Development, Fineness, Progress};
+use nacreous_render::{Asked, View, spec::Recipe};
+use wasm_bindgen::{Clamped, prelude::*};
 
 use crate::{refused, resources::resources_of};
 
@@ -53,6 +53,27 @@ impl Job {
             self.view = self.made.step(&Progress::default()).map_err(refused)?;
         }
         Ok(self.view.is_some())
+    }
+
+    /// A first picture, as codes RGBA row by row, in a few hundredths of a second: colours looked up where rows work them out.
+    /// It looks at what pearls mirror at so many knots from a pearl's middle to its edge, and by so many facets at each.
+    #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
+    pub fn preview(
+        &mut self,
+        size_px: usize,
+        #[wasm_bindgen(unchecked_param_type = "Space")] space: &str,
+        #[wasm_bindgen(unchecked_param_type = "GamutHandling")] gamut: &str,
+        knots: usize,
+        facets: usize,
+    ) -> Result<Clamped<Vec<u8>>, JsError> {
+        let development = Development {
+            exposure: 1.0,
+            space: space.parse().map_err(refused)?,
+            gamut: gamut.parse().map_err(refused)?,
+        };
+        let asked = Asked { size_px, fineness: Fineness { knots, facets }, development };
+        let codes = self.made.preview(&asked, &Progress::default()).map_err(refused)?;
+        Ok(Clamped(codes.ok_or_else(broken_off)?))
     }
 
     /// Light of some rows from the top, before the look: 17 numbers a pixel, named by `layers`. Rows beyond

@@ -1,4 +1,4 @@
-//! What each pixel of a preview looks at: a place in the net of a pearl, its relief and grain, what lies behind.
+//! What each pixel of a preview sees of a pearl: a place in its net, with relief and grain.
 //!
 //! One line of sight a pixel, coverage by its distance from the silhouette. Kept while film and light change.
 //! Left out: pearls that stand before each other within one pixel, slopes too fine for one.
@@ -91,8 +91,6 @@ pub(super) struct Spot {
     pub(super) inside: f32,
     /// Hue, value and chroma of the grain.
     pub(super) grain: [f32; 3],
-    /// Light from behind the pearl, past it.
-    pub(super) behind: [f32; 3],
 }
 
 impl Canvas {
@@ -139,29 +137,37 @@ impl View<'_> {
                 *spot = self.spot(coverage, &point);
                 self.add_glints(column, &point, &mut glints);
             }
-            if spot.coverage < 1.0 {
-                let pixel_rad = self.camera.cell_mm(self.size_px) / self.camera.reach_mm(&ray);
-                let light = self.surroundings.scenery(&ray, pixel_rad);
-                spot.behind = light.map(|channel| channel as f32 * (1.0 - spot.coverage));
-            }
         }
         glints
     }
 
     /// The nearest of the pearls that a pixel shows, and the share that it covers.
+    #[inline]
     fn front(&self, ray: &Ray, balls: &[usize]) -> Option<(usize, f32)> {
         let covered = |&ball: &usize| {
             let pixel_mm = self.pixel_mm[ball];
-            if self.surroundings.is_passed(ball, ray, pixel_mm) {
-                return None;
-            }
-            let (inside_mm, _) = self.surroundings.inside_mm(ball, ray, 2.0 * pixel_mm);
+            let inside_mm = match self.surroundings.solid(ball) {
+                None => self.inside_round_mm(ball, ray)?,
+                Some(_) if self.surroundings.is_passed(ball, ray, pixel_mm) => return None,
+                Some(_) => self.surroundings.inside_mm(ball, ray, 2.0 * pixel_mm).0,
+            };
             let coverage = (inside_mm / pixel_mm + 0.5).clamp(0.0, 1.0);
             (coverage > 0.0).then_some((ball, coverage as f32))
         };
         let far_mm = |ball: usize| self.surroundings.balls[ball].centre.distance_squared(ray.from);
         let all = balls.iter().filter_map(covered);
         all.min_by(|a, b| far_mm(a.0).total_cmp(&far_mm(b.0)))
+    }
+
+    /// How far inside a ball's silhouette a line of sight passes; `None` well beside it.
+    #[inline]
+    fn inside_round_mm(&self, ball: usize, ray: &Ray) -> Option<f64> {
+        let place = &self.surroundings.balls[ball];
+        let from = ray.from - place.centre;
+        let ahead_mm = from.dot(ray.along);
+        let passing2 = from.length_squared() - ahead_mm * ahead_mm;
+        let reach_mm = place.radius_mm + self.pixel_mm[ball];
+        (passing2 < reach_mm * reach_mm).then(|| place.radius_mm - passing2.max(0.0).sqrt())
     }
 
     /// The point of a pearl on a line of sight, with its relief.
@@ -213,7 +219,6 @@ impl View<'_> {
             chalk: local.chalk as f32,
             inside: local.inside as f32,
             grain: point.grain.unwrap_or_default().map(|part| part as f32),
-            behind: [0.0; 3],
         }
     }
 

@@ -5,6 +5,8 @@
 
 use nacreous_colour::{Gamut, RgbSpace, encode};
 
+use crate::preview::lanes::{LANES, Lanes};
+
 /// From linear light in the primaries of sRGB to 8-bit codes.
 pub(super) struct Codes {
     /// To the primaries of the screen.
@@ -21,6 +23,10 @@ const STEPS: usize = 4095;
 const KNEE: f32 = 0.8;
 /// The most that a grey is brought to: colours need some room.
 const WHITE: f32 = 0.999_999;
+/// The least luminance that counts as light.
+const LEAST: f32 = 1e-9;
+/// All places of the table, a power of two.
+const MASK: usize = STEPS;
 
 impl Codes {
     pub(super) fn new(space: RgbSpace, gamut: Gamut) -> Self {
@@ -38,36 +44,46 @@ impl Codes {
         }
     }
 
-    /// Codes of a light, opaque.
+    /// Brings light to the primaries of the screen and into what it can show.
+    pub(super) fn bring_in(&self, light: &mut [Lanes; 3]) {
+        for lane in 0..LANES {
+            let [r, g, b] = [0, 1, 2].map(|i| light[i][lane]);
+            let rgb = self.primaries.map(|row| row[0] * r + row[1] * g + row[2] * b);
+            let shown = match self.gamut {
+                Gamut::Clip => rgb,
+                Gamut::Soft => self.soft(rgb),
+            };
+            for i in 0..3 {
+                light[i][lane] = shown[i].clamp(0.0, 1.0).sqrt();
+            }
+        }
+    }
+
+    /// Codes of a pixel, opaque, by the square roots of its channels.
     #[inline]
-    pub(super) fn of(&self, light: [f32; 3]) -> [u8; 4] {
-        let rgb =
-            self.primaries.map(|row| row[0] * light[0] + row[1] * light[1] + row[2] * light[2]);
-        let shown = match self.gamut {
-            Gamut::Clip => rgb,
-            Gamut::Soft => self.soft(rgb),
-        };
-        let [red, green, blue] = shown.map(|channel| {
-            self.table[(channel.clamp(0.0, 1.0).sqrt() * STEPS as f32 + 0.5) as usize]
-        });
+    pub(super) fn code(&self, roots: [f32; 3]) -> [u8; 4] {
+        let code = |root: f32| self.table[(root * STEPS as f32 + 0.5) as usize & MASK];
+        let [red, green, blue] = roots.map(code);
         [red, green, blue, u8::MAX]
     }
 
-    #[inline]
+    /// Without branches, for pixels side by side.
+    #[inline(always)]
     fn soft(&self, rgb: [f32; 3]) -> [f32; 3] {
-        let luminance = (0..3).map(|i| self.luminance[i] * rgb[i]).sum::<f32>();
-        if luminance <= 0.0 {
-            return [0.0; 3];
-        }
+        let [r, g, b] = self.luminance;
+        let luminance = (r * rgb[0] + g * rgb[1] + b * rgb[2]).max(LEAST);
         let grey = knee(luminance).min(WHITE);
-        let away = rgb.map(|channel| channel * (grey / luminance) - grey);
-        let of_room = |step: f32| if step > 0.0 { step / (1.0 - grey) } else { -step / grey };
-        let excess = away.into_iter().map(of_room).fold(0.0, f32::max);
-        let keep = if excess > KNEE { knee(excess) / excess } else { 1.0 };
+        let dim = grey / luminance;
+        let (above, below) = (1.0 / (1.0 - grey), -1.0 / grey);
+        let away = rgb.map(|channel| channel * dim - grey);
+        let of_room = |step: f32| (step * above).max(step * below);
+        let excess = of_room(away[0]).max(of_room(away[1])).max(of_room(away[2])).max(KNEE);
+        let keep = knee(excess) / excess;
         away.map(|step| grey + step * keep)
     }
 }
 
+#[inline(always)]
 fn knee(x: f32) -> f32 {
     if x <= KNEE { x } else { 1.0 - (1.0 - KNEE) * (1.0 - KNEE) / (1.0 + x - 2.0 * KNEE) }
 }
@@ -85,7 +101,9 @@ mod tests {
                 for i in 0..4000_u32 {
                     let light = [7, 11, 13].map(|k| ((i * k) % 97) as f32 / 60.0 - 0.05);
                     let expected = eight_bit(&develop(&light, space, gamut).codes);
-                    let found = codes.of(light);
+                    let mut lanes = light.map(|channel| [channel; LANES]);
+                    codes.bring_in(&mut lanes);
+                    let found = codes.code(lanes.map(|channel| channel[3]));
                     for (found, expected) in found.iter().zip(expected) {
                         assert!(found.abs_diff(expected) <= 1, "{light:?}: {found} {expected}");
                     }

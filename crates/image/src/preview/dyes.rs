@@ -20,15 +20,19 @@ use crate::{
     rgb,
 };
 
-/// From RGB to RGB.
-pub(super) type Dye = [[f32; 3]; 3];
+/// From RGB to RGB, column by column, each filled up to a register.
+pub(super) type Dye = [[f32; 4]; 3];
 
 /// Steps of the cosine; neighbours differ by less than a code.
 pub(super) const STEPS: usize = 512;
 
+/// The tables of all films of a pearl, by the thickness of their layers.
+#[derive(Debug)]
+pub struct Dyes(Films<Dyed>);
+
 /// A film's tables.
 #[derive(Debug)]
-pub(super) struct Dyes {
+pub(super) struct Dyed {
     /// What is mirrored of the mean light of each lobe, and of how it leans.
     pub(super) lobes: Vec<[Vec<Dye>; 2]>,
     /// What is mirrored of each lamp, by lobe.
@@ -40,14 +44,20 @@ pub(super) struct Dyes {
 }
 
 impl Dyes {
-    /// Of all films of a response to light.
-    pub(super) fn of(response: &Response) -> Films<Self> {
+    /// Of a response to light.
+    pub fn new(response: &Response) -> Self {
         let (passage, lamps) = (response.passage(), response.powers().len());
-        response
-            .films()
-            .with(passage.leaving(), |lobes, leaving| Self::new(lobes, leaving, &passage, lamps))
+        let dyed = |lobes: &Vec<_>, leaving: &Vec<_>| Dyed::new(lobes, leaving, &passage, lamps);
+        Self(response.films().with(passage.leaving(), dyed))
     }
 
+    /// Where layers are so many times as thick as on average.
+    pub(super) fn at(&self, thickness: f32) -> &Dyed {
+        self.0.nearest(f64::from(thickness))
+    }
+}
+
+impl Dyed {
     fn new(
         lobes: &[LobeColours],
         leaving: &[[[f32; BANDS]; 3]],
@@ -113,5 +123,6 @@ fn left(passage: &Passage, leaving: &[[f32; BANDS]; 3]) -> Matrix {
 }
 
 fn dye(matrix: &Matrix) -> Dye {
-    matrix.map(|row| row.map(|value| value as f32))
+    let column = |k: usize| [0, 1, 2].map(|i| matrix[i][k] as f32);
+    [0, 1, 2].map(column).map(|[red, green, blue]| [red, green, blue, 0.0])
 }

@@ -6,7 +6,10 @@
 
 use nacreous_colour::{Matrix, WHITE_C, hvc_from_rgb, matrix::inverse, xyz_from_hvc};
 
-use crate::pearl::skin::Grain;
+use crate::{
+    pearl::skin::Grain,
+    preview::lanes::{LANES, Lanes},
+};
 
 /// How grain changes light.
 pub(super) struct Grained {
@@ -28,33 +31,31 @@ impl Grained {
         Self { to_relative: single(to), from_relative: single(inverse(&to)) }
     }
 
-    /// What is mirrored and what comes from inside, with the grain of a place, both as light in the finished picture.
-    #[inline]
-    pub(super) fn laid(
-        &self,
-        weights: &Grain,
-        [hue, value, chroma]: [f32; 3],
-        mirror: [f32; 3],
-        diffuse: [f32; 3],
-    ) -> [[f32; 3]; 2] {
-        let mirrored = lightness(apply(&self.to_relative, mirror)[1]).clamp(0.0, 10.0) * 0.1;
-        let glint = (1.0 + weights.value as f32 * mirrored * value).max(0.0);
-        let turn = weights.hue_rad as f32 * hue;
-        let stretch = weights.chroma as f32 * chroma;
-        [mirror.map(|channel| channel * glint), self.turned(diffuse, turn, stretch)]
+    /// Lays the grain of pixels side by side on what is mirrored and on what comes from inside, both as light in the
+    /// finished picture.
+    pub(super) fn lay(&self, grains: &Grains, mirror: &mut [Lanes; 3], diffuse: &mut [Lanes; 3]) {
+        for lane in 0..LANES {
+            let light = [0, 1, 2].map(|i| mirror[i][lane]);
+            let mirrored = lightness(apply(&self.to_relative, light)[1]).clamp(0.0, 10.0) * 0.1;
+            let glint = (1.0 + mirrored * grains.value[lane]).max(0.0);
+            let light = [0, 1, 2].map(|i| diffuse[i][lane]);
+            let turned = self.turned(light, grains.hue_rad[lane], grains.chroma[lane]);
+            for i in 0..3 {
+                mirror[i][lane] *= glint;
+                diffuse[i][lane] = turned[i];
+            }
+        }
     }
 
-    /// A colour whose hue is turned, and its chroma changed, in proportion to its lightness.
-    #[inline]
+    /// A colour whose hue is turned, and its chroma changed, in proportion to its lightness. Without branches.
+    #[inline(always)]
     fn turned(&self, colour: [f32; 3], turn_rad: f32, stretch: f32) -> [f32; 3] {
         let [x, value, z] = apply(&self.to_relative, colour).map(lightness);
         let lit = value.clamp(0.0, 10.0) * 0.1;
         let (m1, m2) = (x - value, 0.4 * (z - value));
         let m = (m1 * m1 + m2 * m2).sqrt();
-        if m < 1e-6 {
-            return colour;
-        }
-        let from = [m1 / m, m2 / m];
+        // A grey has no hue to turn; any will do.
+        let from = if m > GREY { [m1 / m, m2 / m] } else { [1.0, 0.0] };
         let goal = opponents(from);
         let length = (goal[0] * goal[0] + goal[1] * goal[1]).sqrt();
         let (sin, cos) = sin_cos(turn_rad * lit);
@@ -68,8 +69,29 @@ impl Grained {
     }
 }
 
+/// Below this, the transform's M is rounding.
+const GREY: f32 = 1e-6;
+
+/// Grain of pixels side by side, times its weights.
+#[derive(Default)]
+pub(super) struct Grains {
+    hue_rad: Lanes,
+    value: Lanes,
+    chroma: Lanes,
+}
+
+impl Grains {
+    pub(super) fn set(&mut self, lane: usize, weights: Option<&Grain>, grain: [f32; 3]) {
+        let [hue, value, chroma] = grain;
+        let weight = |of: fn(&Grain) -> f64| weights.map_or(0.0, |weights| of(weights) as f32);
+        self.hue_rad[lane] = hue * weight(|weights| weights.hue_rad);
+        self.value[lane] = value * weight(|weights| weights.value);
+        self.chroma[lane] = chroma * weight(|weights| weights.chroma);
+    }
+}
+
 /// The direction of M whose opponents point to where they shall, from one near it.
-#[inline]
+#[inline(always)]
 fn direction_of(mut near: [f32; 2], wanted: [f32; 2]) -> [f32; 2] {
     for _ in 0..2 {
         let [x, y] = near;
@@ -85,43 +107,43 @@ fn direction_of(mut near: [f32; 2], wanted: [f32; 2]) -> [f32; 2] {
 }
 
 /// (S1, S2) of the transform for M in a direction.
-#[inline]
+#[inline(always)]
 fn opponents([cos, sin]: [f32; 2]) -> [f32; 2] {
     [(8.880 + 0.966 * cos) * cos, (8.025 + 2.558 * sin) * sin]
 }
 
-#[inline]
+#[inline(always)]
 fn rotated([x, y]: [f32; 2], [cos, sin]: [f32; 2]) -> [f32; 2] {
     [x * cos - y * sin, x * sin + y * cos]
 }
 
 /// Of a small angle.
-#[inline]
+#[inline(always)]
 fn sin_cos(rad: f32) -> (f32, f32) {
     let square = rad * rad;
     let cos = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0)));
     (rad * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0))), cos)
 }
 
-#[inline]
+#[inline(always)]
 fn apply(matrix: &[[f32; 3]; 3], v: [f32; 3]) -> [f32; 3] {
     matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
 /// V: lightness on the Munsell scale, L* / 10.
-#[inline]
+#[inline(always)]
 fn lightness(ratio: f32) -> f32 {
     11.6 * if ratio > 0.008_856_452 { root(ratio) } else { ratio * 7.787_037 + 0.137_931_03 } - 1.6
 }
 
-#[inline]
+#[inline(always)]
 fn ratio(lightness: f32) -> f32 {
     let root = (lightness + 1.6) / 11.6;
     if root > 0.206_896_55 { root * root * root } else { (root - 0.137_931_03) * 0.128_418_55 }
 }
 
 /// The cube root of a number above 0: a third of its exponent, then two steps of Newton's method.
-#[inline]
+#[inline(always)]
 fn root(x: f32) -> f32 {
     let mut y = f32::from_bits(x.to_bits() / 3 + 0x2a51_4067);
     for _ in 0..2 {
@@ -152,9 +174,14 @@ mod tests {
             let glint = 1.0 + weights.value * value_from_rgb(mirror) / 10.0 * grain[1];
             let expected = [mirror.map(|channel| channel * glint.max(0.0)), rgb_from_hvc(body)];
             let single = |rgb: [f64; 3]| rgb.map(|channel| channel as f32);
-            let found = grained.laid(&weights, single(grain), single(mirror), single(diffuse));
-            for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
-                assert!((f64::from(*found) - expected).abs() < 2e-3, "{i}: {found} {expected}");
+            let mut grains = Grains::default();
+            grains.set(5, Some(&weights), single(grain));
+            let [mut mirror, mut diffuse] =
+                [mirror, diffuse].map(|light| single(light).map(|channel| [channel; LANES]));
+            grained.lay(&grains, &mut mirror, &mut diffuse);
+            let found = mirror.iter().chain(&diffuse).map(|channel| f64::from(channel[5]));
+            for (found, expected) in found.zip(expected.iter().flatten()) {
+                assert!((found - expected).abs() < 2e-3, "{i}: {found} {expected}");
             }
         }
     }

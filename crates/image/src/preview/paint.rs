@@ -7,35 +7,26 @@ use nacreous_colour::{Gamut, RgbSpace};
 
 use crate::{
     parallel,
-    pearl::{films::Films, response::Response, skin::Grain, subsurface::Subsurface},
+    pearl::skin::Grain,
     preview::{
+        backdrop::Backdrop,
         canvas::{Canvas, Glint, Spot},
         codes::Codes,
         dyes::{Dye, Dyes},
-        glimpses::Glimpses,
-        grained::Grained,
+        grained::{Grained, Grains},
+        lanes::{LANES, Lanes},
         veil::{Knot, Veil},
     },
 };
 
 /// A pearl as a film, its grain and its light make it.
-pub struct Painted {
-    dyes: Films<Dyes>,
-    veil: Veil,
-    grain: Option<Grain>,
-}
-
-impl Painted {
-    /// `grain` is the weights of a pearl that has a texture.
-    pub fn new(
-        response: &Response,
-        glimpses: &Glimpses,
-        inside: &Subsurface,
-        grain: Option<Grain>,
-    ) -> Self {
-        let veil = Veil::new(glimpses, inside);
-        Self { dyes: Dyes::of(response), veil, grain }
-    }
+pub struct Painted<'a> {
+    /// The film's colours.
+    pub dyes: &'a Dyes,
+    /// The light.
+    pub veil: &'a Veil,
+    /// The weights of its grain, if it shows any.
+    pub grain: Option<Grain>,
 }
 
 /// How light becomes codes.
@@ -50,7 +41,11 @@ pub struct Development {
 }
 
 /// The codes of a preview, RGBA, row by row: `pearls[i]` is ball `i` of the canvas.
-pub fn paint(canvas: &Canvas, pearls: &[Painted], development: &Development) -> Vec<u8> {
+pub fn paint(
+    (canvas, backdrop): (&Canvas, &Backdrop),
+    pearls: &[Painted<'_>],
+    development: &Development,
+) -> Vec<u8> {
     let brush = Brush {
         pearls,
         grained: Grained::new(),
@@ -60,83 +55,128 @@ pub fn paint(canvas: &Canvas, pearls: &[Painted], development: &Development) -> 
     let size_px = canvas.size_px;
     let mut codes = vec![0; 4 * size_px * size_px];
     parallel::map_chunks(&mut codes, 4 * size_px, |row, codes| {
-        let spots = &canvas.spots[row * size_px..][..size_px];
-        let mut glints = canvas.glints[row].as_slice();
-        for (column, (spot, code)) in spots.iter().zip(codes.chunks_exact_mut(4)).enumerate() {
-            let count = glints.iter().take_while(|glint| glint.column as usize == column).count();
-            let (here, later) = glints.split_at(count);
-            glints = later;
-            code.copy_from_slice(&brush.codes.of(brush.light(spot, here)));
+        let spots = canvas.spots[row * size_px..][..size_px].chunks(LANES);
+        let behind = backdrop.0[row * size_px..][..size_px].chunks(LANES);
+        let mut glints = canvas.glints[row].iter().peekable();
+        let mut run = Run::default();
+        for (number, ((codes, spots), behind)) in
+            codes.chunks_mut(4 * LANES).zip(spots).zip(behind).enumerate()
+        {
+            brush.gather(spots, behind, &mut run);
+            while let Some(glint) =
+                glints.next_if(|glint| usize::from(glint.column) < LANES * (number + 1))
+            {
+                brush.add_glint(glint, spots, &mut run);
+            }
+            brush.finish(&mut run);
+            for (lane, code) in codes.chunks_exact_mut(4).enumerate() {
+                code.copy_from_slice(&brush.codes.code([0, 1, 2].map(|i| run.light[i][lane])));
+            }
         }
     });
     codes
 }
 
-/// What makes light of what a pixel shows.
+/// A run of pixels, channel by channel.
+#[derive(Default)]
+struct Run {
+    mirror: [Lanes; 3],
+    diffuse: [Lanes; 3],
+    interference: [Lanes; 3],
+    /// From behind, then all.
+    light: [Lanes; 3],
+    coverage: Lanes,
+    grain: Grains,
+    has_pearl: bool,
+}
+
+/// What makes light of what pixels show.
 struct Brush<'a> {
-    pearls: &'a [Painted],
+    pearls: &'a [Painted<'a>],
     grained: Grained,
     codes: Codes,
     exposure: f32,
 }
 
 impl Brush<'_> {
-    /// The light of a pixel, exposed.
-    #[inline]
-    fn light(&self, spot: &Spot, glints: &[Glint]) -> [f32; 3] {
-        let mut light = spot.behind.map(|channel| channel * self.exposure);
-        if spot.coverage > 0.0 {
-            let pearl = &self.pearls[spot.ball as usize];
-            let [mirror, mut diffuse, interference] =
-                pearl.parts(spot, glints).map(|part| part.map(|channel| channel * self.exposure));
-            let mut mirror = mirror;
-            if let Some(grain) = &pearl.grain {
-                [mirror, diffuse] = self.grained.laid(grain, spot.grain, mirror, diffuse);
-            }
+    /// What each pixel of a run shows, lamps apart, exposed.
+    fn gather(&self, spots: &[Spot], behind: &[[f32; 3]], run: &mut Run) {
+        run.has_pearl = false;
+        for (lane, (spot, behind)) in spots.iter().zip(behind).enumerate() {
+            run.coverage[lane] = spot.coverage;
             for i in 0..3 {
-                light[i] += spot.coverage * (mirror[i] + diffuse[i] + interference[i]);
+                run.light[i][lane] = behind[i] * (1.0 - spot.coverage) * self.exposure;
+            }
+            if spot.coverage <= 0.0 {
+                continue;
+            }
+            run.has_pearl = true;
+            let pearl = &self.pearls[spot.ball as usize];
+            let parts = pearl.parts(spot);
+            let lanes = [&mut run.mirror, &mut run.diffuse, &mut run.interference];
+            for (lanes, part) in lanes.into_iter().zip(parts) {
+                for i in 0..3 {
+                    lanes[i][lane] = part[i] * self.exposure;
+                }
+            }
+            run.grain.set(lane, pearl.grain.as_ref(), spot.grain);
+        }
+    }
+
+    /// Adds the image of a lamp in one of a run's pixels.
+    fn add_glint(&self, glint: &Glint, spots: &[Spot], run: &mut Run) {
+        let lane = usize::from(glint.column) % LANES;
+        let spot = &spots[lane];
+        let dyes = self.pearls[spot.ball as usize].dyes.at(spot.thickness);
+        let lamp = &dyes.lamps[usize::from(glint.lobe)][usize::from(glint.lamp)];
+        let factor = glint.strength * (1.0 - spot.chalk) * self.exposure;
+        for (lanes, channel) in run.mirror.iter_mut().zip(lamp[usize::from(glint.row)]) {
+            lanes[lane] += channel * factor;
+        }
+    }
+
+    /// The light of all pixels of a run, as the screen shows it.
+    fn finish(&self, run: &mut Run) {
+        if run.has_pearl {
+            self.grained.lay(&run.grain, &mut run.mirror, &mut run.diffuse);
+            for i in 0..3 {
+                for lane in 0..LANES {
+                    let light = run.mirror[i][lane] + run.diffuse[i][lane];
+                    run.light[i][lane] += run.coverage[lane] * (light + run.interference[i][lane]);
+                }
             }
         }
-        light
+        self.codes.bring_in(&mut run.light);
     }
 }
 
-impl Painted {
+impl Painted<'_> {
     /// What is mirrored, what comes from inside through a film without colour, and what the film changes of it.
     #[inline]
-    fn parts(&self, spot: &Spot, glints: &[Glint]) -> [[f32; 3]; 3] {
+    fn parts(&self, spot: &Spot) -> [[f32; 3]; 3] {
+        let (row, dyes) = (usize::from(spot.row), self.dyes.at(spot.thickness));
         let knot = self.veil.at(spot.normal);
-        let (row, dyes) = (spot.row as usize, self.dyes.nearest(f64::from(spot.thickness)));
-        let mut mirror = [0.0; 3];
+        let mut mirror = [0.0; 4];
         for (number, [whole, leaning]) in dyes.lobes.iter().enumerate() {
             let first = 3 + 6 * number;
-            add(&mut mirror, dyed(&whole[row], &knot, first));
-            add(&mut mirror, dyed(&leaning[row], &knot, first + 3));
-        }
-        for glint in glints {
-            let lamp = &dyes.lamps[glint.lobe as usize][glint.lamp as usize];
-            let colour = lamp[glint.row as usize];
-            add(&mut mirror, colour.map(|channel| channel * glint.strength));
+            add_dyed(&mut mirror, &whole[row], &knot, first);
+            add_dyed(&mut mirror, &leaning[row], &knot, first + 3);
         }
         let knot = if spot.outward == spot.normal { knot } else { self.veil.at(spot.outward) };
-        let whole = dyed(&dyes.leaving[row], &knot, 0);
-        let plain = [knot[0], knot[1], knot[2]];
+        let (mut whole, plain) = ([0.0; 4], [knot[0], knot[1], knot[2]]);
+        add_dyed(&mut whole, &dyes.leaving[row], &knot, 0);
         let nacre = 1.0 - spot.chalk;
         let diffuse = plain.map(|part| part * spot.inside * (nacre + spot.chalk * dyes.chalk));
         let between = [0, 1, 2].map(|i| (whole[i] - plain[i]) * spot.inside * nacre);
-        [mirror.map(|part| part * nacre), diffuse, between]
+        [[0, 1, 2].map(|i| mirror[i] * nacre), diffuse, between]
     }
 }
 
 #[inline]
-fn dyed(dye: &Dye, knot: &Knot, first: usize) -> [f32; 3] {
-    let [a, b, c] = [knot[first], knot[first + 1], knot[first + 2]];
-    dye.map(|row| row[0] * a + row[1] * b + row[2] * c)
-}
-
-#[inline]
-fn add(sum: &mut [f32; 3], part: [f32; 3]) {
-    for (sum, part) in sum.iter_mut().zip(part) {
-        *sum += part;
+fn add_dyed(sum: &mut [f32; 4], dye: &Dye, knot: &Knot, first: usize) {
+    for (column, amount) in dye.iter().zip(&knot[first..first + 3]) {
+        for i in 0..4 {
+            sum[i] += column[i] * amount;
+        }
     }
 }

@@ -16,13 +16,15 @@ const KNOT: usize = 16;
 pub(super) type Knot = [f32; KNOT];
 
 /// The knots of a net twice as fine.
-pub(super) struct Veil {
+#[derive(Debug)]
+pub struct Veil {
     knots: Vec<Knot>,
     side: usize,
 }
 
 impl Veil {
-    pub(super) fn new(glimpses: &Glimpses, inside: &Subsurface) -> Self {
+    /// Of a pearl that sees and holds light so.
+    pub fn new(glimpses: &Glimpses, inside: &Subsurface) -> Self {
         let net = &glimpses.net;
         let knot = |(number, seen): (usize, &[_; 2])| knot(net, inside, number, seen);
         let coarse: Vec<Knot> = glimpses.knots.iter().enumerate().map(knot).collect();

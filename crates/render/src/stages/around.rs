@@ -59,9 +59,9 @@ impl Unlit<'_> {
         (!progress.is_stopped()).then(|| LitScene { models, surroundings: Arc::new(lit) })
     }
 
-    /// Surroundings in the light of lamps, windows and sky, and of pearls that send out `glows`, each in its place.
-    pub(crate) fn lit_by(&self, glows: Vec<Glow>) -> Lit {
-        self.surroundings().settled(false).with_glows(glows, true)
+    /// The light around for a preview, where pearls send out `glows`, each in its place.
+    pub(crate) fn roughly_lit(&self, glows: Vec<Glow>) -> Lit {
+        self.surroundings().roughly_settled(glows)
     }
 
     fn surroundings(&self) -> Surroundings {

@@ -10,7 +10,7 @@ use super::{
     around::{LitScene, Unlit},
     kept::Kept,
     optics::OpticsStage,
-    preview::{Asked, Before, PreviewStage},
+    preview::{Asked, Before, GlowKey, PreviewStage},
     view::{Look, View},
     work::Work,
 };
@@ -199,7 +199,9 @@ impl Job {
         };
         let key = SceneKey::new(recipe, arrangement, lights_key, self.samples_side);
         let make = |_: &SceneKey| work.piece(|progress| Ok::<_, RenderError>(unlit.lit(progress)));
-        Ok(self.scene.one(key.clone(), make)?.map(|scene| (key, scene)))
+        let Some(scene) = self.scene.one(key.clone(), make)? else { return Ok(None) };
+        self.preview.learn(GlowKey::new(recipe, arrangement), &scene.surroundings.glows());
+        Ok(Some((key, scene)))
     }
 
     /// The pearls in their places, with their grain; `None` where `work` ends before.

@@ -7,9 +7,9 @@
 use std::{convert::Infallible, sync::Arc};
 
 use nacreous_image::{
-    Camera, Canvas, Coat, Development, FilmSampling, Fineness, Glimpses, Glow, Lit, Microfacets,
-    Model, Painted, Pearl, Progress, Reflections, Response, Sampler, Sitter, Skin, Subsurface,
-    develop, eight_bit, grain::texture::Texture, paint,
+    Backdrop, Camera, Canvas, Coat, Development, Dyes, FilmSampling, Fineness, Glimpses, Glow, Lit,
+    Microfacets, Model, Painted, Pearl, Progress, Reflections, Response, Sampler, Sitter, Skin,
+    Subsurface, Veil, develop, eight_bit, grain::texture::Texture, paint,
 };
 
 use super::{
@@ -26,7 +26,7 @@ use crate::{
     lights::{Lights, LightsKey},
     spec::{
         Recipe,
-        pearl::{BodySpec, PearlSpec},
+        pearl::PearlSpec,
         scene::{TableSpec, WallsSpec},
     },
 };
@@ -60,17 +60,27 @@ pub(crate) struct PreviewStage {
     lit: Kept<LitKey, Lit>,
     glimpses: Kept<GlimpsesKey, Glimpses>,
     canvas: Kept<CanvasKey, Canvas>,
+    backdrop: Kept<BackdropKey, Backdrop>,
+    dyes: Kept<Same<Response>, Dyes>,
+    inside: Kept<InsideKey, Subsurface>,
+    veils: Kept<VeilKey, Veil>,
     /// For pearls that no table shows.
     scene: Kept<SceneKey, LitScene>,
 }
 
-/// What the light that pearls send out mostly hangs on.
+/// Where light that pearls sent out before stands for what they send out now.
 #[derive(Debug, Clone, PartialEq)]
-struct GlowKey {
-    bodies: Vec<Option<BodySpec>>,
+pub(super) struct GlowKey {
     places: Vec<Place>,
     table: TableSpec,
     walls: Option<WallsSpec>,
+}
+
+impl GlowKey {
+    pub(super) fn new(recipe: &Recipe, arrangement: &Arrangement) -> Self {
+        let (table, walls) = (recipe.scene.table.clone(), recipe.scene.walls.clone());
+        Self { places: arrangement.places().to_vec(), table, walls }
+    }
 }
 
 /// What the light around is made from.
@@ -96,14 +106,33 @@ type FacetsKey = (Microfacets, f64);
 /// What pixels look at is made from.
 #[derive(Debug, Clone, PartialEq)]
 struct CanvasKey {
-    lit: Same<Lit>,
+    places: Vec<Place>,
     camera: Camera,
     size_px: usize,
     fineness: Fineness,
     skins: Vec<SkinKey>,
     /// Where there are lamps, whose images they show.
-    facets: Option<Vec<FacetsKey>>,
+    lamps: Option<(Same<Lit>, Vec<FacetsKey>)>,
 }
+
+/// What lies behind is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct BackdropKey {
+    lit: Same<Lit>,
+    camera: Camera,
+    size_px: usize,
+}
+
+/// Light inside one pearl is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct InsideKey {
+    response: Same<Response>,
+    lit: Same<Lit>,
+    ball: usize,
+}
+
+/// A film's view of light is made from.
+type VeilKey = (Same<Glimpses>, Same<Subsurface>);
 
 /// The grain of a pearl, how steep it is, and its coat.
 type SkinKey = (Option<Same<Texture>>, f64, Option<Same<Coat>>);
@@ -116,6 +145,10 @@ impl Default for PreviewStage {
             lit: Kept::default(),
             glimpses: Kept::default(),
             canvas: Kept::default(),
+            backdrop: Kept::default(),
+            dyes: Kept::default(),
+            inside: Kept::default(),
+            veils: Kept::default(),
             scene: Kept::default(),
         }
     }
@@ -153,18 +186,20 @@ impl PreviewStage {
         let seen = Seen { before, responses, lit: &lit, asked };
         let Some(glimpses) = self.glimpses(&seen) else { return Ok(None) };
         let Some(canvas) = self.canvas(&seen, &glimpses) else { return Ok(None) };
-        let places = before.arrangement.places();
-        let painted = |(ball, place): (usize, &Place)| {
-            let skin = &before.skins[place.pearl];
+        let Some(backdrop) = self.backdrop(&seen) else { return Ok(None) };
+        let Some(veils) = self.veils(&seen, &glimpses) else { return Ok(None) };
+        let dyes = |key: &Same<Response>| Ok::<_, Infallible>(Some(Dyes::new(&key.0)));
+        let Ok(dyes) = self.dyes.all(seen.balls().map(|ball| seen.response(ball)).collect(), dyes);
+        let Some(dyes) = dyes else { return Ok(None) };
+        let painted = |ball: usize| {
+            let skin = &before.skins[before.arrangement.places()[ball].pearl];
             let grain = skin.texture.as_ref().map(|_| skin.grain);
-            let response = &responses[place.pearl];
-            let inside = Subsurface::of(response, &lit, ball);
-            Painted::new(response, &glimpses[ball], &inside, grain)
+            Painted { dyes: &dyes[ball], veil: &veils[ball], grain }
         };
-        let pearls: Vec<Painted> = places.iter().enumerate().map(painted).collect();
+        let pearls: Vec<Painted<'_>> = seen.balls().map(painted).collect();
         let mut development = asked.development;
         development.exposure *= before.recipe.scene.camera.exposure;
-        Ok(Some(paint(&canvas, &pearls, &development)))
+        Ok(Some(paint((&canvas, &backdrop), &pearls, &development)))
     }
 
     /// By one sample a pixel of a smaller picture, enlarged.
@@ -202,24 +237,28 @@ impl PreviewStage {
         Ok(Some(enlarged(&codes, size_px, asked.size_px)))
     }
 
-    /// The light around, with what the pearls last sent out while they and the table are the same.
+    /// Takes over what the pearls of a view send out, where that is not what is known already.
+    pub(super) fn learn(&mut self, key: GlowKey, glows: &[Glow]) {
+        let make = |_: &GlowKey| Ok::<_, Infallible>(Some(glows.to_vec()));
+        let Ok(known) = self.glows.one(key.clone(), make);
+        let are_near = known.is_some_and(|known| {
+            known.len() == glows.len() && known.iter().zip(glows).all(|(a, b)| a.is_near(b, NEAR))
+        });
+        if !are_near {
+            self.glows = Kept::default();
+            let Ok(_) = self.glows.one(key, make);
+        }
+    }
+
+    /// The light around, with what the pearls last sent out while places, table and walls are the same.
     fn lit(
         &mut self,
         before: &Before<'_>,
         optics: &[Optics],
         work: &Work<'_>,
     ) -> Result<Option<Arc<Lit>>, RenderError> {
-        let (scene, unlit) = (&before.recipe.scene, unlit(before, optics));
-        let body = |pearl: &PearlSpec| match pearl {
-            PearlSpec::Transport(pearl) => Some(pearl.body.clone()),
-            PearlSpec::Illuminant(_) => None,
-        };
-        let key = GlowKey {
-            bodies: before.recipe.pearls.iter().map(body).collect(),
-            places: before.arrangement.places().to_vec(),
-            table: scene.table.clone(),
-            walls: scene.walls.clone(),
-        };
+        let unlit = unlit(before, optics);
+        let key = GlowKey::new(before.recipe, before.arrangement);
         let glows = |_: &GlowKey| {
             work.piece(|progress| {
                 let lit = unlit.lit(progress);
@@ -228,8 +267,9 @@ impl PreviewStage {
         };
         let Some(glows) = self.glows.one(key, glows)? else { return Ok(None) };
         let key = LitKey { glows: Same(Arc::clone(&glows)), lights: before.lights.0.clone() };
-        let lit =
-            |_: &LitKey| work.piece(|_| Ok::<_, RenderError>(Some(unlit.lit_by(glows.to_vec()))));
+        let lit = |_: &LitKey| {
+            work.piece(|_| Ok::<_, RenderError>(Some(unlit.roughly_lit(glows.to_vec()))))
+        };
         self.lit.one(key, lit)
     }
 }
@@ -244,8 +284,8 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    fn response(&self, ball: usize) -> &Response {
-        &self.responses[self.before.arrangement.places()[ball].pearl]
+    fn response(&self, ball: usize) -> Same<Response> {
+        Same(Arc::clone(&self.responses[self.before.arrangement.places()[ball].pearl]))
     }
 
     fn pearl(&self, ball: usize) -> &PearlSpec {
@@ -279,8 +319,8 @@ impl PreviewStage {
             fineness,
         };
         let make = |key: &GlimpsesKey| {
-            let response = seen.response(key.ball);
-            Ok::<_, Infallible>(Glimpses::new(response, seen.lit, key.ball, &camera, fineness))
+            let response = seen.response(key.ball).0;
+            Ok::<_, Infallible>(Glimpses::new(&response, seen.lit, key.ball, &camera, fineness))
         };
         let Ok(made) = self.glimpses.all(seen.balls().map(key).collect(), make);
         made
@@ -296,17 +336,20 @@ impl PreviewStage {
         let camera = before.arrangement.camera();
         let has_lamps = !lit.lamps.is_empty();
         let key = CanvasKey {
-            lit: Same(Arc::clone(lit)),
+            places: before.arrangement.places().to_vec(),
             camera,
             size_px: asked.size_px,
             fineness: asked.fineness,
             skins: before.skins.iter().map(skin).collect(),
-            facets: has_lamps.then(|| seen.balls().map(|ball| seen.facets(ball)).collect()),
+            lamps: has_lamps.then(|| {
+                (Same(Arc::clone(lit)), seen.balls().map(|ball| seen.facets(ball)).collect())
+            }),
         };
         let make = |key: &CanvasKey| {
             let sitter = |(ball, place): (usize, &Place)| {
                 let skin = &before.skins[place.pearl];
-                Sitter::new(skin, &glimpses[ball], seen.response(ball), lit)
+                let response = &seen.responses[place.pearl];
+                Sitter::new(skin, &glimpses[ball], response, lit)
             };
             let sitters: Vec<_> =
                 before.arrangement.places().iter().enumerate().map(sitter).collect();
@@ -317,6 +360,38 @@ impl PreviewStage {
     }
 }
 
+impl PreviewStage {
+    /// What lies behind.
+    fn backdrop(&mut self, seen: &Seen<'_>) -> Option<Arc<Backdrop>> {
+        let (camera, size_px) = (seen.before.arrangement.camera(), seen.asked.size_px);
+        let key = BackdropKey { lit: Same(Arc::clone(seen.lit)), camera, size_px };
+        let make =
+            |_: &BackdropKey| Ok::<_, Infallible>(Some(Backdrop::new(seen.lit, &camera, size_px)));
+        let Ok(made) = self.backdrop.one(key, make);
+        made
+    }
+
+    /// The light in and around each pearl, by its net.
+    fn veils(&mut self, seen: &Seen<'_>, glimpses: &[Arc<Glimpses>]) -> Option<Vec<Arc<Veil>>> {
+        let key = |ball| {
+            let lit = Same(Arc::clone(seen.lit));
+            InsideKey { response: seen.response(ball), lit, ball }
+        };
+        let make = |key: &InsideKey| {
+            Ok::<_, Infallible>(Some(Subsurface::of(&key.response.0, &key.lit.0, key.ball)))
+        };
+        let Ok(inside) = self.inside.all(seen.balls().map(key).collect(), make);
+        let both = glimpses.iter().cloned().map(Same).zip(inside?.into_iter().map(Same));
+        let make = |(glimpses, inside): &VeilKey| {
+            Ok::<_, Infallible>(Some(Veil::new(&glimpses.0, &inside.0)))
+        };
+        let Ok(made) = self.veils.all(both.collect(), make);
+        made
+    }
+}
+
+/// A light that differs by less than this share of white is the same.
+const NEAR: f64 = 0.003;
 /// Samples along the side of a pixel.
 const SAMPLES_SIDE: usize = 1;
 /// A picture without tables has so many times fewer pixels a side.
