@@ -1,6 +1,6 @@
 //! The binding of the render room's job: a recipe in JSON in, rows of light out.
 
-use nacreous_image::{CHANNELS, Development, Fineness, Progress};
+use nacreous_image::{CHANNELS, Development, Progress};
 use nacreous_render::{Asked, View, spec::Recipe};
 use wasm_bindgen::{Clamped, prelude::*};
 
@@ -56,22 +56,16 @@ impl Job {
     }
 
     /// A first picture, as codes RGBA row by row, in a few hundredths of a second: colours looked up where rows work them out.
-    /// It looks at what pearls mirror at so many knots from a pearl's middle to its edge, and by so many facets at each.
     #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
     pub fn preview(
         &mut self,
-        size_px: usize,
+        #[wasm_bindgen(js_name = sizePx)] size_px: usize,
         #[wasm_bindgen(unchecked_param_type = "Space")] space: &str,
         #[wasm_bindgen(unchecked_param_type = "GamutHandling")] gamut: &str,
-        knots: usize,
-        facets: usize,
     ) -> Result<Clamped<Vec<u8>>, JsError> {
-        let development = Development {
-            exposure: 1.0,
-            space: space.parse().map_err(refused)?,
-            gamut: gamut.parse().map_err(refused)?,
-        };
-        let asked = Asked { size_px, fineness: Fineness { knots, facets }, development };
+        let (space, gamut) = (space.parse().map_err(refused)?, gamut.parse().map_err(refused)?);
+        let development = Development { exposure: 1.0, space, gamut };
+        let asked = Asked { size_px, development };
         let codes = self.made.preview(&asked, &Progress::default()).map_err(refused)?;
         Ok(Clamped(codes.ok_or_else(broken_off)?))
     }

@@ -32,10 +32,11 @@ impl<T> Films<T> {
         Films { all: both.map(|(a, b)| of(a, b)).collect(), step: self.step }
     }
 
-    /// That of layers nearest to being so many times as thick as on average.
-    pub(crate) fn nearest(&self, thickness: f64) -> &T {
+    /// Those of the films before and behind layers that are so many times as thick as on average, and how far on to the
+    /// second they are; the same twice where they are one's.
+    pub(crate) fn both(&self, thickness: f64) -> (&T, &T, f64) {
         let FilmAt { film, share } = self.place(thickness);
-        &self.all[film + usize::from(share > 0.5)]
+        (&self.all[film], &self.all[film + usize::from(share > 0.0)], share)
     }
 
     /// That of layers as thick as on average.

@@ -32,6 +32,16 @@ impl Net {
         2 * (self.half + BORDER) + 1
     }
 
+    /// Where the middle is, in knots.
+    pub(crate) fn middle(&self) -> f64 {
+        (self.half + BORDER) as f64
+    }
+
+    /// How far the edge of what is seen is from there.
+    pub(crate) fn half(&self) -> f64 {
+        self.half as f64
+    }
+
     /// Angle from one knot to the next.
     pub(crate) fn step_rad(&self) -> f64 {
         self.reach_rad / self.half as f64
@@ -57,7 +67,7 @@ impl Net {
         let [u, v] = self.across.map(|axis| normal.dot(axis));
         let radius = libm::acos(normal.dot(self.axis).clamp(-1.0, 1.0)) / self.reach_rad;
         let scale = radius.min(1.0) * self.half as f64 / (u * u + v * v).sqrt().max(1e-12);
-        let middle = (self.half + BORDER) as f64;
+        let middle = self.middle();
         [middle + u * scale, middle + v * scale]
     }
 }

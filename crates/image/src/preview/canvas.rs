@@ -19,7 +19,7 @@ use crate::{
         skin::Skin,
     },
     picture::reflections::pixels_mm,
-    preview::{dyes, glimpses::Glimpses},
+    preview::{dyes, glimpses::Glimpses, veil::fine_net},
     shape::ball::Hit,
     surface::facets::Facets,
     surroundings::{lamp::Lamp, lit::Lit},
@@ -51,7 +51,7 @@ pub(super) struct Glint {
 /// A pearl before a canvas.
 pub struct Sitter<'a> {
     skin: &'a Skin,
-    net: &'a Net,
+    net: Net,
     /// The facets of each lobe, and the lamps as they show them.
     lobes: Vec<(Facets<'a>, Vec<Lamp>)>,
 }
@@ -69,7 +69,7 @@ impl<'a> Sitter<'a> {
             (facets, seen_in(&facets, &surroundings.lamps))
         };
         let lobes = response.films().middle().iter().map(lobe).collect();
-        Self { skin, net: &glimpses.net, lobes }
+        Self { skin, net: fine_net(glimpses), lobes }
     }
 }
 
@@ -82,9 +82,11 @@ pub(super) struct Spot {
     pub(super) row: u16,
     /// Share of the pixel that the pearl covers.
     pub(super) coverage: f32,
-    /// Where the net has the normal, and where the direction from the middle, in knots.
+    /// Where the net has the normal, in knots.
     pub(super) normal: [f32; 2],
-    pub(super) outward: [f32; 2],
+    /// Where it has the direction from the middle of a pearl that is not round; relief turns the normal by too little for
+    /// light inside.
+    pub(super) outward: Option<[f32; 2]>,
     /// Factor on the layers' thickness, share of chalk, factor on light from inside.
     pub(super) thickness: f32,
     pub(super) chalk: f32,
@@ -213,8 +215,7 @@ impl View<'_> {
             row: dyes::row(hit.cos_view),
             coverage,
             normal,
-            // Relief turns the normal by too little for light inside.
-            outward: if is_round { normal } else { at(*outward) },
+            outward: (!is_round).then(|| at(*outward)),
             thickness: local.thickness as f32,
             chalk: local.chalk as f32,
             inside: local.inside as f32,

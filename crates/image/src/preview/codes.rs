@@ -68,7 +68,7 @@ impl Codes {
     }
 
     /// Without branches, for pixels side by side.
-    #[inline(always)]
+    #[inline]
     fn soft(&self, rgb: [f32; 3]) -> [f32; 3] {
         let [r, g, b] = self.luminance;
         let luminance = (r * rgb[0] + g * rgb[1] + b * rgb[2]).max(LEAST);
@@ -83,7 +83,7 @@ impl Codes {
     }
 }
 
-#[inline(always)]
+#[inline]
 fn knee(x: f32) -> f32 {
     if x <= KNEE { x } else { 1.0 - (1.0 - KNEE) * (1.0 - KNEE) / (1.0 + x - 2.0 * KNEE) }
 }

@@ -17,7 +17,6 @@ use crate::{
         passage::{self, Passage},
         response::Response,
     },
-    rgb,
 };
 
 /// From RGB to RGB, column by column, each filled up to a register.
@@ -33,8 +32,8 @@ pub struct Dyes(Films<Dyed>);
 /// A film's tables.
 #[derive(Debug)]
 pub(super) struct Dyed {
-    /// What is mirrored of the mean light of each lobe, and of how it leans.
-    pub(super) lobes: Vec<[Vec<Dye>; 2]>,
+    /// What is mirrored of the mean light of each lobe.
+    pub(super) lobes: Vec<Vec<Dye>>,
     /// What is mirrored of each lamp, by lobe.
     pub(super) lamps: Vec<Vec<Vec<[f32; 3]>>>,
     /// What leaves of light inside that looks so through a film without colour.
@@ -51,9 +50,12 @@ impl Dyes {
         Self(response.films().with(passage.leaving(), dyed))
     }
 
-    /// Where layers are so many times as thick as on average.
-    pub(super) fn at(&self, thickness: f32) -> &Dyed {
-        self.0.nearest(f64::from(thickness))
+    /// Those of the films before and behind layers that are so many times as thick as on average, and how far on to the
+    /// second they are.
+    #[inline]
+    pub(super) fn both(&self, thickness: f32) -> (&Dyed, &Dyed, f32) {
+        let (one, two, share) = self.0.both(f64::from(thickness));
+        (one, two, share as f32)
     }
 }
 
@@ -64,6 +66,9 @@ impl Dyed {
         passage: &Passage,
         lamps: usize,
     ) -> Self {
+        let mirrored = |lobe: &LobeColours| {
+            cosines().map(|cosine| dye(lobe.mirrored_by_all(cosine))).collect()
+        };
         let lamp = |lobe: &LobeColours, lamp: usize| {
             let colour = |cosine: f64| lobe.lamp_mirrored(lamp, cosine).map(|part| part as f32);
             cosines().map(colour).collect()
@@ -73,7 +78,7 @@ impl Dyed {
             |cosine| dye(&product(&left(passage, &leaving[passage::row(cosine)]), &amounts));
         let lamps = |lobe| (0..lamps).map(|number| lamp(lobe, number)).collect();
         Self {
-            lobes: lobes.iter().map(lobe).collect(),
+            lobes: lobes.iter().map(mirrored).collect(),
             lamps: lobes.iter().map(lamps).collect(),
             leaving: cosines().map(through).collect(),
             chalk: passage.plain().recip() as f32,
@@ -89,23 +94,6 @@ fn cosines() -> impl Iterator<Item = f64> {
 pub(super) fn row(cosine: f64) -> u16 {
     (cosine.clamp(0.0, 1.0) * STEPS as f64 + 0.5) as u16
 }
-
-fn lobe(colours: &LobeColours) -> [Vec<Dye>; 2] {
-    let whole = |cosine: f64| dye(colours.mirrored_by_all(cosine));
-    let leaning = |cosine: f64| {
-        let (low, high) = ((cosine - STEP).max(0.0), (cosine + STEP).min(1.0));
-        let (below, above) = (colours.mirrored(low), colours.mirrored(high));
-        let of_white = |film: &Matrix| rgb::luminance(film.map(|row| row.iter().sum()));
-        let one = of_white(colours.mirrored(cosine));
-        let share = if one > 0.0 { of_white(colours.mirrored_by_all(cosine)) / one } else { 0.0 };
-        let slope = |i: usize, k: usize| share * (above[i][k] - below[i][k]) / (high - low);
-        dye(&std::array::from_fn(|i| std::array::from_fn(|k| slope(i, k))))
-    };
-    [cosines().map(whole).collect(), cosines().map(leaning).collect()]
-}
-
-/// Half of the way over which the slope of a film's colour is taken: a step of its own table.
-const STEP: f64 = 1.0 / 128.0;
 
 /// What leaves by bands of RGB each, of light inside that has the spectrum that the palette's curves give it, as it enters from all sides.
 fn left(passage: &Passage, leaving: &[[f32; BANDS]; 3]) -> Matrix {

@@ -1,15 +1,16 @@
 //! What the lobes of a pearl see of its surroundings, at the knots of a net, before any film.
 //!
-//! Few facets a knot. How the light leans over them, from the flatter to the steeper, stands in for what a film whose colour
-//! changes with the angle makes of it: the first term of a series in the cosine of incidence.
-//! Left out: the second.
+//! Few facets a knot, each kept with its light, for any film to colour.
+//! Left out: how the way out through another film would turn them.
 
 use glam::DVec3;
 
 use crate::{
     parallel,
-    pearl::{net::Net, response::Response, sight::Spread},
-    rgb::{self, Rgb},
+    pearl::{
+        gathered::Gathered, lobe_colours::LobeColours, net::Net, reflection_cache::Around,
+        response::Response, sight::Spread,
+    },
     surface::{facets::Facets, sampling::FacetSample},
     surroundings::{lit::Lit, viewpoint::Viewpoint},
     view::camera::Camera,
@@ -18,26 +19,35 @@ use crate::{
 /// How finely a preview looks at what pearls mirror.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fineness {
-    /// Knots of a net from the middle of a pearl to its edge.
+    /// Knots of the sharpest lobe's net from the middle of a pearl to its edge, at the most.
     pub knots: usize,
-    /// Facets of each lobe at each of them.
+    /// Facets of that lobe at each of them; broader lobes have fewer knots and more facets.
     pub facets: usize,
 }
 
-/// What lobes see at the knots of a net over a pearl.
+/// What lobes see at the knots of nets over a pearl.
 #[derive(Debug)]
 pub struct Glimpses {
-    pub(super) net: Net,
-    pub(super) knots: Vec<[Glimpse; 2]>,
+    /// The side of the pearl that the camera sees: normals within an angle of an axis.
+    pub(super) seen: (DVec3, f64),
+    pub(super) lobes: Vec<LobeGlimpses>,
 }
 
-/// What a lobe sees.
+/// What one lobe sees.
+#[derive(Debug)]
+pub(super) struct LobeGlimpses {
+    pub(super) net: Net,
+    /// Facets of one knot after the other.
+    facets: Vec<Glimpse>,
+    each: usize,
+}
+
+/// What a facet sees; none of the light counts of one that the eye does not see.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Glimpse {
-    /// The mean light in its facets.
-    pub(super) light: Rgb,
-    /// The mean of light times cosine of incidence, beyond the product of both means.
-    pub(super) lean: Rgb,
+struct Glimpse {
+    weight: f32,
+    cos_half: f32,
+    light: [f32; 3],
 }
 
 /// Squared width of what a facet is looked up with, in units of its solid angle; by eye **(ours)**.
@@ -57,39 +67,74 @@ impl Glimpses {
         if far_mm <= place.radius_mm {
             return None;
         }
-        let net = Net::new((axis, libm::acos(place.radius_mm / far_mm)), fineness.knots);
-        let lobes: Vec<(Facets<'_>, Vec<FacetSample>)> = response
-            .films()
-            .middle()
-            .iter()
-            .map(|lobe| (lobe.facets(), lobe.facets().lattice(fineness.facets)))
-            .collect();
-        let step_rad = net.step_rad();
-        let knot = |number: usize| {
-            let normal = net.normal(number)?;
-            let point = place.centre + normal * place.radius_mm;
-            let view = camera.toward_eye(point).0;
-            let viewpoint = Viewpoint::new(surroundings, &surroundings.windows, point, Some(ball));
-            let mut seen = [Glimpse::default(); 2];
-            for (glimpse, (facets, samples)) in seen.iter_mut().zip(&lobes) {
-                *glimpse = glimpsed(&viewpoint, (normal, view), facets, samples, step_rad);
-            }
-            Some(seen)
+        let seen = (axis, libm::acos(place.radius_mm / far_mm));
+        let lobe = |colours: &LobeColours| {
+            let facets = colours.facets();
+            let knots = libm::ceil(seen.1 * STEPS_PER_SPREAD / facets.spread_rad()) as usize;
+            let knots = knots.clamp(FEWEST_KNOTS, fineness.knots);
+            let each = (fineness.facets * fineness.knots / knots).min(MOST_FACETS);
+            let look = Look { surroundings, ball, camera, facets: &facets };
+            look.glimpses(Net::new(seen, knots), &facets.lattice(each))
         };
-        let knots = parallel::map(net.side() * net.side(), |i| knot(i).unwrap_or_default());
-        Some(Self { net, knots })
+        let lobes = response.films().middle().iter().map(lobe).collect();
+        Some(Self { seen, lobes })
+    }
+}
+
+/// Knots for each standard deviation of the facets' lean, as in `reflection_cache.rs`.
+const STEPS_PER_SPREAD: f64 = 1.4;
+/// By eye **(ours)**.
+const FEWEST_KNOTS: usize = 8;
+const MOST_FACETS: usize = 96;
+
+impl LobeGlimpses {
+    /// What the lobe of a film mirrors at a knot, seen at a cosine of the view angle.
+    pub(super) fn around(&self, knot: usize, colours: &LobeColours, cos_view: f64) -> Around {
+        let mut gathered = Gathered::default();
+        for Glimpse { weight, cos_half, light } in &self.facets[knot * self.each..][..self.each] {
+            if *weight > 0.0 {
+                let film = colours.mirrored(f64::from(*cos_half));
+                gathered.add(f64::from(*weight), film, light.map(f64::from));
+            }
+        }
+        gathered.around(colours.mirrored_by_all(cos_view))
+    }
+}
+
+/// One lobe of a pearl before a camera.
+struct Look<'a> {
+    surroundings: &'a Lit,
+    ball: usize,
+    camera: &'a Camera,
+    facets: &'a Facets<'a>,
+}
+
+impl Look<'_> {
+    fn glimpses(&self, net: Net, samples: &[FacetSample]) -> LobeGlimpses {
+        let (place, each) = (&self.surroundings.balls[self.ball], samples.len());
+        let mut facets = vec![Glimpse::default(); net.side() * net.side() * each];
+        parallel::map_chunks(&mut facets, each, |knot, glimpses| {
+            let Some(normal) = net.normal(knot) else { return };
+            let point = place.centre + normal * place.radius_mm;
+            let view = self.camera.toward_eye(point).0;
+            let windows = &self.surroundings.windows;
+            let viewpoint = Viewpoint::new(self.surroundings, windows, point, Some(self.ball));
+            let cone_rad = (net.step_rad(), self.facets);
+            glimpse(&viewpoint, (normal, view), cone_rad, samples, glimpses);
+        });
+        LobeGlimpses { net, facets, each }
     }
 }
 
 /// What facets see from one point of the pearl.
-fn glimpsed(
+fn glimpse(
     viewpoint: &Viewpoint<'_>,
     (normal, view): (DVec3, DVec3),
-    facets: &Facets<'_>,
+    (step_rad, facets): (f64, &Facets<'_>),
     samples: &[FacetSample],
-    step_rad: f64,
-) -> Glimpse {
-    let cos_view = normal.dot(view).max(0.02);
+    glimpses: &mut [Glimpse],
+) {
+    let cos_view = normal.dot(view).max(LEAST_COSINE);
     let aside = view - normal * normal.dot(view);
     let x = if aside.length_squared() > 1e-12 {
         aside.normalize()
@@ -99,21 +144,18 @@ fn glimpsed(
     let y = normal.cross(x);
     let seen = facets.seen_at(cos_view);
     let spread = Spread::of_square(step_rad * cos_view, cos_view);
-    let (mut weight, mut cosines, mut light, mut leaning) = (0.0, 0.0, [0.0; 3], [0.0; 3]);
-    for sample in samples {
+    for (glimpse, sample) in glimpses.iter_mut().zip(samples) {
         let Some(facet) = seen.facet(*sample) else { continue };
         let along = facet.light.x * x + facet.light.y * y + facet.light.z * normal;
         let share_rad2 = WIDTH / (facet.density * samples.len() as f64);
-        let radiance = viewpoint.seen(along, &spread.cone(share_rad2, along, y));
-        weight += facet.weight;
-        cosines += facet.weight * facet.cos_half;
-        rgb::add(&mut light, rgb::scaled(radiance, facet.weight));
-        rgb::add(&mut leaning, rgb::scaled(radiance, facet.weight * facet.cos_half));
+        let light = viewpoint.seen(along, &spread.cone(share_rad2, along, y));
+        *glimpse = Glimpse {
+            weight: facet.weight as f32,
+            cos_half: facet.cos_half as f32,
+            light: light.map(|channel| channel as f32),
+        };
     }
-    if weight <= 0.0 {
-        return Glimpse::default();
-    }
-    let (light, cosine) = (rgb::scaled(light, 1.0 / weight), cosines / weight);
-    let lean = std::array::from_fn(|i| leaning[i] / weight - cosine * light[i]);
-    Glimpse { light, lean }
 }
+
+/// What is seen at a still flatter angle counts as seen at this one.
+pub(super) const LEAST_COSINE: f64 = 0.02;

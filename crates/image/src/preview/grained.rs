@@ -48,7 +48,7 @@ impl Grained {
     }
 
     /// A colour whose hue is turned, and its chroma changed, in proportion to its lightness. Without branches.
-    #[inline(always)]
+    #[inline]
     fn turned(&self, colour: [f32; 3], turn_rad: f32, stretch: f32) -> [f32; 3] {
         let [x, value, z] = apply(&self.to_relative, colour).map(lightness);
         let lit = value.clamp(0.0, 10.0) * 0.1;
@@ -91,7 +91,7 @@ impl Grains {
 }
 
 /// The direction of M whose opponents point to where they shall, from one near it.
-#[inline(always)]
+#[inline]
 fn direction_of(mut near: [f32; 2], wanted: [f32; 2]) -> [f32; 2] {
     for _ in 0..2 {
         let [x, y] = near;
@@ -107,43 +107,43 @@ fn direction_of(mut near: [f32; 2], wanted: [f32; 2]) -> [f32; 2] {
 }
 
 /// (S1, S2) of the transform for M in a direction.
-#[inline(always)]
+#[inline]
 fn opponents([cos, sin]: [f32; 2]) -> [f32; 2] {
     [(8.880 + 0.966 * cos) * cos, (8.025 + 2.558 * sin) * sin]
 }
 
-#[inline(always)]
+#[inline]
 fn rotated([x, y]: [f32; 2], [cos, sin]: [f32; 2]) -> [f32; 2] {
     [x * cos - y * sin, x * sin + y * cos]
 }
 
 /// Of a small angle.
-#[inline(always)]
+#[inline]
 fn sin_cos(rad: f32) -> (f32, f32) {
     let square = rad * rad;
     let cos = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0)));
     (rad * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0))), cos)
 }
 
-#[inline(always)]
+#[inline]
 fn apply(matrix: &[[f32; 3]; 3], v: [f32; 3]) -> [f32; 3] {
     matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
 /// V: lightness on the Munsell scale, L* / 10.
-#[inline(always)]
+#[inline]
 fn lightness(ratio: f32) -> f32 {
     11.6 * if ratio > 0.008_856_452 { root(ratio) } else { ratio * 7.787_037 + 0.137_931_03 } - 1.6
 }
 
-#[inline(always)]
+#[inline]
 fn ratio(lightness: f32) -> f32 {
     let root = (lightness + 1.6) / 11.6;
     if root > 0.206_896_55 { root * root * root } else { (root - 0.137_931_03) * 0.128_418_55 }
 }
 
 /// The cube root of a number above 0: a third of its exponent, then two steps of Newton's method.
-#[inline(always)]
+#[inline]
 fn root(x: f32) -> f32 {
     let mut y = f32::from_bits(x.to_bits() / 3 + 0x2a51_4067);
     for _ in 0..2 {

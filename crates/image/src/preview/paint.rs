@@ -12,7 +12,7 @@ use crate::{
         backdrop::Backdrop,
         canvas::{Canvas, Glint, Spot},
         codes::Codes,
-        dyes::{Dye, Dyes},
+        dyes::{Dye, Dyed, Dyes},
         grained::{Grained, Grains},
         lanes::{LANES, Lanes},
         veil::{Knot, Veil},
@@ -127,11 +127,14 @@ impl Brush<'_> {
     fn add_glint(&self, glint: &Glint, spots: &[Spot], run: &mut Run) {
         let lane = usize::from(glint.column) % LANES;
         let spot = &spots[lane];
-        let dyes = self.pearls[spot.ball as usize].dyes.at(spot.thickness);
-        let lamp = &dyes.lamps[usize::from(glint.lobe)][usize::from(glint.lamp)];
+        let (one, two, share) = self.pearls[spot.ball as usize].dyes.both(spot.thickness);
+        let colour = |dyed: &Dyed| {
+            dyed.lamps[usize::from(glint.lobe)][usize::from(glint.lamp)][usize::from(glint.row)]
+        };
+        let (one, two) = (colour(one), colour(two));
         let factor = glint.strength * (1.0 - spot.chalk) * self.exposure;
-        for (lanes, channel) in run.mirror.iter_mut().zip(lamp[usize::from(glint.row)]) {
-            lanes[lane] += channel * factor;
+        for (i, lanes) in run.mirror.iter_mut().enumerate() {
+            lanes[lane] += (one[i] + (two[i] - one[i]) * share) * factor;
         }
     }
 
@@ -154,21 +157,40 @@ impl Painted<'_> {
     /// What is mirrored, what comes from inside through a film without colour, and what the film changes of it.
     #[inline]
     fn parts(&self, spot: &Spot) -> [[f32; 3]; 3] {
-        let (row, dyes) = (usize::from(spot.row), self.dyes.at(spot.thickness));
-        let knot = self.veil.at(spot.normal);
-        let mut mirror = [0.0; 4];
-        for (number, [whole, leaning]) in dyes.lobes.iter().enumerate() {
-            let first = 3 + 6 * number;
-            add_dyed(&mut mirror, &whole[row], &knot, first);
-            add_dyed(&mut mirror, &leaning[row], &knot, first + 3);
+        let outer = self.veil.at(spot.normal);
+        let inner = spot.outward.map_or(outer, |outward| self.veil.at(outward));
+        let (one, two, share) = self.dyes.both(spot.thickness);
+        let row = usize::from(spot.row);
+        let [mut mirror, mut whole] = one.seen(row, &outer, &inner);
+        if share > 0.0 {
+            let [more, all] = two.seen(row, &outer, &inner);
+            for i in 0..4 {
+                mirror[i] += (more[i] - mirror[i]) * share;
+                whole[i] += (all[i] - whole[i]) * share;
+            }
         }
-        let knot = if spot.outward == spot.normal { knot } else { self.veil.at(spot.outward) };
-        let (mut whole, plain) = ([0.0; 4], [knot[0], knot[1], knot[2]]);
-        add_dyed(&mut whole, &dyes.leaving[row], &knot, 0);
-        let nacre = 1.0 - spot.chalk;
-        let diffuse = plain.map(|part| part * spot.inside * (nacre + spot.chalk * dyes.chalk));
+        for rest in outer[6..].chunks_exact(3).step_by(2) {
+            for i in 0..3 {
+                mirror[i] += rest[i];
+            }
+        }
+        let (plain, nacre) = ([inner[0], inner[1], inner[2]], 1.0 - spot.chalk);
+        let diffuse = plain.map(|part| part * spot.inside * (nacre + spot.chalk * one.chalk));
         let between = [0, 1, 2].map(|i| (whole[i] - plain[i]) * spot.inside * nacre);
         [[0, 1, 2].map(|i| mirror[i] * nacre), diffuse, between]
+    }
+}
+
+impl Dyed {
+    /// What lobes mirror of their mean light, and what leaves of light inside.
+    #[inline]
+    fn seen(&self, row: usize, outer: &Knot, inner: &Knot) -> [[f32; 4]; 2] {
+        let (mut mirror, mut whole) = ([0.0; 4], [0.0; 4]);
+        for (number, mirrored) in self.lobes.iter().enumerate() {
+            add_dyed(&mut mirror, &mirrored[row], outer, 3 + 6 * number);
+        }
+        add_dyed(&mut whole, &self.leaving[row], inner, 0);
+        [mirror, whole]
     }
 }
 

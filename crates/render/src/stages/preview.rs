@@ -34,10 +34,8 @@ use crate::{
 /// How a preview shall be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asked {
-    /// Pixels a side.
+    /// Pixels a side; small ones are looked at less finely.
     pub size_px: usize,
-    /// How finely it looks at what pearls mirror.
-    pub fineness: Fineness,
     /// How light becomes codes; its exposure comes on top of the camera's.
     pub development: Development,
 }
@@ -131,8 +129,13 @@ struct InsideKey {
     ball: usize,
 }
 
-/// A film's view of light is made from.
-type VeilKey = (Same<Glimpses>, Same<Subsurface>);
+/// A film's view of light is made from; light inside knows the film.
+#[derive(Debug, Clone, PartialEq)]
+struct VeilKey {
+    glimpses: Same<Glimpses>,
+    inside: Same<Subsurface>,
+    ball: usize,
+}
 
 /// The grain of a pearl, how steep it is, and its coat.
 type SkinKey = (Option<Same<Texture>>, f64, Option<Same<Coat>>);
@@ -220,7 +223,8 @@ impl PreviewStage {
             skin: before.skins[place.pearl].clone(),
         };
         let pearls: Vec<Pearl> = scene.models.iter().zip(arrangement.places()).map(pearl).collect();
-        let size_px = asked.size_px.div_ceil(COARSER);
+        let is_small = asked.size_px <= SMALL_PX;
+        let size_px = if is_small { asked.size_px } else { asked.size_px.div_ceil(COARSER) };
         let reflections = Arc::new(Reflections::none(pearls.len()));
         let surroundings = Arc::clone(&scene.surroundings);
         let camera = arrangement.camera();
@@ -310,7 +314,7 @@ impl PreviewStage {
     /// What each pearl's lobes see of it; `None` for a camera within a pearl.
     fn glimpses(&mut self, seen: &Seen<'_>) -> Option<Vec<Arc<Glimpses>>> {
         let camera = seen.before.arrangement.camera();
-        let fineness = seen.asked.fineness;
+        let fineness = fineness(seen.asked.size_px);
         let key = |ball| GlimpsesKey {
             lit: Same(Arc::clone(seen.lit)),
             camera,
@@ -339,7 +343,7 @@ impl PreviewStage {
             places: before.arrangement.places().to_vec(),
             camera,
             size_px: asked.size_px,
-            fineness: asked.fineness,
+            fineness: fineness(asked.size_px),
             skins: before.skins.iter().map(skin).collect(),
             lamps: has_lamps.then(|| {
                 (Same(Arc::clone(lit)), seen.balls().map(|ball| seen.facets(ball)).collect())
@@ -381,20 +385,36 @@ impl PreviewStage {
             Ok::<_, Infallible>(Some(Subsurface::of(&key.response.0, &key.lit.0, key.ball)))
         };
         let Ok(inside) = self.inside.all(seen.balls().map(key).collect(), make);
-        let both = glimpses.iter().cloned().map(Same).zip(inside?.into_iter().map(Same));
-        let make = |(glimpses, inside): &VeilKey| {
-            Ok::<_, Infallible>(Some(Veil::new(&glimpses.0, &inside.0)))
+        let inside = inside?;
+        let key = |ball: usize| VeilKey {
+            glimpses: Same(Arc::clone(&glimpses[ball])),
+            inside: Same(Arc::clone(&inside[ball])),
+            ball,
         };
-        let Ok(made) = self.veils.all(both.collect(), make);
+        let camera = seen.before.arrangement.camera();
+        let make = |key: &VeilKey| {
+            let response = seen.response(key.ball).0;
+            let before = (&camera, &seen.lit.balls[key.ball]);
+            let veil = Veil::new(&key.glimpses.0, &response, &key.inside.0, before);
+            Ok::<_, Infallible>(Some(veil))
+        };
+        let Ok(made) = self.veils.all(seen.balls().map(key).collect(), make);
         made
     }
 }
 
 /// A light that differs by less than this share of white is the same.
 const NEAR: f64 = 0.003;
+/// How finely a preview looks at what pearls mirror **(ours)**: `python benchmarks/viewer.py` has its errors.
+fn fineness(size_px: usize) -> Fineness {
+    Fineness { knots: if size_px > SMALL_PX { 40 } else { 24 }, facets: 16 }
+}
+
+/// Pixels a side of previews that are shown while something moves.
+const SMALL_PX: usize = 320;
 /// Samples along the side of a pixel.
 const SAMPLES_SIDE: usize = 1;
-/// A picture without tables has so many times fewer pixels a side.
+/// A large picture without tables has so many times fewer pixels a side.
 const COARSER: usize = 2;
 
 fn unlit<'a>(before: &'a Before<'a>, optics: &'a [Optics]) -> Unlit<'a> {
