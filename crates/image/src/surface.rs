@@ -5,6 +5,7 @@ pub(crate) mod coating;
 pub(crate) mod facets;
 pub(crate) mod film;
 pub(crate) mod film_draft;
+pub(crate) mod film_sampling;
 pub(crate) mod lobe;
 pub(crate) mod microfacets;
 pub(crate) mod sampling;

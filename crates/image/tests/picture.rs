@@ -6,8 +6,8 @@ use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer, RgbSpace, SAMPLES, delta_e_2000, lab_from_xyz};
 use nacreous_image::{
     Ball, CHANNELS, Camera, Grain, IlluminantPearl, Irradiance, Lamp, Light, Lit, Model, PARTS,
-    Pearl, Place, Progress, Projection, Reflections, Rings, Sampler, Sky, Source, Surroundings,
-    Table, TorranceSparrow, direction,
+    Pearl, Place, Progress, Projection, Reflections, Rings, Sampler, Skin, Sky, Source,
+    Surroundings, Table, TorranceSparrow, direction,
 };
 use nacreous_nacre::{Growth, Index, LayerStack, Season};
 use nacreous_optics::IlluminantModel;
@@ -87,9 +87,7 @@ impl Set {
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
         Pearl {
             model: Arc::new(Model::Illuminant(Box::new(model))),
-            texture: None,
-            grain,
-            coat: None,
+            skin: Skin { texture: None, grain, coat: None },
         }
     }
 

@@ -8,7 +8,7 @@ use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
     BANDS, Ball, BlemishKind, Blemishes, Body, CHANNELS, Camera, Coat, CoatParameters, Drill, Film,
     FormParameters, Grain, Light, Lit, Microfacets, Model, NucleusBands, Pearl, Pose, Progress,
-    Projection, Reflections, Response, Sampler, Sky, Solid, Surface, Surroundings, Transport,
+    Projection, Reflections, Response, Sampler, Skin, Sky, Solid, Surface, Surroundings, Transport,
     Waviness,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
@@ -82,7 +82,7 @@ fn seen_in_even_light(form: &FormParameters, coat: Option<Coat>) -> (f64, f64) {
     let lit = lit.with_glows(vec![glow], false);
     let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
     let coat = coat.map(Arc::new);
-    let pearl = Pearl { model: Arc::new(model(&lit)), texture: None, grain, coat };
+    let pearl = Pearl { model: Arc::new(model(&lit)), skin: Skin { texture: None, grain, coat } };
     let camera = Camera::new(Projection::Perspective { distance_mm: 60.0 }, 0.4, 0.3, 14.0);
     let (lit, size_px, pearls) = (Arc::new(lit), 48, vec![pearl]);
     let reflections = Arc::new(Reflections::new(&pearls, &lit, &camera, size_px));

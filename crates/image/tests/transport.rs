@@ -10,7 +10,7 @@ use glam::DVec3;
 use nacreous_colour::{Illuminant, Observer};
 use nacreous_image::{
     Arounds, BANDS, Ball, Bands, Body, Camera, Film, Grain, Lamp, Light, Lit, Local, Microfacets,
-    Model, Panorama, Pearl, Place, Projection, Response, Sight, Sky, Source, Spread, Surface,
+    Model, Panorama, Pearl, Place, Projection, Response, Sight, Skin, Sky, Source, Spread, Surface,
     Surroundings, Transport, Waviness,
 };
 use nacreous_nacre::{Index, LayerStack, Medium};
@@ -79,9 +79,7 @@ impl Scene {
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
         Pearl {
             model: Arc::new(Model::Transport(Box::new(transport))),
-            texture: None,
-            grain,
-            coat: None,
+            skin: Skin { texture: None, grain, coat: None },
         }
     }
 
@@ -392,9 +390,7 @@ fn a_panorama_in_high_range_is_mirrored_as_by_brute_force() {
         let grain = Grain { hue_rad: 0.0, chroma: 0.0, value: 0.0, relief_rad: 0.0 };
         let pearl = Pearl {
             model: Arc::new(Model::Transport(Box::new(many))),
-            texture: None,
-            grain,
-            coat: None,
+            skin: Skin { texture: None, grain, coat: None },
         };
         for place in MIRRORING {
             let all = mirrored_by_all(&scene, &surface, normal_at(place), None);

@@ -35,5 +35,6 @@ pub use resources::{Needs, Resources};
 pub use stages::{
     around::BOUNCES,
     job::{Job, MAX_SAMPLES},
+    preview::Asked,
     view::{View, light_of},
 };

@@ -5,5 +5,6 @@ pub mod around;
 pub mod job;
 mod kept;
 mod optics;
+pub mod preview;
 pub mod view;
 mod work;

@@ -1,8 +1,8 @@
 //! The binding of the render room's job: a recipe in JSON in, rows of light out.
 
-use nacreous_image::{CHANNELS, Progress};
-use nacreous_render::{View, spec::Recipe};
-use wasm_bindgen::prelude::*;
+use nacreous_image::{CHANNELS, Development, Progress};
+use nacreous_render::{Asked, View, spec::Recipe};
+use wasm_bindgen::{Clamped, prelude::*};
 
 use crate::{refused, resources::resources_of};
 
@@ -53,6 +53,21 @@ impl Job {
             self.view = self.made.step(&Progress::default()).map_err(refused)?;
         }
         Ok(self.view.is_some())
+    }
+
+    /// A first picture, as codes RGBA row by row, in a few hundredths of a second: colours looked up where rows work them out.
+    #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
+    pub fn preview(
+        &mut self,
+        #[wasm_bindgen(js_name = sizePx)] size_px: usize,
+        #[wasm_bindgen(unchecked_param_type = "Space")] space: &str,
+        #[wasm_bindgen(unchecked_param_type = "GamutHandling")] gamut: &str,
+    ) -> Result<Clamped<Vec<u8>>, JsError> {
+        let (space, gamut) = (space.parse().map_err(refused)?, gamut.parse().map_err(refused)?);
+        let development = Development { exposure: 1.0, space, gamut };
+        let asked = Asked { size_px, development };
+        let codes = self.made.preview(&asked, &Progress::default()).map_err(refused)?;
+        Ok(Clamped(codes.ok_or_else(broken_off)?))
     }
 
     /// Light of some rows from the top, before the look: 17 numbers a pixel, named by `layers`. Rows beyond

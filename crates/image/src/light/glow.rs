@@ -34,6 +34,15 @@ impl Glow {
         Self(sum)
     }
 
+    /// Whether no direction shows another light than `other` does, by more than so much.
+    pub fn is_near(&self, other: &Self, by: f64) -> bool {
+        let apart = |(a, b): (f64, f64)| (a - b).abs();
+        let near = |(towards, _): (DVec3, f64)| {
+            self.at(towards).into_iter().zip(other.at(towards)).map(apart).all(|apart| apart <= by)
+        };
+        directions().all(near)
+    }
+
     /// Mean radiance shown to a viewer in a direction (a unit vector from the ball).
     pub fn at(&self, towards_viewer: DVec3) -> Rgb {
         self.0.at(towards_viewer, &[1.0; 9]).map(|channel| channel.max(0.0))

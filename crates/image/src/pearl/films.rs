@@ -26,6 +26,19 @@ impl<T> Films<T> {
         Self { all, step }
     }
 
+    /// Something of each film in both.
+    pub(crate) fn with<U, V>(&self, other: &Films<U>, of: impl Fn(&T, &U) -> V) -> Films<V> {
+        let both = self.all.iter().zip(&other.all);
+        Films { all: both.map(|(a, b)| of(a, b)).collect(), step: self.step }
+    }
+
+    /// Those of the films before and behind layers that are so many times as thick as on average, and how far on to the
+    /// second they are; the same twice where they are one's.
+    pub(crate) fn both(&self, thickness: f64) -> (&T, &T, f64) {
+        let FilmAt { film, share } = self.place(thickness);
+        (&self.all[film], &self.all[film + usize::from(share > 0.0)], share)
+    }
+
     /// That of layers as thick as on average.
     pub(crate) fn middle(&self) -> &T {
         &self.all[self.all.len() / 2]

@@ -1,4 +1,4 @@
-//! A pearl in its place: its model, its grain, its light by place and as a whole.
+//! A pearl in its place: its model, its skin, its light by place and as a whole.
 //!
 //! Whichever model it has; its glow is the mean over the disc.
 //! Left out: light between two places of one pearl's surface.
@@ -8,14 +8,14 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
-    coat::{local::Local, outer::Coat},
-    grain::texture::{Relief, Texture},
+    coat::local::Local,
     light::glow::{self, DISC_POINTS, Glow},
     pearl::{
         illuminant::IlluminantPearl,
         reflection_cache::{Arounds, ReflectionCache},
         shade::Shade,
         sight::{Sight, Spread},
+        skin::Skin,
         transport::Transport,
     },
     rgb::{self, Rgb},
@@ -24,30 +24,13 @@ use crate::{
     view::camera::Camera,
 };
 
-/// How strongly the grain's textures act, per unit of texture and of lightness.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Grain {
-    /// Radians of hue.
-    pub hue_rad: f64,
-    /// Relative chroma.
-    pub chroma: f64,
-    /// Relative brightness of what is mirrored.
-    pub value: f64,
-    /// Standard deviation of its slopes, in any one direction.
-    pub relief_rad: f64,
-}
-
 /// A pearl in its place and light, all of it known before the first pixel.
 #[derive(Debug, Clone)]
 pub struct Pearl {
     /// What it does with light.
     pub model: Arc<Model>,
-    /// The grain over the sphere, if any.
-    pub texture: Option<Arc<Texture>>,
-    /// How strongly it acts.
-    pub grain: Grain,
-    /// What differs from place to place, if anything does.
-    pub coat: Option<Arc<Coat>>,
+    /// What differs from place to place.
+    pub skin: Skin,
 }
 
 /// The two models of a pearl's light.
@@ -162,59 +145,11 @@ impl Model {
 }
 
 impl Pearl {
-    /// Whether its outer layers differ from place to place.
-    pub(crate) fn has_relief(&self) -> bool {
-        self.grain.relief_rad > 0.0 || self.coat.as_ref().is_some_and(|coat| !coat.is_even())
-    }
-
-    /// Whether they may have edges as fine as a pixel.
-    pub(crate) fn has_fine_relief(&self) -> bool {
-        self.coat.as_ref().is_some_and(|coat| coat.has_edges())
-    }
-
-    /// What its outer layers are like in a direction from its middle, `away_mm` from there, seen at a cosine of the view
-    /// angle, as wide as `footprint_mm`; and the grain there, where its relief tells it too.
-    pub(crate) fn local(
-        &self,
-        (outward, cos_view): (DVec3, f64),
-        radius_mm: f64,
-        [away_mm, footprint_mm]: [f64; 2],
-    ) -> (Local, Option<Rgb>) {
-        let coat = self
-            .coat
-            .as_ref()
-            .map_or(Local::EVEN, |coat| coat.at(outward, [away_mm, footprint_mm], cos_view));
-        match &self.texture {
-            Some(texture) if self.grain.relief_rad > 0.0 => {
-                let (local, grain) = self.grained(texture, outward, footprint_mm / radius_mm);
-                (coat.and(local), Some(grain))
-            }
-            _ => (coat, None),
-        }
-    }
-
-    /// The grain's relief, as steep as its brightness changes, and the grain itself.
-    fn grained(&self, texture: &Texture, outward: DVec3, footprint_rad: f64) -> (Local, Rgb) {
-        let relief = texture.with_relief(self.unturned(outward), footprint_rad);
-        let Relief { value, gradient, seen } = relief;
-        let slope = gradient * self.grain.relief_rad;
-        let slope = self.coat.as_ref().map_or(slope, |coat| coat.pose().turned(slope));
-        let fine_slope2 = 2.0 * self.grain.relief_rad.powi(2) * (1.0 - seen);
-        (Local { slope, fine_slope2, ..Local::EVEN }, value.map(f64::from))
-    }
-
-    /// A direction of the scene as it was before the pearl was turned.
-    fn unturned(&self, outward: DVec3) -> DVec3 {
-        self.coat.as_ref().map_or(outward, |coat| coat.pose().unturned(outward))
-    }
-
     /// What goes from the point towards the eye.
     pub fn shade(&self, surroundings: &Lit, sight: &Sight) -> Shade {
         let radius_mm = surroundings.balls[sight.ball].radius_mm;
-        let grain = |texture: &Arc<Texture>| {
-            texture.at(self.unturned(sight.outward), sight.pixel_mm / radius_mm).map(f64::from)
-        };
-        let texture = sight.grain.or_else(|| self.texture.as_ref().map(grain)).unwrap_or_default();
+        let grain = || self.skin.grain_at(sight.outward, sight.pixel_mm / radius_mm);
+        let texture = sight.grain.unwrap_or_else(grain);
         Shade { texture, ..self.model.shade(surroundings, sight) }
     }
 }

@@ -54,12 +54,7 @@ impl Reflection {
         samples_side: usize,
     ) -> Self {
         let facets = response.films().middle()[number].facets();
-        let below = facets.are_below();
-        let seen = |lamp: &Lamp| match lamp.clone() {
-            lamp if below => lamp.blurred_for(&facets),
-            lamp => lamp.resolved_for(&facets),
-        };
-        let lamps = lamps.iter().map(seen).collect();
+        let lamps = seen_in(&facets, lamps);
         let finest = facets_per_sample(facets.spread_rad()).ilog2();
         let samples = (0..=finest).map(|set| facets.samples(samples_side << set)).collect();
         let pixel = samples_side.max(2).pow(2);
@@ -267,6 +262,15 @@ impl Reflection {
         }
         lobe.around(self.colours().mirrored_by_all(cos_view))
     }
+}
+
+/// Lamps as finely as facets show them.
+pub(crate) fn seen_in(facets: &Facets<'_>, lamps: &[Lamp]) -> Vec<Lamp> {
+    let seen = |lamp: &Lamp| match lamp.clone() {
+        lamp if facets.are_below() => lamp.blurred_for(facets),
+        lamp => lamp.resolved_for(facets),
+    };
+    lamps.iter().map(seen).collect()
 }
 
 fn viewpoint<'a>(surroundings: &'a Lit, sight: &Sight) -> Viewpoint<'a> {

@@ -9,6 +9,7 @@ use glam::DVec3;
 
 use crate::{
     parallel,
+    pearl::net::{Net, cubic},
     rgb::{self, Rgb},
     surface::{facets::Facets, sampling::FacetSample},
 };
@@ -20,12 +21,7 @@ use crate::{
 /// be worked out at every pixel. What the film makes of it changes faster, and is left to the pixel.
 #[derive(Debug)]
 pub(crate) struct ReflectionCache {
-    /// From the ball's centre to the eye, and two directions across.
-    axis: DVec3,
-    across: [DVec3; 2],
-    /// Angle between the axis and the last points that the eye sees.
-    reach_rad: f64,
-    side: usize,
+    net: Net,
     knots: Vec<Around>,
 }
 
@@ -41,9 +37,6 @@ pub struct Around {
 /// What each lobe shows, where that is known: the surface's, and the layers'.
 pub type Arounds = [Option<Around>; 2];
 
-/// Knots beyond the edge on each side, for the cubics.
-const BORDER: usize = 2;
-
 /// Steps of the grid for each standard deviation of the facets' lean **(ours)**: between knots the light is that
 /// of a knot there to 0.01 of it (the test below).
 const STEPS_PER_SPREAD: f64 = 1.4;
@@ -54,60 +47,37 @@ const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;
 
 impl ReflectionCache {
-    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots. The eye sees
-    /// normals within `reach_rad` of `axis`. `gather` works out a knot for a normal and samples of facets.
+    /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots. What is `seen` are
+    /// the normals within an angle of an axis. `gather` works out a knot for a normal and samples of facets.
     pub(crate) fn new(
-        (axis, reach_rad): (DVec3, f64),
+        seen: (DVec3, f64),
         lobe: &Facets<'_>,
         facets: f64,
         gather: impl Fn(DVec3, &[FacetSample]) -> Around + Sync,
     ) -> Option<Self> {
-        let half = libm::ceil(reach_rad * STEPS_PER_SPREAD / lobe.spread_rad()) as usize;
-        let side = 2 * (half + BORDER) + 1;
+        let half = libm::ceil(seen.1 * STEPS_PER_SPREAD / lobe.spread_rad()) as usize;
+        let net = Net::new(seen, half);
+        let knots = net.side() * net.side();
         // The knots lie in the disc; those beside it cost nothing.
-        let each = SHARE * facets / (FRAC_PI_4 * (side * side) as f64);
+        let each = SHARE * facets / (FRAC_PI_4 * knots as f64);
         if each < FEWEST {
             return None;
         }
         let samples = lobe.lattice((each as usize).min(MOST));
-        let (u, v) = axis.any_orthonormal_pair();
-        let mut cache = Self { axis, across: [u, v], reach_rad, side, knots: Vec::new() };
-        let knot = |i: usize| {
-            let at = |i: usize| (i as f64 - (half + BORDER) as f64) / half as f64;
-            let normal = cache.normal(at(i % side), at(i / side))?;
-            Some(gather(normal, &samples))
-        };
-        cache.knots = parallel::map(side * side, |i| knot(i).unwrap_or_default());
-        Some(cache)
-    }
-
-    /// The normal at a place of the grid; the edge of what the eye sees has radius 1. Beyond it, where cubics
-    /// need knots, the edge's goes on; `None` where none is needed.
-    fn normal(&self, x: f64, y: f64) -> Option<DVec3> {
-        let radius = (x * x + y * y).sqrt();
-        let needed = 1.0 + 3.0 * (2 * BORDER) as f64 / self.side as f64;
-        if radius > needed {
-            return None;
-        }
-        let (sin, cos) = libm::sincos(radius.min(1.0) * self.reach_rad);
-        let outward = (self.across[0] * x + self.across[1] * y) / radius.max(1e-12);
-        Some(self.axis * cos + outward * sin)
+        let knot = |i: usize| Some(gather(net.normal(i)?, &samples));
+        let knots = parallel::map(knots, |i| knot(i).unwrap_or_default());
+        Some(Self { net, knots })
     }
 
     /// What the facets show at a point of the ball.
     pub(crate) fn at(&self, normal: DVec3) -> Around {
-        let half = (self.side / 2 - BORDER) as f64;
-        let [u, v] = self.across.map(|axis| normal.dot(axis));
-        let radius = libm::acos(normal.dot(self.axis).clamp(-1.0, 1.0)) / self.reach_rad;
-        let scale = radius.min(1.0) * half / (u * u + v * v).sqrt().max(1e-12);
-        let middle = (self.side / 2) as f64;
-        let (x, y) = (middle + u * scale, middle + v * scale);
+        let [x, y] = self.net.place(normal);
         // Both positive, so `as` rounds down.
         let (left, top) = (x as usize, y as usize);
         let (across, down) = (cubic(x - left as f64), cubic(y - top as f64));
         let mut sum = Around::default();
         for (j, b) in down.iter().enumerate() {
-            let row = (top + j - 1) * self.side + left - 1;
+            let row = (top + j - 1) * self.net.side() + left - 1;
             for (knot, a) in self.knots[row..row + 4].iter().zip(across) {
                 rgb::add(&mut sum.light, rgb::scaled(knot.light, a * b));
                 rgb::add(&mut sum.rest, rgb::scaled(knot.rest, a * b));
@@ -115,17 +85,6 @@ impl ReflectionCache {
         }
         sum
     }
-}
-
-/// Weights of four neighbours at a place between the middle two (Catmull and Rom 1974).
-fn cubic(t: f64) -> [f64; 4] {
-    let (t2, t3) = (t * t, t * t * t);
-    [
-        0.5 * (2.0 * t2 - t3 - t),
-        0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
-        0.5 * (4.0 * t2 - 3.0 * t3 + t),
-        0.5 * (t3 - t2),
-    ]
 }
 
 #[cfg(test)]

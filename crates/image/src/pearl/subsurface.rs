@@ -13,17 +13,18 @@ use crate::{
         CHANNELS, Coefficients, Place, analyse, directions_of_grid, from_grid, knots, point,
         synthesise, to_grid,
     },
-    light::bands::BANDS,
+    light::bands::{BANDS, Bands},
     parallel,
     pearl::{
         beam::Beam,
         films::FilmAt,
         passage::{Passage, TOP_AROUND, row},
+        response::Response,
         solid_light::{LEAST_ROWS, SolidLight, entering},
     },
     rgb::Rgb,
     surface::coating::legendre,
-    surroundings::lit::Lit,
+    surroundings::{lamp::Lamp, lit::Lit},
 };
 
 /// Light that has been inside, ready to be looked at.
@@ -31,7 +32,7 @@ use crate::{
 /// Enters through the film, wanders over the ball as heat would **(ours)**, leaves through the film:
 /// its colour in a direction depends on the angle to the normal by the film, on the place by the light.
 #[derive(Debug, Clone)]
-pub(crate) struct Subsurface {
+pub struct Subsurface {
     /// By direction of the normal, in rows: light about to leave, by band, and what would leave of it
     /// through a film without colour, in linear RGB.
     places: Vec<[f32; PLACE]>,
@@ -53,13 +54,21 @@ fn rows(top: usize) -> usize {
 const PLACE: usize = BANDS + 4;
 
 impl Subsurface {
+    /// Lets the light of `surroundings`, whose lamps are those of `response`, into ball `ball`.
+    pub fn of(response: &Response, surroundings: &Lit, ball: usize) -> Self {
+        let centre = surroundings.balls[ball].centre;
+        let beam = |(lamp, power): (&Lamp, &Bands)| Beam {
+            direction: lamp.toward(centre),
+            angular_radius_rad: lamp.angular_radius_rad(),
+            // Neighbours shade the whole pearl as they shade its middle.
+            power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
+        };
+        let beams: Vec<Beam> = surroundings.lamps.iter().zip(response.powers()).map(beam).collect();
+        Self::new(response.passage(), surroundings, ball, &beams)
+    }
+
     /// Lets in the light of `surroundings` around ball `ball`, and that of the lamps.
-    pub(crate) fn new(
-        passage: Arc<Passage>,
-        surroundings: &Lit,
-        ball: usize,
-        beams: &[Beam],
-    ) -> Self {
+    fn new(passage: Arc<Passage>, surroundings: &Lit, ball: usize, beams: &[Beam]) -> Self {
         let solid = surroundings.solid(ball);
         let rows = match solid {
             None => rows(passage.top()),
@@ -110,6 +119,12 @@ impl Subsurface {
             leaving[at].each_ref().map(|weights| f64::from(dot(weights, &light)))
         });
         (whole, [0, 1, 2].map(|channel| f64::from(light[BANDS + channel])))
+    }
+
+    /// The second of these alone, in a direction from the middle.
+    pub(crate) fn plain(&self, outward: DVec3) -> Rgb {
+        let light = self.light(Place::towards(to_grid(outward)));
+        [0, 1, 2].map(|channel| f64::from(light[BANDS + channel]))
     }
 
     /// Between the four nearest places.

@@ -6,9 +6,7 @@
 use std::sync::Arc;
 
 use crate::{
-    light::bands::Bands,
     pearl::{
-        beam::Beam,
         reflection::Reflection,
         reflection_cache::{Arounds, ReflectionCache},
         response::Response,
@@ -17,7 +15,7 @@ use crate::{
         subsurface::Subsurface,
     },
     rgb,
-    surroundings::{lamp::Lamp, lit::Lit},
+    surroundings::lit::Lit,
     view::camera::Camera,
 };
 
@@ -40,15 +38,7 @@ impl Transport {
         ball: usize,
         samples_side: usize,
     ) -> Self {
-        let centre = surroundings.balls[ball].centre;
-        let beam = |(lamp, power): (&Lamp, &Bands)| Beam {
-            direction: lamp.toward(centre),
-            angular_radius_rad: lamp.angular_radius_rad(),
-            // Neighbours shade the whole pearl as they shade its middle.
-            power: power.map(|power| power * surroundings.lamp_past(lamp, centre, Some(ball))),
-        };
-        let beams: Vec<Beam> = surroundings.lamps.iter().zip(response.powers()).map(beam).collect();
-        let subsurface = Subsurface::new(response.passage(), surroundings, ball, &beams);
+        let subsurface = Subsurface::of(response, surroundings, ball);
         let reflection = |number| {
             Reflection::new(Arc::clone(response), number, &surroundings.lamps, samples_side)
         };

@@ -69,7 +69,7 @@ impl Sampler {
         if !self.pearls[ball].model.is_smooth() {
             return if many { Detail::Unknown } else { Detail::Edges };
         }
-        if self.pearls[ball].has_fine_relief() {
+        if self.pearls[ball].skin.has_fine_relief() {
             return if cached { Detail::BelowPixel } else { Detail::Edges };
         }
         let hides = self.surroundings.hides_itself(ball);

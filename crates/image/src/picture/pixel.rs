@@ -54,8 +54,8 @@ impl Pixel {
     /// Once a pixel, for its samples share the texture. How light a part is, the finished picture says: its
     /// light times `exposure`.
     pub(crate) fn lay_texture(&mut self, pearl: &Pearl, exposure: f64) {
-        let weights = pearl.grain;
-        if self.coverage <= 0.0 || pearl.texture.is_none() {
+        let weights = pearl.skin.grain;
+        if self.coverage <= 0.0 || pearl.skin.texture.is_none() {
             return;
         }
         let [hue, value, chroma] = self.texture.map(|t| t / self.coverage);

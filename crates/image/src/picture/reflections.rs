@@ -29,6 +29,11 @@ impl Reflections {
         Self(pearls.iter().enumerate().map(of).collect())
     }
 
+    /// Of so many pearls, each to be worked out pixel by pixel.
+    pub fn none(pearls: usize) -> Self {
+        Self((0..pearls).map(|_| Vec::new()).collect())
+    }
+
     /// Whether all that a ball mirrors is cached.
     pub(super) fn are_cached(&self, ball: usize) -> bool {
         !self.0[ball].is_empty() && self.0[ball].iter().all(Option::is_some)
@@ -45,7 +50,7 @@ impl Reflections {
 }
 
 /// Width of a pixel at each ball.
-pub(super) fn pixels_mm(surroundings: &Lit, camera: &Camera, size_px: usize) -> Vec<f64> {
+pub(crate) fn pixels_mm(surroundings: &Lit, camera: &Camera, size_px: usize) -> Vec<f64> {
     let width_mm = |centre| camera.cell_mm(size_px) * camera.scale_at(centre).max(0.0);
     surroundings.balls.iter().map(|ball| width_mm(ball.centre)).collect()
 }

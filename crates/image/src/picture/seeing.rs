@@ -56,7 +56,7 @@ impl Sampler {
     ) -> Sight {
         let (pearl, pixel_mm) = (&self.pearls[ball], self.pixel_mm[ball]);
         let outward = self.surroundings.outward(ball, &hit);
-        if !pearl.has_relief() {
+        if !pearl.skin.has_relief() {
             let (local, grain) = (Local::EVEN, None);
             let around = self.reflections.around(ball, hit.normal);
             return Sight {
@@ -74,7 +74,7 @@ impl Sampler {
         }
         let place = &self.surroundings.balls[ball];
         let lengths_mm = [hit.point.distance(place.centre), pixel_mm];
-        let (local, grain) = pearl.local((outward, hit.cos_view), place.radius_mm, lengths_mm);
+        let (local, grain) = pearl.skin.local((outward, hit.cos_view), place.radius_mm, lengths_mm);
         let normal = local.normal(hit.normal, view);
         let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
         let spread = spread.over_slopes(local.fine_slope2);

@@ -15,15 +15,12 @@ use crate::{
     light::bands::{self, BANDS, Bands},
     surface::{
         film::{Apart, Film, Mirrors, STEPS, cosines},
+        film_sampling::FilmSampling,
         waviness::FilmParts,
     },
 };
 
-/// The columns in so many groups, each of which is asked every fourth nanometre: a band is the mean over all
-/// of them, and no fringe of a column that is finer than 4 nm leaves a pattern.
-const GROUPS: usize = 4;
-
-/// Shares by wavelength, at each of the cosines.
+/// Shares by wavelength, at each of the cosines that are asked.
 type Spectra = Vec<[f64; SAMPLES]>;
 
 /// A film in the making, some angles of a group of columns at a time. The film does not depend on how many.
@@ -31,6 +28,7 @@ type Spectra = Vec<[f64; SAMPLES]>;
 pub struct FilmDraft {
     columns: Vec<LayerStack>,
     parts: FilmParts,
+    sampling: FilmSampling,
     /// What surface and layers mirror together.
     together: Option<Spectra>,
     /// What the layers mirror to light from above them, in s and p.
@@ -44,11 +42,12 @@ impl FilmDraft {
     pub const ALL_ANGLES: usize = STEPS + 1;
 
     /// Of the columns of a film.
-    pub fn new(columns: Vec<LayerStack>, parts: FilmParts) -> Self {
-        let empty = || vec![[0.0; SAMPLES]; Self::ALL_ANGLES];
+    pub fn new(columns: Vec<LayerStack>, parts: FilmParts, sampling: FilmSampling) -> Self {
+        let empty = || vec![[0.0; SAMPLES]; sampling.angles()];
         Self {
             columns,
             parts,
+            sampling,
             together: (parts != FilmParts::Apart).then(empty),
             layers: (parts != FilmParts::Together).then(|| [empty(), empty()]),
             done: 0,
@@ -61,16 +60,18 @@ impl FilmDraft {
     /// # Errors
     /// What [`Ensemble::with`] refuses.
     pub fn add(&mut self, angles: usize, stop: &AtomicBool) -> Result<Option<bool>, OpticsError> {
-        let groups = if self.columns.len() < 2 * GROUPS { 1 } else { GROUPS };
-        let (group, first) = (self.done / Self::ALL_ANGLES, self.done % Self::ALL_ANGLES);
-        if group == groups {
+        let (sampling, columns) = (self.sampling, self.columns.len());
+        let (group, first) = (self.done / sampling.angles(), self.done % sampling.angles());
+        if group == sampling.groups(columns) {
             return Ok(Some(true));
         }
         let angle_rad: Vec<f64> =
-            cosines().skip(first).take(angles.max(1)).map(libm::acos).collect();
+            sampling.cosines().skip(first).take(angles.max(1)).map(libm::acos).collect();
+        let (first_column, step) = sampling.columns(group, columns);
         let some: Vec<LayerStack> =
-            self.columns.iter().skip(group).step_by(groups).cloned().collect();
-        let nm: Vec<f64> = WAVELENGTH_NM.iter().skip(group).step_by(groups).copied().collect();
+            self.columns.iter().skip(first_column).step_by(step).cloned().collect();
+        let samples: Vec<usize> = sampling.samples(group, columns).collect();
+        let nm: Vec<f64> = samples.iter().map(|&sample| WAVELENGTH_NM[sample]).collect();
         let Some(found) = mirrored(self.parts, &some, &angle_rad, &nm, stop)? else {
             return Ok(None);
         };
@@ -78,13 +79,13 @@ impl FilmDraft {
         for (table, found) in tables.zip(found) {
             let rows = table.iter_mut().skip(first);
             for (row, found) in rows.zip(found.chunks_exact(nm.len())) {
-                for (to, from) in row.iter_mut().skip(group).step_by(groups).zip(found) {
-                    *to = *from;
+                for (&sample, share) in samples.iter().zip(found) {
+                    row[sample] = *share;
                 }
             }
         }
         self.done += angle_rad.len();
-        Ok(Some(self.done == groups * Self::ALL_ANGLES))
+        Ok(Some(self.done == sampling.groups(columns) * sampling.angles()))
     }
 
     /// The film, once it is complete.
@@ -101,9 +102,13 @@ impl FilmDraft {
     /// # Errors
     /// As [`FilmDraft::add`].
     pub fn film_of(&self, thickness: f64) -> Result<Film, OpticsError> {
-        let bands = |spectra: &[[f64; SAMPLES]]| match thickness {
-            1.0 => in_bands(spectra),
-            _ => in_bands(&stretched(spectra, thickness)),
+        let sampling = self.sampling;
+        let bands = |spectra: &[[f64; SAMPLES]]| {
+            let ended: Spectra = spectra.iter().map(|row| sampling.ended(*row)).collect();
+            sampling.all_rows(&match thickness {
+                1.0 => in_bands(&ended),
+                _ => in_bands(&stretched(&ended, thickness)),
+            })
         };
         let together = self.together.as_deref().map(bands);
         let layers = self
@@ -154,7 +159,7 @@ impl Film {
         parts: FilmParts,
         stop: &AtomicBool,
     ) -> Result<Option<Self>, OpticsError> {
-        let mut draft = FilmDraft::new(columns.to_vec(), parts);
+        let mut draft = FilmDraft::new(columns.to_vec(), parts, FilmSampling::WHOLE);
         loop {
             match draft.add(FilmDraft::ALL_ANGLES, stop)? {
                 None => return Ok(None),
@@ -274,7 +279,7 @@ mod tests {
         let columns: Vec<LayerStack> = (0..9).map(|i| column(380.0 + f64::from(i))).collect();
         let never = AtomicBool::new(false);
         for parts in ALL {
-            let mut draft = FilmDraft::new(columns.clone(), parts);
+            let mut draft = FilmDraft::new(columns.clone(), parts, FilmSampling::WHOLE);
             while !draft.add(50, &never).unwrap().unwrap() {
                 assert_eq!(draft.add(50, &AtomicBool::new(true)), Ok(None));
             }

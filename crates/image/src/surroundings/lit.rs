@@ -10,7 +10,12 @@ use glam::DVec3;
 use crate::{
     light::glow::Glow,
     rgb::{self, Rgb},
-    surroundings::{environment::Surroundings, light_map::LightMap, table_light, walls::WallLight},
+    surroundings::{
+        environment::Surroundings,
+        light_map::LightMap,
+        table_light::{self, Reach},
+        walls::WallLight,
+    },
 };
 
 /// Surroundings in whose light pearls can be looked at.
@@ -38,7 +43,15 @@ impl Surroundings {
     /// Lets the light fall. `charted` works out the soft light on table and walls once and for all, for
     /// scenes in which it is costly; else each place is worked out when it is seen.
     pub fn settled(self, charted: bool) -> Lit {
-        Lit { surroundings: self, table_lights: Vec::new(), wall_light: None }.charted(charted)
+        let lit = Lit { surroundings: self, table_lights: Vec::new(), wall_light: None };
+        if charted { lit.charted(table_light::FINE) } else { lit }
+    }
+
+    /// The same with light that each pearl sends out, in the order of the balls, and rough charts: for previews.
+    pub fn roughly_settled(self, glows: Vec<Glow>) -> Lit {
+        let surroundings = self.with_glows(glows);
+        let lit = Lit { surroundings, table_lights: Vec::new(), wall_light: None };
+        lit.charted(table_light::ROUGH)
     }
 }
 
@@ -49,20 +62,21 @@ impl Lit {
     pub fn with_glows(mut self, glows: Vec<Glow>, charted: bool) -> Self {
         self.surroundings = self.surroundings.with_glows(glows);
         self.table_lights.clear();
-        self.charted(charted)
+        if charted { self.charted(table_light::FINE) } else { self }
     }
 
-    fn charted(mut self, charted: bool) -> Self {
-        if !charted {
-            return self;
-        }
+    /// The light that each pearl sends out, in the order of the balls.
+    pub fn glows(&self) -> Vec<Glow> {
+        self.balls.iter().map(|ball| ball.glow).collect()
+    }
+
+    fn charted(mut self, reaches: [Reach; 2]) -> Self {
         let around = &self.surroundings;
         if around.table.is_some() {
             let soft = |point| around.soft_light_on_table(point);
             let light_map =
                 |reach| table_light::light_map(&around.balls, around.table_y_mm, reach, soft);
-            self.table_lights =
-                [table_light::NEAR, table_light::FAR].into_iter().filter_map(light_map).collect();
+            self.table_lights = reaches.into_iter().filter_map(light_map).collect();
         }
         // Pearls are taken not to light the walls, so this holds whatever they send out.
         if let (Some(walls), None) = (&around.walls, &self.wall_light) {

@@ -14,17 +14,24 @@ pub(crate) struct Reach {
     steps: f64,
     /// Around the pearls, in radii of the largest.
     radii: f64,
+    /// Where straight lines over two or more steps are right to this share of the light, no point between is worked out.
+    tolerance: f64,
 }
 
 /// Near the pearls: the contact shadow, which is as wide as a radius, is met within 0.8 % of the light, at its
 /// darkest.
-pub(crate) const NEAR: Reach = Reach { steps: 10.0, radii: 3.0 };
+const NEAR: Reach = Reach { steps: 10.0, radii: 3.0, tolerance: TOLERANCE };
 /// Farther off shadows are wide and weak: within 0.3 % of the light (the test below).
-pub(crate) const FAR: Reach = Reach { steps: 2.0, radii: 40.0 };
+const FAR: Reach = Reach { steps: 2.0, radii: 40.0, tolerance: TOLERANCE };
 
-/// Where straight lines over two or more steps are right to this share of the light, no point between is worked
-/// out: a quarter of it is left then, far less than a step between 8-bit codes.
+/// A quarter of it is left then, far less than a step between 8-bit codes.
 const TOLERANCE: f64 = 5e-4;
+
+/// As a picture needs it, near and far.
+pub(crate) const FINE: [Reach; 2] = [NEAR, FAR];
+/// As a preview needs it, whose colours move by less than CIEDE2000 0.1 for it **(ours)**.
+pub(crate) const ROUGH: [Reach; 2] =
+    [Reach { steps: 5.0, tolerance: 2e-3, ..NEAR }, Reach { steps: 0.5, tolerance: 2e-3, ..FAR }];
 
 /// A grid over pearls of very unlike sizes stays this small, 10 MB **(ours)**.
 const MOST_CELLS: f64 = 400_000.0;
@@ -49,7 +56,7 @@ pub(crate) fn light_map(
     let step_mm = (least_mm / reach.steps).max(finest_mm);
     let counts = widths_mm.map(|width_mm| (width_mm / step_mm) as usize + 1);
     let at = |[x, z]: [f64; 2]| light(DVec3::new(x, table_y_mm, z));
-    Some(LightMap::adaptive(corner, opposite, counts, TOLERANCE, at))
+    Some(LightMap::adaptive(corner, opposite, counts, reach.tolerance, at))
 }
 
 #[cfg(test)]

@@ -59,6 +59,11 @@ impl Unlit<'_> {
         (!progress.is_stopped()).then(|| LitScene { models, surroundings: Arc::new(lit) })
     }
 
+    /// The light around for a preview, where pearls send out `glows`, each in its place.
+    pub(crate) fn roughly_lit(&self, glows: Vec<Glow>) -> Lit {
+        self.surroundings().roughly_settled(glows)
+    }
+
     fn surroundings(&self) -> Surroundings {
         let lamps = self.lights.lamps_for(self.pearls.iter().map(microfacets_of));
         let (table, walls) = (table(&self.scene.table), self.scene.walls.as_ref().map(walls));

@@ -2,12 +2,15 @@
 
 use std::{convert::Infallible, sync::Arc};
 
-use nacreous_image::{MAX_SIZE_PX, Model, Pearl, Progress, Reflections, Sampler, Solid};
+use nacreous_image::{
+    Camera, FilmSampling, MAX_SIZE_PX, Model, Pearl, Progress, Reflections, Sampler, Solid,
+};
 
 use super::{
     around::{LitScene, Unlit},
     kept::Kept,
     optics::OpticsStage,
+    preview::{Asked, Before, GlowKey, PreviewStage},
     view::{Look, View},
     work::Work,
 };
@@ -41,11 +44,12 @@ pub struct Job {
     optics: OpticsStage,
     scene: Kept<SceneKey, LitScene>,
     reflections: Kept<ReflectionsKey, Reflections>,
+    preview: PreviewStage,
 }
 
 /// What a lit scene is made from.
 #[derive(Debug, Clone, PartialEq)]
-struct SceneKey {
+pub(super) struct SceneKey {
     /// Without what only the eye sees.
     pearls: Vec<PearlSpec>,
     places: Vec<Place>,
@@ -59,7 +63,7 @@ struct SceneKey {
 #[derive(Debug, Clone, PartialEq)]
 struct ReflectionsKey {
     scene: SceneKey,
-    arrangement: Arrangement,
+    camera: Camera,
     size_px: usize,
 }
 
@@ -78,7 +82,8 @@ impl Job {
             arrangement,
             samples_side,
             lights: Kept::default(),
-            optics: OpticsStage::default(),
+            optics: OpticsStage::new(FilmSampling::WHOLE),
+            preview: PreviewStage::default(),
             scene: Kept::default(),
             reflections: Kept::default(),
         })
@@ -117,13 +122,43 @@ impl Job {
         self.viewed(&Work::one_piece(progress))
     }
 
+    /// A first picture, as codes RGBA row by row: colours looked up where [`Job::view`] works them out, tens of times as
+    /// fast. What lies between changes of the recipe is kept, apart from what the view needs; light that the pearls send
+    /// out is taken as it last was, while they and the table stay. `None` once `progress` says to stop.
+    ///
+    /// # Errors
+    /// As [`Job::view`], and [`RenderError`] for a size beyond [`MAX_SIZE_PX`].
+    pub fn preview(
+        &mut self,
+        asked: &Asked,
+        progress: &Progress,
+    ) -> Result<Option<Vec<u8>>, RenderError> {
+        check_size(asked.size_px)?;
+        let work = Work::whole(progress);
+        let (recipe, arrangement) = (&self.recipe, &self.arrangement);
+        let lights_key = LightsKey::new(&recipe.scene, arrangement);
+        let make =
+            |_: &LightsKey| Lights::new(&recipe.scene, arrangement, &self.resources).map(Some);
+        let Some(lights) = self.lights.one(lights_key.clone(), make)? else { return Ok(None) };
+        let pixel_mm = arrangement.pixel_mm(recipe.size);
+        let skins = self.optics.skins(&recipe.pearls, &self.resources, pixel_mm, &work)?;
+        let Some(skins) = skins else { return Ok(None) };
+        let before = Before {
+            recipe,
+            arrangement,
+            solids: &solids_of(&recipe.pearls, &mut self.solids),
+            lights: (&lights_key, &lights),
+            skins: &skins,
+        };
+        self.preview.preview(&before, asked, &work)
+    }
+
     /// The scene before the camera; `None` where `work` ends before.
     fn viewed(&mut self, work: &Work<'_>) -> Result<Option<View>, RenderError> {
         let Some((scene_key, scene)) = self.lit_scene(work)? else { return Ok(None) };
         let Some(pearls) = self.pearls(&scene, work)? else { return Ok(None) };
         let (camera, size_px) = (self.arrangement.camera(), self.recipe.size);
-        let key =
-            ReflectionsKey { scene: scene_key, arrangement: self.arrangement.clone(), size_px };
+        let key = ReflectionsKey { scene: scene_key, camera, size_px };
         let make = |_: &ReflectionsKey| {
             work.piece(|progress| {
                 let reflections = Reflections::new(&pearls, &scene.surroundings, &camera, size_px);
@@ -164,7 +199,9 @@ impl Job {
         };
         let key = SceneKey::new(recipe, arrangement, lights_key, self.samples_side);
         let make = |_: &SceneKey| work.piece(|progress| Ok::<_, RenderError>(unlit.lit(progress)));
-        Ok(self.scene.one(key.clone(), make)?.map(|scene| (key, scene)))
+        let Some(scene) = self.scene.one(key.clone(), make)? else { return Ok(None) };
+        self.preview.learn(GlowKey::new(recipe, arrangement), &scene.surroundings.glows());
+        Ok(Some((key, scene)))
     }
 
     /// The pearls in their places, with their grain; `None` where `work` ends before.
@@ -173,22 +210,19 @@ impl Job {
         scene: &LitScene,
         work: &Work<'_>,
     ) -> Result<Option<Vec<Pearl>>, RenderError> {
-        let (recipe, pixel_mm) = (&self.recipe, self.arrangement.pixel_mm(self.recipe.size));
-        let grains = self.optics.grains(&recipe.pearls, &self.resources, pixel_mm, work)?;
-        let Some(grains) = grains else { return Ok(None) };
-        let Some(coats) = self.optics.coats(&recipe.pearls, work)? else { return Ok(None) };
+        let pixel_mm = self.arrangement.pixel_mm(self.recipe.size);
+        let skins = self.optics.skins(&self.recipe.pearls, &self.resources, pixel_mm, work)?;
+        let Some(skins) = skins else { return Ok(None) };
         let pearl = |(model, place): (&Arc<Model>, &Place)| Pearl {
             model: Arc::clone(model),
-            texture: grains[place.pearl].texture.clone(),
-            grain: grains[place.pearl].grain,
-            coat: coats[place.pearl].clone(),
+            skin: skins[place.pearl].clone(),
         };
         Ok(Some(scene.models.iter().zip(self.arrangement.places()).map(pearl).collect()))
     }
 }
 
 impl SceneKey {
-    fn new(
+    pub(super) fn new(
         recipe: &Recipe,
         arrangement: &Arrangement,
         lights: LightsKey,
@@ -210,16 +244,21 @@ fn checked(
     recipe: &Recipe,
     solids: &mut Kept<SolidKey, Solid>,
 ) -> Result<(Arrangement, usize), RenderError> {
-    if !(1..=MAX_SIZE_PX).contains(&recipe.size) {
-        let allowed = format!("a whole number from 1 to {MAX_SIZE_PX}");
-        return Err(RenderError::out_of_range("size", recipe.size, allowed));
-    }
+    check_size(recipe.size)?;
     let samples_side = recipe.samples.isqrt();
     if !(1..=MAX_SAMPLES).contains(&recipe.samples) || samples_side.pow(2) != recipe.samples {
         let allowed = format!("a square number from 1 to {MAX_SAMPLES}, such as 16");
         return Err(RenderError::out_of_range("samples", recipe.samples, allowed));
     }
     Ok((Arrangement::of_forms(recipe, &solids_of(&recipe.pearls, solids))?, samples_side))
+}
+
+fn check_size(size_px: usize) -> Result<(), RenderError> {
+    if (1..=MAX_SIZE_PX).contains(&size_px) {
+        return Ok(());
+    }
+    let allowed = format!("a whole number from 1 to {MAX_SIZE_PX}");
+    Err(RenderError::out_of_range("size", size_px, allowed))
 }
 
 /// The forms of pearls that are not round.
@@ -257,8 +296,8 @@ mod tests {
             job.view(&progress).unwrap();
             let (scene_key, scene) = job.lit_scene(&Work::whole(&progress)).unwrap().unwrap();
             let make = |_: &ReflectionsKey| Err("made anew");
-            let (arrangement, size_px) = (job.arrangement.clone(), job.recipe.size);
-            let key = ReflectionsKey { scene: scene_key, arrangement, size_px };
+            let (camera, size_px) = (job.arrangement.camera(), job.recipe.size);
+            let key = ReflectionsKey { scene: scene_key, camera, size_px };
             (scene, job.reflections.one(key, make).unwrap().unwrap())
         };
         let before = look(&mut job);

@@ -6,6 +6,22 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(crate) struct Kept<K, V>(Vec<(K, Arc<V>)>);
 
+/// Something shared, equal to nothing but itself: a cheap key for what is made from it.
+#[derive(Debug)]
+pub(crate) struct Same<T>(pub(crate) Arc<T>);
+
+impl<T> Clone for Same<T> {
+    fn clone(&self) -> Self {
+        Self(Arc::clone(&self.0))
+    }
+}
+
+impl<T> PartialEq for Same<T> {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
         Self(Vec::new())

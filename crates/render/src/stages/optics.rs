@@ -3,8 +3,9 @@
 use std::{cell::RefCell, sync::Arc};
 
 use nacreous_image::{
-    Coat, CoatParameters, Film, FilmDraft, FilmParts, Grain, Microfacets, Progress, Response, Rgb,
-    Rings, Surface, TorranceSparrow, Waviness, grain::texture::Texture, parallel,
+    Coat, CoatParameters, Film, FilmDraft, FilmParts, FilmSampling, Microfacets, Progress,
+    Response, Rgb, Rings, Skin, Surface, TorranceSparrow, Waviness, grain::texture::Texture,
+    parallel,
 };
 use nacreous_optics::IlluminantModel;
 
@@ -43,13 +44,6 @@ pub(crate) struct Look {
     pub(crate) body_colour: Rgb,
     pub(crate) mirror_weight: f64,
     pub(crate) falloff_mm: f64,
-}
-
-/// The grain over a pearl, and how strongly it acts.
-#[derive(Debug, Clone)]
-pub(crate) struct Grained {
-    pub(crate) texture: Option<Arc<Texture>>,
-    pub(crate) grain: Grain,
 }
 
 /// What a film is made from.
@@ -91,8 +85,9 @@ struct RingsKey {
 }
 
 /// The optics of all pearls, kept.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct OpticsStage {
+    sampling: FilmSampling,
     films: Kept<FilmKey, Vec<Film>>,
     /// The film that is being made, where work ended amid it.
     begun: RefCell<Option<(FilmKey, FilmDraft)>>,
@@ -104,6 +99,20 @@ pub(crate) struct OpticsStage {
 }
 
 impl OpticsStage {
+    /// Nothing yet, of films that are asked so densely.
+    pub(crate) fn new(sampling: FilmSampling) -> Self {
+        Self {
+            sampling,
+            films: Kept::default(),
+            begun: RefCell::default(),
+            surfaces: Kept::default(),
+            responses: Kept::default(),
+            rings: Kept::default(),
+            textures: Kept::default(),
+            coats: Kept::default(),
+        }
+    }
+
     /// The optics of each pearl; `None` where `work` ends before.
     pub(crate) fn optics(
         &mut self,
@@ -181,15 +190,31 @@ impl OpticsStage {
         self.responses.all(response_keys.clone(), make)
     }
 
-    /// The grain of each pearl that shows any; pearls of the same grain share it. `None` where `work` ends
-    /// before.
-    pub(crate) fn grains(
+    /// What differs from place to place of each pearl. `None` where `work` ends before.
+    pub(crate) fn skins(
         &mut self,
         pearls: &[PearlSpec],
         resources: &Resources,
         pixel_mm: f64,
         work: &Work<'_>,
-    ) -> Result<Option<Vec<Grained>>, RenderError> {
+    ) -> Result<Option<Vec<Skin>>, RenderError> {
+        let Some(textures) = self.textures(pearls, resources, pixel_mm, work)? else {
+            return Ok(None);
+        };
+        let Some(coats) = self.coats(pearls, work)? else { return Ok(None) };
+        let skin = |(pearl, (texture, coat))| Skin { texture, grain: grain_of(pearl), coat };
+        Ok(Some(pearls.iter().zip(textures.into_iter().zip(coats)).map(skin).collect()))
+    }
+
+    /// The grain of each pearl that shows any; pearls of the same grain share it. `None` where `work` ends
+    /// before.
+    fn textures(
+        &mut self,
+        pearls: &[PearlSpec],
+        resources: &Resources,
+        pixel_mm: f64,
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<Option<Arc<Texture>>>>, RenderError> {
         let seen: Vec<bool> = pearls.iter().map(|pearl| is_seen(&grain_of(pearl))).collect();
         let keys = pearls.iter().enumerate().filter(|(i, _)| seen[*i]);
         let keys = keys
@@ -198,15 +223,12 @@ impl OpticsStage {
         let make = |key: &GrainKey| work.piece(|_| key.texture().map(Some));
         let Some(textures) = self.textures.all(keys, make)? else { return Ok(None) };
         let mut textures = textures.into_iter();
-        let grained = |(pearl, seen): (&PearlSpec, bool)| Grained {
-            texture: if seen { textures.next() } else { None },
-            grain: grain_of(pearl),
-        };
-        Ok(Some(pearls.iter().zip(seen).map(grained).collect()))
+        let of_seen = |seen: bool| if seen { textures.next() } else { None };
+        Ok(Some(seen.into_iter().map(of_seen).collect()))
     }
 
     /// The coat of each pearl, where it differs from place to place. `None` where `work` ends before.
-    pub(crate) fn coats(
+    fn coats(
         &mut self,
         pearls: &[PearlSpec],
         work: &Work<'_>,
@@ -227,12 +249,16 @@ impl OpticsStage {
         keys: &[SurfaceKey],
         work: &Work<'_>,
     ) -> Result<Option<Vec<Arc<Vec<Surface>>>>, RenderError> {
-        let begun = &self.begun;
+        let (begun, sampling) = (&self.begun, self.sampling);
         let film = |key: &FilmKey| {
             let before = begun.take().filter(|(known, _)| known == key).map(|(_, draft)| draft);
             let mut draft = match before {
                 Some(draft) => draft,
-                None => FilmDraft::new(columns_of(&key.nacre, &key.film, key.outer_um)?, key.parts),
+                None => FilmDraft::new(
+                    columns_of(&key.nacre, &key.film, key.outer_um)?,
+                    key.parts,
+                    sampling,
+                ),
             };
             loop {
                 let add = |progress: &Progress| draft.add(work.film_angles, progress.stop_flag());

@@ -1,0 +1,9 @@
+//! Pixels that are worked on side by side.
+//!
+//! As many as a processor takes at once, and some more for it to choose from.
+//! Left out: what is done with them.
+
+/// Pixels of a run.
+pub(super) const LANES: usize = 16;
+/// One number for each.
+pub(super) type Lanes = [f32; LANES];

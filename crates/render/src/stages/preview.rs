@@ -1,0 +1,440 @@
+//! The first picture after a change, from what is kept and tables of a quickly asked film.
+//!
+//! Its stages: the light around, what lobes see of it through a net, what each pixel looks at, and the film's colours on it.
+//! Each is kept until what it is made from changes; light that pearls send out, while pearls and table stay. Pearls of the
+//! model of 1996 have no such tables: one sample a pixel of a smaller picture shows them.
+
+use std::{convert::Infallible, sync::Arc};
+
+use nacreous_image::{
+    Backdrop, Camera, Canvas, Coat, Development, Dyes, FilmSampling, Fineness, Glimpses, Glow, Lit,
+    Microfacets, Model, Painted, Pearl, Progress, Reflections, Response, Sampler, Sitter, Skin,
+    Subsurface, Veil, develop, eight_bit, grain::texture::Texture, paint,
+};
+
+use super::{
+    around::{LitScene, Unlit},
+    job::SceneKey,
+    kept::{Kept, Same},
+    optics::{Optics, OpticsStage, microfacets_of},
+    view::light_of,
+    work::Work,
+};
+use crate::{
+    RenderError,
+    arrangement::{Arrangement, Place, Solids},
+    lights::{Lights, LightsKey},
+    spec::{
+        Recipe,
+        pearl::PearlSpec,
+        scene::{TableSpec, WallsSpec},
+    },
+};
+
+/// How a preview shall be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asked {
+    /// Pixels a side; small ones are looked at less finely.
+    pub size_px: usize,
+    /// How light becomes codes; its exposure comes on top of the camera's.
+    pub development: Development,
+}
+
+/// A scene before the camera, as far as it is the same for a view and a preview.
+pub(crate) struct Before<'a> {
+    pub(crate) recipe: &'a Recipe,
+    pub(crate) arrangement: &'a Arrangement,
+    pub(crate) solids: &'a Solids,
+    pub(crate) lights: (&'a LightsKey, &'a Lights),
+    /// Of each pearl given.
+    pub(crate) skins: &'a [Skin],
+}
+
+/// What previews keep.
+#[derive(Debug)]
+pub(crate) struct PreviewStage {
+    optics: OpticsStage,
+    glows: Kept<GlowKey, Vec<Glow>>,
+    lit: Kept<LitKey, Lit>,
+    glimpses: Kept<GlimpsesKey, Glimpses>,
+    canvas: Kept<CanvasKey, Canvas>,
+    backdrop: Kept<BackdropKey, Backdrop>,
+    dyes: Kept<Same<Response>, Dyes>,
+    inside: Kept<InsideKey, Subsurface>,
+    veils: Kept<VeilKey, Veil>,
+    /// For pearls that no table shows.
+    scene: Kept<SceneKey, LitScene>,
+}
+
+/// Where light that pearls sent out before stands for what they send out now.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct GlowKey {
+    places: Vec<Place>,
+    table: TableSpec,
+    walls: Option<WallsSpec>,
+}
+
+impl GlowKey {
+    pub(super) fn new(recipe: &Recipe, arrangement: &Arrangement) -> Self {
+        let (table, walls) = (recipe.scene.table.clone(), recipe.scene.walls.clone());
+        Self { places: arrangement.places().to_vec(), table, walls }
+    }
+}
+
+/// What the light around is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct LitKey {
+    glows: Same<Vec<Glow>>,
+    lights: LightsKey,
+}
+
+/// What the lobes of one pearl see is made from, but for the index of its film.
+#[derive(Debug, Clone, PartialEq)]
+struct GlimpsesKey {
+    lit: Same<Lit>,
+    camera: Camera,
+    ball: usize,
+    facets: FacetsKey,
+    fineness: Fineness,
+}
+
+/// How the facets of a pearl lean, and how its layers wave.
+type FacetsKey = (Microfacets, f64);
+
+/// What pixels look at is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct CanvasKey {
+    places: Vec<Place>,
+    camera: Camera,
+    size_px: usize,
+    fineness: Fineness,
+    skins: Vec<SkinKey>,
+    /// Where there are lamps, whose images they show.
+    lamps: Option<(Same<Lit>, Vec<FacetsKey>)>,
+}
+
+/// What lies behind is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct BackdropKey {
+    lit: Same<Lit>,
+    camera: Camera,
+    size_px: usize,
+}
+
+/// Light inside one pearl is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct InsideKey {
+    response: Same<Response>,
+    lit: Same<Lit>,
+    ball: usize,
+}
+
+/// A film's view of light is made from; light inside knows the film.
+#[derive(Debug, Clone, PartialEq)]
+struct VeilKey {
+    glimpses: Same<Glimpses>,
+    inside: Same<Subsurface>,
+    ball: usize,
+}
+
+/// The grain of a pearl, how steep it is, and its coat.
+type SkinKey = (Option<Same<Texture>>, f64, Option<Same<Coat>>);
+
+impl Default for PreviewStage {
+    fn default() -> Self {
+        Self {
+            optics: OpticsStage::new(FilmSampling::QUICK),
+            glows: Kept::default(),
+            lit: Kept::default(),
+            glimpses: Kept::default(),
+            canvas: Kept::default(),
+            backdrop: Kept::default(),
+            dyes: Kept::default(),
+            inside: Kept::default(),
+            veils: Kept::default(),
+            scene: Kept::default(),
+        }
+    }
+}
+
+impl PreviewStage {
+    /// The codes; `None` where `work` ends before.
+    pub(crate) fn preview(
+        &mut self,
+        before: &Before<'_>,
+        asked: &Asked,
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<u8>>, RenderError> {
+        let optics = self.optics.optics(&before.recipe.pearls, before.lights, work)?;
+        let Some(optics) = optics else { return Ok(None) };
+        let response = |optics: &Optics| match optics {
+            Optics::Transport { response } => Some(Arc::clone(response)),
+            Optics::Illuminant { .. } => None,
+        };
+        match optics.iter().map(response).collect::<Option<Vec<_>>>() {
+            Some(responses) => self.painted(before, (&optics, &responses), asked, work),
+            None => self.sampled(before, &optics, asked, work),
+        }
+    }
+
+    /// By tables.
+    fn painted(
+        &mut self,
+        before: &Before<'_>,
+        (optics, responses): (&[Optics], &[Arc<Response>]),
+        asked: &Asked,
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<u8>>, RenderError> {
+        let Some(lit) = self.lit(before, optics, work)? else { return Ok(None) };
+        let seen = Seen { before, responses, lit: &lit, asked };
+        let Some(glimpses) = self.glimpses(&seen) else { return Ok(None) };
+        let Some(canvas) = self.canvas(&seen, &glimpses) else { return Ok(None) };
+        let Some(backdrop) = self.backdrop(&seen) else { return Ok(None) };
+        let Some(veils) = self.veils(&seen, &glimpses) else { return Ok(None) };
+        let dyes = |key: &Same<Response>| Ok::<_, Infallible>(Some(Dyes::new(&key.0)));
+        let Ok(dyes) = self.dyes.all(seen.balls().map(|ball| seen.response(ball)).collect(), dyes);
+        let Some(dyes) = dyes else { return Ok(None) };
+        let painted = |ball: usize| {
+            let skin = &before.skins[before.arrangement.places()[ball].pearl];
+            let grain = skin.texture.as_ref().map(|_| skin.grain);
+            Painted { dyes: &dyes[ball], veil: &veils[ball], grain }
+        };
+        let pearls: Vec<Painted<'_>> = seen.balls().map(painted).collect();
+        let mut development = asked.development;
+        development.exposure *= before.recipe.scene.camera.exposure;
+        Ok(Some(paint((&canvas, &backdrop), &pearls, &development)))
+    }
+
+    /// By one sample a pixel of a smaller picture, enlarged.
+    fn sampled(
+        &mut self,
+        before: &Before<'_>,
+        optics: &[Optics],
+        asked: &Asked,
+        work: &Work<'_>,
+    ) -> Result<Option<Vec<u8>>, RenderError> {
+        let (recipe, arrangement) = (before.recipe, before.arrangement);
+        let unlit = unlit(before, optics);
+        let key = SceneKey::new(recipe, arrangement, before.lights.0.clone(), SAMPLES_SIDE);
+        let make = |_: &SceneKey| work.piece(|progress| Ok::<_, RenderError>(unlit.lit(progress)));
+        let Some(scene) = self.scene.one(key, make)? else { return Ok(None) };
+        let pearl = |(model, place): (&Arc<Model>, &Place)| Pearl {
+            model: Arc::clone(model),
+            skin: before.skins[place.pearl].clone(),
+        };
+        let pearls: Vec<Pearl> = scene.models.iter().zip(arrangement.places()).map(pearl).collect();
+        let is_small = asked.size_px <= SMALL_PX;
+        let size_px = if is_small { asked.size_px } else { asked.size_px.div_ceil(COARSER) };
+        let reflections = Arc::new(Reflections::none(pearls.len()));
+        let surroundings = Arc::clone(&scene.surroundings);
+        let camera = arrangement.camera();
+        let counts = (size_px, SAMPLES_SIDE);
+        let exposure = recipe.scene.camera.exposure;
+        let sampler =
+            Sampler::new(pearls, surroundings, camera, counts, reflections).exposed(exposure);
+        let seen = |progress: &Progress| Ok::<_, RenderError>(sampler.rows(0..size_px, progress));
+        let Some(pixels) = work.piece(seen)? else { return Ok(None) };
+        let Development { exposure: factor, space, gamut } = asked.development;
+        let factor = (exposure * factor) as f32;
+        let light: Vec<f32> = light_of(&pixels).into_iter().map(|part| part * factor).collect();
+        let codes = eight_bit(&develop(&light, space, gamut).codes);
+        Ok(Some(enlarged(&codes, size_px, asked.size_px)))
+    }
+
+    /// Takes over what the pearls of a view send out, where that is not what is known already.
+    pub(super) fn learn(&mut self, key: GlowKey, glows: &[Glow]) {
+        let make = |_: &GlowKey| Ok::<_, Infallible>(Some(glows.to_vec()));
+        let Ok(known) = self.glows.one(key.clone(), make);
+        let are_near = known.is_some_and(|known| {
+            known.len() == glows.len() && known.iter().zip(glows).all(|(a, b)| a.is_near(b, NEAR))
+        });
+        if !are_near {
+            self.glows = Kept::default();
+            let Ok(_) = self.glows.one(key, make);
+        }
+    }
+
+    /// The light around, with what the pearls last sent out while places, table and walls are the same.
+    fn lit(
+        &mut self,
+        before: &Before<'_>,
+        optics: &[Optics],
+        work: &Work<'_>,
+    ) -> Result<Option<Arc<Lit>>, RenderError> {
+        let unlit = unlit(before, optics);
+        let key = GlowKey::new(before.recipe, before.arrangement);
+        let glows = |_: &GlowKey| {
+            work.piece(|progress| {
+                let lit = unlit.lit(progress);
+                Ok::<_, RenderError>(lit.map(|scene| scene.surroundings.glows()))
+            })
+        };
+        let Some(glows) = self.glows.one(key, glows)? else { return Ok(None) };
+        let key = LitKey { glows: Same(Arc::clone(&glows)), lights: before.lights.0.clone() };
+        let lit = |_: &LitKey| {
+            work.piece(|_| Ok::<_, RenderError>(Some(unlit.roughly_lit(glows.to_vec()))))
+        };
+        self.lit.one(key, lit)
+    }
+}
+
+/// What a preview by tables looks at.
+struct Seen<'a> {
+    before: &'a Before<'a>,
+    /// Of each pearl given.
+    responses: &'a [Arc<Response>],
+    lit: &'a Arc<Lit>,
+    asked: &'a Asked,
+}
+
+impl Seen<'_> {
+    fn response(&self, ball: usize) -> Same<Response> {
+        Same(Arc::clone(&self.responses[self.before.arrangement.places()[ball].pearl]))
+    }
+
+    fn pearl(&self, ball: usize) -> &PearlSpec {
+        &self.before.recipe.pearls[self.before.arrangement.places()[ball].pearl]
+    }
+
+    fn facets(&self, ball: usize) -> FacetsKey {
+        let pearl = self.pearl(ball);
+        let waviness_rad = match pearl {
+            PearlSpec::Transport(pearl) => pearl.surface.waviness_rad,
+            PearlSpec::Illuminant(_) => 0.0,
+        };
+        (microfacets_of(pearl), waviness_rad)
+    }
+
+    fn balls(&self) -> std::ops::Range<usize> {
+        0..self.before.arrangement.places().len()
+    }
+}
+
+impl PreviewStage {
+    /// What each pearl's lobes see of it; `None` for a camera within a pearl.
+    fn glimpses(&mut self, seen: &Seen<'_>) -> Option<Vec<Arc<Glimpses>>> {
+        let camera = seen.before.arrangement.camera();
+        let fineness = fineness(seen.asked.size_px);
+        let key = |ball| GlimpsesKey {
+            lit: Same(Arc::clone(seen.lit)),
+            camera,
+            ball,
+            facets: seen.facets(ball),
+            fineness,
+        };
+        let make = |key: &GlimpsesKey| {
+            let response = seen.response(key.ball).0;
+            Ok::<_, Infallible>(Glimpses::new(&response, seen.lit, key.ball, &camera, fineness))
+        };
+        let Ok(made) = self.glimpses.all(seen.balls().map(key).collect(), make);
+        made
+    }
+
+    /// What each pixel looks at.
+    fn canvas(&mut self, seen: &Seen<'_>, glimpses: &[Arc<Glimpses>]) -> Option<Arc<Canvas>> {
+        let Seen { before, lit, asked, .. } = seen;
+        let skin = |skin: &Skin| {
+            let (texture, coat) = (skin.texture.clone(), skin.coat.clone());
+            (texture.map(Same), skin.grain.relief_rad, coat.map(Same))
+        };
+        let camera = before.arrangement.camera();
+        let has_lamps = !lit.lamps.is_empty();
+        let key = CanvasKey {
+            places: before.arrangement.places().to_vec(),
+            camera,
+            size_px: asked.size_px,
+            fineness: fineness(asked.size_px),
+            skins: before.skins.iter().map(skin).collect(),
+            lamps: has_lamps.then(|| {
+                (Same(Arc::clone(lit)), seen.balls().map(|ball| seen.facets(ball)).collect())
+            }),
+        };
+        let make = |key: &CanvasKey| {
+            let sitter = |(ball, place): (usize, &Place)| {
+                let skin = &before.skins[place.pearl];
+                let response = &seen.responses[place.pearl];
+                Sitter::new(skin, &glimpses[ball], response, lit)
+            };
+            let sitters: Vec<_> =
+                before.arrangement.places().iter().enumerate().map(sitter).collect();
+            Ok::<_, Infallible>(Some(Canvas::new(&sitters, lit, &camera, key.size_px)))
+        };
+        let Ok(made) = self.canvas.one(key, make);
+        made
+    }
+}
+
+impl PreviewStage {
+    /// What lies behind.
+    fn backdrop(&mut self, seen: &Seen<'_>) -> Option<Arc<Backdrop>> {
+        let (camera, size_px) = (seen.before.arrangement.camera(), seen.asked.size_px);
+        let key = BackdropKey { lit: Same(Arc::clone(seen.lit)), camera, size_px };
+        let make =
+            |_: &BackdropKey| Ok::<_, Infallible>(Some(Backdrop::new(seen.lit, &camera, size_px)));
+        let Ok(made) = self.backdrop.one(key, make);
+        made
+    }
+
+    /// The light in and around each pearl, by its net.
+    fn veils(&mut self, seen: &Seen<'_>, glimpses: &[Arc<Glimpses>]) -> Option<Vec<Arc<Veil>>> {
+        let key = |ball| {
+            let lit = Same(Arc::clone(seen.lit));
+            InsideKey { response: seen.response(ball), lit, ball }
+        };
+        let make = |key: &InsideKey| {
+            Ok::<_, Infallible>(Some(Subsurface::of(&key.response.0, &key.lit.0, key.ball)))
+        };
+        let Ok(inside) = self.inside.all(seen.balls().map(key).collect(), make);
+        let inside = inside?;
+        let key = |ball: usize| VeilKey {
+            glimpses: Same(Arc::clone(&glimpses[ball])),
+            inside: Same(Arc::clone(&inside[ball])),
+            ball,
+        };
+        let camera = seen.before.arrangement.camera();
+        let make = |key: &VeilKey| {
+            let response = seen.response(key.ball).0;
+            let before = (&camera, &seen.lit.balls[key.ball]);
+            let veil = Veil::new(&key.glimpses.0, &response, &key.inside.0, before);
+            Ok::<_, Infallible>(Some(veil))
+        };
+        let Ok(made) = self.veils.all(seen.balls().map(key).collect(), make);
+        made
+    }
+}
+
+/// A light that differs by less than this share of white is the same.
+const NEAR: f64 = 0.003;
+/// How finely a preview looks at what pearls mirror **(ours)**: `python benchmarks/viewer.py` has its errors.
+fn fineness(size_px: usize) -> Fineness {
+    Fineness { knots: if size_px > SMALL_PX { 40 } else { 24 }, facets: 16 }
+}
+
+/// Pixels a side of previews that are shown while something moves.
+const SMALL_PX: usize = 320;
+/// Samples along the side of a pixel.
+const SAMPLES_SIDE: usize = 1;
+/// A large picture without tables has so many times fewer pixels a side.
+const COARSER: usize = 2;
+
+fn unlit<'a>(before: &'a Before<'a>, optics: &'a [Optics]) -> Unlit<'a> {
+    Unlit {
+        pearls: &before.recipe.pearls,
+        optics,
+        arrangement: before.arrangement,
+        solids: before.solids,
+        lights: before.lights.1,
+        scene: &before.recipe.scene,
+        samples_side: SAMPLES_SIDE,
+    }
+}
+
+/// Codes RGBA of a smaller picture's RGB, each pixel several times.
+fn enlarged(codes: &[u8], size_px: usize, to_px: usize) -> Vec<u8> {
+    let from = |i: usize| (i * size_px / to_px).min(size_px - 1);
+    let pixel = |i: usize| {
+        let at = 3 * (from(i / to_px) * size_px + from(i % to_px));
+        [codes[at], codes[at + 1], codes[at + 2], u8::MAX]
+    };
+    (0..to_px * to_px).flat_map(pixel).collect()
+}
