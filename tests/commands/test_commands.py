@@ -7,7 +7,6 @@ import shutil
 import struct
 import subprocess
 import sys
-import time
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -495,22 +494,6 @@ def test_the_summary_says_the_nacre_that_is_given_and_factors_have_japanese_name
     words = ["--word", "巻き（黒蝶）=厚巻き", "--word", "テリ=最上"]
     assert cli.main(["render", "tahitian", *words, "--size", "8", "--samples", "1"]) == 0
     assert "layers, 2200 um of nacre" in capsys.readouterr().out
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends programs without SIGTERM")
-def test_sigterm_leaves_no_file_behind(tmp_path: Path) -> None:
-    words = ["turn", "akoya-rg", "--frames", "500", "-o", "t.webp"]
-    program = subprocess.Popen(
-        [sys.executable, "-m", "nacreous", *words], cwd=tmp_path, stderr=subprocess.PIPE, text=True
-    )
-    deadline = time.monotonic() + 60
-    while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
-        time.sleep(0.05)
-    time.sleep(0.5)
-    program.terminate()
-    said = program.communicate(timeout=60)[1]
-    assert (program.returncode, list(tmp_path.iterdir())) == (143, [])
-    assert "terminated; nothing was written" in said
 
 
 def test_a_link_that_leads_nowhere_is_called_so(tmp_path: Path) -> None:
