@@ -28,8 +28,21 @@ impl Line {
     }
 }
 
+/// A place of a line and the form's height in its direction.
+struct Place {
+    towards: DVec3,
+    radius: f64,
+    gradient: DVec3,
+    /// How far the place is from the surface.
+    height: f64,
+    /// How fast that changes along the line.
+    change: f64,
+}
+
 /// Nearer to the surface than this, over the pearl's half width, a line of sight has met it.
 const MET: f64 = 1e-10;
+/// Or, where it meets the surface steeply, nearer than this along the line.
+const MET_ALONG: f64 = 1e-8;
 /// From here on nothing lies between that a longer step could pass.
 const NEAR: f64 = 1e-3;
 
@@ -58,26 +71,38 @@ impl Solid {
         let Some([start, end]) = self.hull.within(from, along) else { return (None, near_mm) };
         let [start, end] = [start.max(0.0), end].map(|mm| mm / self.radius_mm);
         let [near, clear] = [near_mm, clear_mm * self.steepest].map(|mm| mm / self.radius_mm);
-        let mut t = if near > start && self.height(&line, near).0 > 0.0 { near } else { start };
+        let (mut t, mut place) = self.begin(&line, start, near);
         let (mut outside, mut free, mut is_clear) = (t, t, true);
         for _ in 0..MOST_STEPS {
             if t > end {
                 return (None, free * self.radius_mm);
             }
-            let (height, change) = self.height(&line, t);
-            is_clear &= height > clear;
+            is_clear &= place.height > clear;
             if is_clear {
-                free = t;
+                free = t + (place.height - clear) / self.steepest;
             }
-            if height < MET {
+            if place.off() < 1.0 {
                 // Past the surface, the place is between here and the last one outside.
-                let met = if height > -MET { t } else { self.between(&line, outside, t) };
-                return (Some(self.met(&line, met)), free * self.radius_mm);
+                let is_past = place.off() < -1.0;
+                let met = if is_past { self.between(&line, [outside, t], place) } else { place };
+                return (Some(self.met(&met, &line)), free * self.radius_mm);
             }
             outside = t;
-            t += self.step(height, change);
+            t += self.step(place.height, place.change);
+            place = self.place(&line, t);
         }
         (None, free * self.radius_mm)
+    }
+
+    /// Where to begin: near to the pearl, unless that is within it.
+    fn begin(&self, line: &Line, start: f64, near: f64) -> (f64, Place) {
+        if near > start {
+            let place = self.place(line, near);
+            if place.height > 0.0 {
+                return (near, place);
+            }
+        }
+        (start, self.place(line, start))
     }
 
     /// How far a ray may go on at a height above the surface, and its change.
@@ -95,11 +120,8 @@ impl Solid {
     pub(crate) fn nearest(&self, from: DVec3, along: DVec3) -> Hit {
         self.hit(from, along).unwrap_or_else(|| {
             let line = self.line(from, along);
-            let own = line.point(self.passing(&line).at).normalize();
-            let mut hit = self.hit_in(own, line.along);
-            // Grazed from outside.
-            hit.cos_view = hit.cos_view.max(LEAST_COSINE);
-            hit
+            let place = self.place(&line, self.passing(&line).at);
+            self.met(&place, &line)
         })
     }
 
@@ -107,42 +129,50 @@ impl Solid {
         Line { from: self.pose.own(from) / self.radius_mm, along: self.pose.own(along) }
     }
 
-    /// How far a place of a line is from the surface, and how fast that changes.
-    fn height(&self, line: &Line, t: f64) -> (f64, f64) {
+    fn place(&self, line: &Line, t: f64) -> Place {
         let point = line.point(t);
         let far = point.length();
         let towards = point / far;
         let (radius, gradient) = self.form.at(towards);
-        (far - radius, line.along.dot(towards - gradient / far))
+        let change = line.along.dot(towards - gradient / far);
+        Place { towards, radius, gradient, height: far - radius, change }
     }
 
-    /// The crossing between a place outside and one inside.
-    fn between(&self, line: &Line, mut low: f64, mut high: f64) -> f64 {
+    /// The crossing between a place outside and one inside, by Newton's steps that stay between.
+    fn between(&self, line: &Line, [mut low, mut high]: [f64; 2], inside: Place) -> Place {
+        let (mut t, mut place) = (high, inside);
         for _ in 0..50 {
-            let middle = 0.5 * (low + high);
-            if self.height(line, middle).0 > 0.0 {
-                low = middle;
+            let newton = t - place.height / place.change;
+            t = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            place = self.place(line, t);
+            if place.off().abs() < 1.0 {
+                break;
+            }
+            if place.height > 0.0 {
+                low = t;
             } else {
-                high = middle;
+                high = t;
             }
         }
-        high
+        place
     }
 
-    fn met(&self, line: &Line, t: f64) -> Hit {
-        self.hit_in(line.point(t).normalize(), line.along)
-    }
-
-    /// The surface in a direction of the form, seen along another; the point is as from the middle.
-    fn hit_in(&self, own: DVec3, along: DVec3) -> Hit {
-        let (radius, gradient) = self.form.at(own);
-        let normal = (own - gradient / radius).normalize();
-        let cos_view = (-normal.dot(along)).max(LEAST_COSINE);
+    /// The surface below or above a place; the point is as from the middle.
+    fn met(&self, place: &Place, line: &Line) -> Hit {
+        let normal = (place.towards - place.gradient / place.radius).normalize();
+        let cos_view = (-normal.dot(line.along)).max(LEAST_COSINE);
         Hit {
-            point: self.pose.scene(own * radius) * self.radius_mm,
+            point: self.pose.scene(place.towards * place.radius) * self.radius_mm,
             normal: self.pose.scene(normal),
             cos_view,
         }
+    }
+}
+
+impl Place {
+    /// Distance from the surface over that at which it is met.
+    fn off(&self) -> f64 {
+        self.height / MET.max(-self.change * MET_ALONG)
     }
 }
 
