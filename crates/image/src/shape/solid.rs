@@ -105,6 +105,11 @@ impl Solid {
         (towards * (radius * self.radius_mm), self.pose.scene(normal))
     }
 
+    /// So many places of the surface, in directions from the middle that share out the sphere; seen from there.
+    pub fn places_mm(&self, count: usize) -> Vec<DVec3> {
+        even_directions(count).map(|towards| self.surface(towards).0).collect()
+    }
+
     /// The area of the surface over the solid angle that it fills from the middle, in units of the square of half its
     /// width.
     pub(crate) fn area_per_angle(&self, towards: DVec3) -> f64 {
