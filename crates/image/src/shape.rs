@@ -2,7 +2,7 @@
 
 pub(crate) mod ball;
 mod bent;
-mod crossing;
+pub(crate) mod crossing;
 pub(crate) mod dimensions;
 mod directions;
 pub(crate) mod form;

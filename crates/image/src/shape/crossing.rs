@@ -39,6 +39,15 @@ struct Place {
     change: f64,
 }
 
+/// What is known of the way of lines of sight beside one that was followed, as seen from the pearl's middle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Beside {
+    /// So far the one that was followed came no nearer than they lie beside it.
+    pub(crate) free_mm: f64,
+    /// Where it met the surface, and the normal there, if from there on it came ever nearer.
+    surface: Option<[DVec3; 2]>,
+}
+
 /// Nearer to the surface than this, over the pearl's half width, a line of sight has met it.
 const MET: f64 = 1e-10;
 /// Or, where it meets the surface steeply, nearer than this along the line.
@@ -50,6 +59,8 @@ const NEAR: f64 = 1e-3;
 const MOST_STEPS: usize = 200;
 /// No form has a rise that is thinner than this share of half its width.
 const LEAST_FEATURE: f64 = 0.02;
+/// Where a surface is seen at a lower cosine, the next line of sight may meet another part of it.
+const LEAST_BESIDE: f64 = 0.1;
 /// At the silhouette the cosine of the view angle is taken to be at least this.
 const LEAST_COSINE: f64 = 1e-5;
 
@@ -59,39 +70,69 @@ impl Solid {
         self.followed(from, along, [0.0; 2]).0
     }
 
-    /// The same from `near_mm` on, where that is outside of the pearl; and how far the ray goes without coming nearer to the
-    /// pearl than `clear_mm`, from where rays beside it may be followed.
+    /// The same of a ray beside one that was followed.
+    pub(crate) fn hit_beside(&self, from: DVec3, along: DVec3, known: &Beside) -> Option<Hit> {
+        let met = known.surface.and_then(|surface| self.met_beside(from, along, surface));
+        met.or_else(|| self.followed(from, along, [known.free_mm, 0.0]).0)
+    }
+
+    /// By Newton's steps from where it meets the plane that touches the surface.
+    fn met_beside(&self, from: DVec3, along: DVec3, [point, normal]: [DVec3; 2]) -> Option<Hit> {
+        const STEPS: usize = 4;
+        let line = self.line(from, along);
+        let mut t = (point - from).dot(normal) / (along.dot(normal) * self.radius_mm);
+        for _ in 0..STEPS {
+            let place = self.place(&line, t);
+            if place.change > -LEAST_BESIDE || place.height.abs() > NEAR {
+                return None;
+            }
+            if place.off().abs() < 1.0 {
+                return Some(self.met(&place, &line));
+            }
+            t -= place.height / place.change;
+        }
+        None
+    }
+
+    /// The same from `near_mm` on, where that is outside of the pearl; and what is then known of rays no more than
+    /// `clear_mm` beside it.
     pub(crate) fn followed(
         &self,
         from: DVec3,
         along: DVec3,
         [near_mm, clear_mm]: [f64; 2],
-    ) -> (Option<Hit>, f64) {
+    ) -> (Option<Hit>, Beside) {
         let line = self.line(from, along);
-        let Some([start, end]) = self.hull.within(from, along) else { return (None, near_mm) };
+        let Some([start, end]) = self.hull.within(from, along) else {
+            return (None, Beside { free_mm: near_mm, surface: None });
+        };
         let [start, end] = [start.max(0.0), end].map(|mm| mm / self.radius_mm);
         let [near, clear] = [near_mm, clear_mm * self.steepest].map(|mm| mm / self.radius_mm);
         let (mut t, mut place) = self.begin(&line, start, near);
-        let (mut outside, mut free, mut is_clear) = (t, t, true);
+        let (mut outside, mut free, mut is_clear, mut falls) = (t, t, true, true);
         for _ in 0..MOST_STEPS {
             if t > end {
-                return (None, free * self.radius_mm);
+                break;
             }
             is_clear &= place.height > clear;
             if is_clear {
                 free = t + (place.height - clear) / self.steepest;
             }
+            falls = (falls || is_clear) && place.change < 0.0;
             if place.off() < 1.0 {
                 // Past the surface, the place is between here and the last one outside.
                 let is_past = place.off() < -1.0;
                 let met = if is_past { self.between(&line, [outside, t], place) } else { place };
-                return (Some(self.met(&met, &line)), free * self.radius_mm);
+                let hit = self.met(&met, &line);
+                let surface =
+                    (falls && hit.cos_view > LEAST_BESIDE).then_some([hit.point, hit.normal]);
+                return (Some(hit), Beside { free_mm: free * self.radius_mm, surface });
             }
             outside = t;
             t += self.step(place.height, place.change);
             place = self.place(&line, t);
         }
-        (None, free * self.radius_mm)
+        (None, Beside { free_mm: free * self.radius_mm, surface: None })
     }
 
     /// Where to begin: near to the pearl, unless that is within it.
@@ -198,16 +239,16 @@ mod tests {
                 let aim = 4.2 * DVec3::new((1.1 * t).cos(), (1.7 * t).sin(), (2.3 * t).cos());
                 let from = 40.0 * DVec3::new((0.7 * t).sin(), 0.4, (0.3 * t).cos()).normalize();
                 let along = (aim - from).normalize();
-                let (_, free_mm) = solid.followed(from, along, [0.0, clear_mm]);
+                let (_, known) = solid.followed(from, along, [0.0, clear_mm]);
                 let aside = along.any_orthonormal_vector() * (0.9 * clear_mm);
                 let whole = solid.hit(from + aside, along);
-                let short = solid.followed(from + aside, along, [free_mm, 0.0]).0;
+                let short = solid.hit_beside(from + aside, along, &known);
                 match (whole, short) {
                     (None, None) => {}
                     (Some(whole), Some(short)) => {
                         let apart_mm = whole.point.distance(short.point);
                         assert!(apart_mm < 1e-6, "{form:?} {i}: {apart_mm}");
-                        later += i32::from(free_mm > 30.0);
+                        later += i32::from(known.free_mm > 30.0);
                     }
                     (whole, short) => panic!("{form:?} {i}: {whole:?} {short:?}"),
                 }
