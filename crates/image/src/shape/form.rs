@@ -94,11 +94,17 @@ impl Form {
 
     /// Distance of the surface in a direction, and its gradient along the sphere of directions.
     pub(crate) fn at(&self, towards: DVec3) -> (f64, DVec3) {
+        self.below(towards, towards)
+    }
+
+    /// The same where a point in that direction is known before the direction is.
+    #[inline]
+    pub(super) fn below(&self, towards: DVec3, point: DVec3) -> (f64, DVec3) {
         let (ovoid, along_ovoid) = self.ovoid.at(towards);
         let mut rise = 1.0;
         let mut along_rise = DVec3::ZERO;
         if let Some(lumps) = &self.lumps {
-            let (amount, gradient) = lumps.at(towards);
+            let (amount, gradient) = lumps.at(towards, point);
             (rise, along_rise) = (rise + amount, along_rise + gradient);
         }
         for groove in &self.grooves {

@@ -68,15 +68,16 @@ impl Lumps {
         Self { blocks, begins, mean }
     }
 
-    /// What they add in a direction, and the gradient of that.
-    pub(super) fn at(&self, towards: DVec3) -> (f64, DVec3) {
-        let [amount, x, y, z] = sum(self.near(towards), towards.to_array());
+    /// What they add in a direction, that of a point, and the gradient of that.
+    #[inline]
+    pub(super) fn at(&self, towards: DVec3, point: DVec3) -> (f64, DVec3) {
+        let [amount, x, y, z] = sum(self.near(point), towards.to_array());
         (amount - self.mean, DVec3::new(x, y, z))
     }
 
     /// The same with second derivatives.
     pub(super) fn bent(&self, towards: DVec3) -> Bent {
-        let (height, slope) = self.at(towards);
+        let (height, slope) = self.at(towards, towards);
         let mut change = DMat3::ZERO;
         for block in self.near(towards) {
             for lane in 0..LANES {
@@ -89,8 +90,9 @@ impl Lumps {
         Bent { height, slope, change }
     }
 
-    fn near(&self, towards: DVec3) -> &[Block] {
-        let cell = cell(towards);
+    #[inline]
+    fn near(&self, point: DVec3) -> &[Block] {
+        let cell = cell(point);
         &self.blocks[self.begins[cell] as usize..self.begins[cell + 1] as usize]
     }
 }
@@ -138,7 +140,7 @@ fn level(lumps: &mut [Lump], spread: f64, per_foot: f64) -> f64 {
 }
 
 /// What lumps add up to in a direction, and the gradient of that.
-#[multiversion(targets("x86_64+avx2", "x86_64+avx512f+avx512vl"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn sum(blocks: &[Block], [x, y, z]: [f64; 3]) -> [f64; 4] {
     let mut sums = [[0.0; LANES]; 4];
     for block in blocks {
@@ -160,9 +162,10 @@ fn sum(blocks: &[Block], [x, y, z]: [f64; 3]) -> [f64; 4] {
     })
 }
 
-/// The cell of a direction: the side of a cube around the sphere that it meets, and where there.
-fn cell(towards: DVec3) -> usize {
-    let DVec3 { x, y, z } = towards;
+/// The cell of the direction of a point: the side of a cube around the sphere that it meets, and where there.
+#[inline]
+fn cell(point: DVec3) -> usize {
+    let DVec3 { x, y, z } = point;
     let (far, aside, side) = if x.abs() >= y.abs() && x.abs() >= z.abs() {
         (x, [y, z], 0)
     } else if y.abs() >= z.abs() {
@@ -215,7 +218,7 @@ mod tests {
                 all.chunks(LANES).map(|lumps| Block::of(lumps, per_foot)).collect();
             let mut held = 0;
             for towards in even_directions(3000).chain([DVec3::X, DVec3::NEG_Y, DVec3::Z]) {
-                let (amount, slope) = lumps.at(towards);
+                let (amount, slope) = lumps.at(towards, towards);
                 let [whole, x, y, z] = sum(&all, towards.to_array());
                 assert!((amount + mean - whole).abs() < 1e-12, "{size_rad} {towards}");
                 assert!(slope.distance(DVec3::new(x, y, z)) < 1e-12, "{size_rad} {towards}");
