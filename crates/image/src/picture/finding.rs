@@ -28,11 +28,6 @@ impl Sampler {
     /// The balls that a pixel may show.
     pub(super) fn find(&self, row: usize, column: usize, balls: &[usize], view: &mut View) {
         let ray = self.ray((row, column), 0.0, 0.0);
-        // Of the pixel before in this row, if it showed one pearl alone.
-        let before = match (&view.balls[..], &view.known[..]) {
-            (&[ball], &[known]) => known.served().map(|known| (ball, known)),
-            _ => None,
-        };
         view.balls.clear();
         view.inside_mm.clear();
         view.known.clear();
@@ -40,9 +35,7 @@ impl Sampler {
             let aside_mm = 2.0 * self.pixel_mm[ball];
             if !self.surroundings.is_passed(ball, &ray, aside_mm) {
                 let near_mm = NEAR_PX * self.pixel_mm[ball];
-                let before = before.filter(|before| before.0 == ball).map(|before| before.1);
-                let (inside_mm, known) =
-                    self.surroundings.inside_mm(ball, &ray, near_mm, before.as_ref());
+                let (inside_mm, known) = self.surroundings.inside_mm(ball, &ray, near_mm);
                 if inside_mm > -aside_mm {
                     view.balls.push(ball);
                     view.inside_mm.push(inside_mm);

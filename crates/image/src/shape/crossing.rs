@@ -46,18 +46,6 @@ pub(crate) struct Beside {
     pub(crate) free_mm: f64,
     /// Where it met the surface, and the normal there, if from there on it came ever nearer.
     surface: Option<[DVec3; 2]>,
-    /// To so many pixels on, one after the other, the same holds still.
-    serves: usize,
-}
-
-/// What is free four pixels aside is so for the rays of two more pixels, which reach one and a half aside of their own middle.
-const SERVES: usize = 2;
-
-impl Beside {
-    /// The same for the next pixel, if it holds there.
-    pub(crate) fn served(self) -> Option<Self> {
-        (self.serves > 0).then(|| Self { serves: self.serves - 1, ..self })
-    }
 }
 
 /// Nearer to the surface than this, over the pearl's half width, a line of sight has met it.
@@ -88,17 +76,6 @@ impl Solid {
         met.or_else(|| self.followed(from, along, [known.free_mm, 0.0]).0)
     }
 
-    /// Where it meets the surface, and what is known of rays beside it, by what is known already.
-    pub(crate) fn known_beside(
-        &self,
-        from: DVec3,
-        along: DVec3,
-        known: &Beside,
-    ) -> Option<(Hit, Beside)> {
-        let hit = self.met_beside(from, along, known.surface?)?;
-        Some((hit, Beside { surface: Some([hit.point, hit.normal]), ..*known }))
-    }
-
     /// By Newton's steps from where it meets the plane that touches the surface.
     fn met_beside(&self, from: DVec3, along: DVec3, [point, normal]: [DVec3; 2]) -> Option<Hit> {
         const STEPS: usize = 4;
@@ -127,7 +104,7 @@ impl Solid {
     ) -> (Option<Hit>, Beside) {
         let line = self.line(from, along);
         let Some([start, end]) = self.hull.within(from, along) else {
-            return (None, Beside { free_mm: near_mm, ..Beside::default() });
+            return (None, Beside { free_mm: near_mm, surface: None });
         };
         let [start, end] = [start.max(0.0), end].map(|mm| mm / self.radius_mm);
         let [near, clear] = [near_mm, clear_mm * self.steepest].map(|mm| mm / self.radius_mm);
@@ -149,16 +126,13 @@ impl Solid {
                 let hit = self.met(&met, &line);
                 let surface =
                     (falls && hit.cos_view > LEAST_BESIDE).then_some([hit.point, hit.normal]);
-                return (
-                    Some(hit),
-                    Beside { free_mm: free * self.radius_mm, surface, serves: SERVES },
-                );
+                return (Some(hit), Beside { free_mm: free * self.radius_mm, surface });
             }
             outside = t;
             t += self.step(place.height, place.change);
             place = self.place(&line, t);
         }
-        (None, Beside { free_mm: free * self.radius_mm, ..Beside::default() })
+        (None, Beside { free_mm: free * self.radius_mm, surface: None })
     }
 
     /// Where to begin: near to the pearl, unless that is within it.

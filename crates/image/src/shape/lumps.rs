@@ -140,7 +140,7 @@ fn level(lumps: &mut [Lump], spread: f64, per_foot: f64) -> f64 {
 }
 
 /// What lumps add up to in a direction, and the gradient of that.
-#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx2"))]
 fn sum(blocks: &[Block], [x, y, z]: [f64; 3]) -> [f64; 4] {
     let mut sums = [[0.0; LANES]; 4];
     for block in blocks {

@@ -72,26 +72,13 @@ impl Surroundings {
     }
 
     /// How far inside a pearl's silhouette a line of sight passes, about; negative beside it, and within `near_mm` of the
-    /// silhouette right. And what is then known of rays beside it; `before` is what is known of it already.
-    pub(crate) fn inside_mm(
-        &self,
-        ball: usize,
-        ray: &Ray,
-        near_mm: f64,
-        before: Option<&Beside>,
-    ) -> (f64, Beside) {
+    /// silhouette right. And what is then known of rays no farther than that from it.
+    pub(crate) fn inside_mm(&self, ball: usize, ray: &Ray, near_mm: f64) -> (f64, Beside) {
         let place = &self.balls[ball];
         let Some(solid) = self.solid(ball) else {
             return (place.radius_mm - place.passing_mm(ray), Beside::default());
         };
         let from = ray.from - place.centre;
-        let beside = before.and_then(|before| solid.known_beside(from, ray.along, before));
-        if let Some((hit, known)) = beside {
-            let least_inside_mm = solid.least_inside_mm(hit.cos_view);
-            if least_inside_mm > near_mm {
-                return (least_inside_mm, known);
-            }
-        }
         let (hit, known) = solid.followed(from, ray.along, [0.0, near_mm]);
         let least_inside_mm = hit.map_or(0.0, |hit| solid.least_inside_mm(hit.cos_view));
         if least_inside_mm > near_mm {

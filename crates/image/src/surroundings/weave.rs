@@ -2,6 +2,8 @@
 //!
 //! A Fourier series; its exponentials and circles by polynomials, right to 1e-15, since a picture asks for millions.
 //! Left out: relief, and how the eye sees threads in perspective.
+// Only what is inlined is compiled with the vector instructions of the function that calls it.
+#![allow(clippy::inline_always)]
 
 use std::f64::consts::{LN_2, LOG2_E, PI};
 

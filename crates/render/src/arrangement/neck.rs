@@ -30,28 +30,28 @@ pub(super) struct Bead {
     /// How high its middle lies above the table.
     height_mm: f64,
     /// Places of its surface; none of a ball's.
-    surface_mm: Vec<DVec3>,
+    surface: Vec<DVec3>,
 }
 
 impl Bead {
     /// As it lies on the table.
     pub(super) fn new(radius_mm: f64, height_mm: f64, solid: Option<&Solid>) -> Self {
-        let surface_mm = solid.map_or_else(Vec::new, |solid| solid.places_mm(POINTS));
-        Self { radius_mm, height_mm, surface_mm }
+        let surface = solid.map_or_else(Vec::new, |solid| solid.places_mm(POINTS));
+        Self { radius_mm, height_mm, surface }
     }
 
     /// How far it reaches from its middle in a direction.
     fn extent_mm(&self, along: DVec3) -> f64 {
-        if self.surface_mm.is_empty() {
+        if self.surface.is_empty() {
             return self.radius_mm;
         }
-        let far = self.surface_mm.iter().map(|place| place.dot(along)).fold(0.0, f64::max);
+        let far = self.surface.iter().map(|place| place.dot(along)).fold(0.0, f64::max);
         BETWEEN * far
     }
 
     /// How far from its place on the table, in a direction (x, z), the next pearl's is that it touches.
     fn step_mm(&self, next: &Self, [x, z]: [f64; 2]) -> f64 {
-        if self.surface_mm.is_empty() && next.surface_mm.is_empty() {
+        if self.surface.is_empty() && next.surface.is_empty() {
             // Middles of unlike pearls on one table lie at unlike heights.
             return APART * 2.0 * (self.radius_mm * next.radius_mm).sqrt();
         }
