@@ -100,11 +100,19 @@ def stretched(linear: NDArray[np.float32], roundness: float) -> NDArray[np.float
 
 
 def rank_correlation(knob: NDArray[np.float64], found: NDArray[np.float64]) -> float:
-    """Spearman's; NaN where a measure is refused or never moves."""
-    if not np.isfinite(found).all() or np.ptp(found) == 0:
+    """Spearman's; NaN where a measure is refused, 0 where it never moves: it tells nothing then."""
+    if not np.isfinite(found).all():
         return float("nan")
-    ranks = found.argsort().argsort()
-    return float(np.corrcoef(knob.argsort().argsort(), ranks)[0, 1])
+    if np.ptp(found) == 0:
+        return 0.0
+    return float(np.corrcoef(ranks(knob), ranks(found))[0, 1])
+
+
+def ranks(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Ranks from 0; equal values share the mean of theirs, so that order alone makes none."""
+    below = (values[None, :] < values[:, None]).sum(axis=1)
+    equal = (values[None, :] == values[:, None]).sum(axis=1)
+    return below + 0.5 * (equal - 1.0)
 
 
 def change(found: NDArray[np.float64]) -> float:

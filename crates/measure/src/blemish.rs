@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::course::residuals;
 use crate::disc::{Disc, Pixel};
-use crate::lamp::Highlight;
+use crate::highlight::Highlight;
 use crate::regions::regions;
 use crate::spot::{Map, Spot, spot};
 use crate::{Circle, Value};
