@@ -180,7 +180,15 @@ fn of_sphere(
     let rings = refused.taken("rings", rings(disc, &circle, found.highlight).ok_or_else(few));
     let small = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
     let spots = blemishes(&small, &circle, found.highlight).ok_or_else(few);
-    OfSphere { rings, lamp, blemishes: refused.taken("blemishes", spots) }
+    let blemishes = refused.taken("blemishes", spots);
+    if let Some(none) = blemishes.as_ref().filter(|found| found.count == 0) {
+        let least = none.threshold;
+        let reason = format!(
+            "no spot differs by {least:.1} and more in CIELAB; relief that differs by less cannot be told here"
+        );
+        refused.add("blemishes.relief", &reason);
+    }
+    OfSphere { rings, lamp, blemishes }
 }
 
 #[derive(Default)]
