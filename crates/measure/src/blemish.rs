@@ -100,7 +100,8 @@ fn told_from(map: &Map<'_>, looked: &[bool]) -> f64 {
         };
         (0..=2 * reach).flat_map(near).filter_map(own).collect()
     };
-    let on_grid = |at: &usize| at % map.width % step == 0 && at / map.width % step == 0;
+    let on_grid =
+        |at: &usize| (at % map.width).is_multiple_of(step) && (at / map.width).is_multiple_of(step);
     let tried = (0..looked.len()).filter(|&at| looked[at]).filter(on_grid);
     median(&mut tried.filter_map(|at| needed(map, &disc(at))).collect::<Vec<f64>>())
 }
