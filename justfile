@@ -196,7 +196,7 @@ wheel: pages _program
 types: _node-tools setup
     python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
     nacreous presets --json >nacreous/presets/complete.json
-    python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
+    python studio/types/schemas.py | node studio/types/typescript.mjs studio/src
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
 [group("build")]

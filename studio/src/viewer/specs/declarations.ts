@@ -1,0 +1,2 @@
+import type { Declaration, Kind } from "./types";
+export declare function declarations(kind: Kind): readonly Declaration[];
