@@ -13,7 +13,8 @@ export interface Wanted {
   /** Pixels a side of the first picture; 0 for none. */
   readonly firstPx: number;
   readonly refine: boolean;
-  first?(codes: Codes, widthPx: number): void;
+  /** isCurrent: false of a picture that was asked for just before, while things move. */
+  first?(codes: Codes, widthPx: number, isCurrent: boolean): void;
   progress?(share: number): void;
   refined?(codes: Codes, size: number): void;
   failed(text: string): void;
@@ -41,6 +42,8 @@ export class Pool {
   private readonly workers: Worker[] = [];
   private readonly ready: Promise<void>;
   private ticket = 0;
+  /** The ticket of the last picture that was finished. */
+  private whole = 0;
   private wanted: Wanted | null = null;
   private codes: Codes | null = null;
   private pixels: Float32Array<ArrayBuffer> | null = null;
@@ -120,10 +123,14 @@ export class Pool {
       return;
     }
     const { wanted } = this;
-    if (told.ticket !== this.ticket || wanted === null) return;
-    if (told.kind === "first") wanted.first?.(told.codes, told.widthPx);
-    else if (told.kind === "failed") wanted.failed(told.text);
-    else if (told.kind === "whole") wanted.refined?.(told.codes, wanted.size);
+    if (wanted === null) return;
+    const isCurrent = told.ticket === this.ticket;
+    if (told.kind === "first" && told.ticket > this.whole) {
+      wanted.first?.(told.codes, told.widthPx, isCurrent);
+    }
+    if (!isCurrent || told.kind === "first") return;
+    if (told.kind === "failed") wanted.failed(told.text);
+    else if (told.kind === "whole") this.finish(wanted, told.codes);
     else this.join(wanted, told);
   }
 
@@ -146,7 +153,12 @@ export class Pool {
       this.tell(0, { kind: "look", ticket, pixels, space: wanted.space }, [pixels.buffer]);
       this.pixels = null;
     } else if (this.codes !== null) {
-      wanted.refined?.(this.codes, size);
+      this.finish(wanted, this.codes);
     }
+  }
+
+  private finish(wanted: Wanted, codes: Codes): void {
+    this.whole = this.ticket;
+    wanted.refined?.(codes, wanted.size);
   }
 }

@@ -1,37 +1,13 @@
 /** Stands in for specs/ until it is there. */
 import complete from "../../../../nacreous/presets/complete.json";
-import declared from "./declared.json";
-import type { Pearl, Scene } from "./complete";
-export type { Pearl, Scene } from "./complete";
-export type Kind = "pearl" | "scene";
-export interface Specs {
-  readonly pearl: Pearl;
-  readonly scene: Scene;
-}
-export interface Complaint {
-  readonly path: string;
-  readonly text: string;
-}
-export type Read<T> = { ok: true; value: T } | { ok: false; complaints: readonly Complaint[] };
-export interface Declaration {
-  readonly path: string;
-  readonly unit?: string;
-  readonly least?: number;
-  readonly most?: number;
-  readonly leastExcluded?: boolean;
-  readonly mostExcluded?: boolean;
-  readonly isWhole: boolean;
-  readonly choices?: readonly string[];
-  readonly default?: unknown;
-  readonly model?: string;
-  readonly meaning: string;
-  readonly isOpen: boolean;
-}
+import declared from "../specs/declared.json";
+import type { Declaration, Kind, Pearl, Read, Scene, Specs } from "../specs/types";
+export type * from "../specs/types";
 /* eslint-disable @typescript-eslint/no-explicit-any */
 const tables = declared as any;
 export function declarations(kind: Kind): readonly Declaration[] {
   const found = new Map<string, Declaration>();
-  const walk = (table: string, before: string, model?: string) => {
+  const walk = (table: string, before: string, model?: any) => {
     for (const [key, one] of Object.entries<any>(tables[table].keys)) {
       const path = before + key;
       const refs = [one, one.items, ...(one.oneOf ?? [])].map((part: any) => part?.$ref);
@@ -43,12 +19,16 @@ export function declarations(kind: Kind): readonly Declaration[] {
       if (found.has(path)) continue;
       found.set(path, {
         path,
-        unit: one.unit,
-        least: one.minimum ?? one.exclusiveMinimum,
-        most: one.maximum === undefined ? one.exclusiveMaximum : Number(one.maximum),
+        unit: one.unit ?? "",
+        least: one.minimum ?? one.exclusiveMinimum ?? null,
+        most: one.maximum === undefined ? (one.exclusiveMaximum ?? null) : Number(one.maximum),
+        leastExcluded: false,
+        mostExcluded: false,
+        allowed: one.allowed,
+        files: one.files ?? [],
         isWhole: one.type === "integer",
         choices: one.enum ?? one.examples,
-        default: one.default,
+        default: one.default ?? null,
         model: one.model ?? model,
         meaning: one.meaning,
         isOpen: one.open ?? false,
@@ -66,11 +46,13 @@ export function recipeJson(specs: Specs, size: number, samples: number): string 
 export function toToml(_kind: Kind, spec: unknown): string {
   return JSON.stringify(spec);
 }
-export function fromToml(kind: "pearl", text: string, file: string): Read<Pearl>;
-export function fromToml(kind: "scene", text: string, file: string): Read<Scene>;
-export function fromToml(_kind: Kind, text: string, file: string): Read<any> {
+export function open(
+  bytes: Uint8Array,
+  file: string,
+): Read<{ kind: "pearl"; spec: Pearl } | { kind: "scene"; spec: Scene }> {
   try {
-    return { ok: true, value: JSON.parse(text) };
+    const spec = JSON.parse(new TextDecoder().decode(bytes));
+    return { ok: true, value: { kind: "camera" in spec ? "scene" : "pearl", spec } };
   } catch {
     return { ok: false, complaints: [{ path: "", text: `${file}: no TOML` }] };
   }
