@@ -3,7 +3,8 @@
 export type * from "./types";
 export { Refusal } from "./types";
 export { declarations } from "./declarations";
-export { fromBytes, fromToml, open, read } from "./read";
-export { toToml } from "./toml";
+export { type AnySpec, fromBytes, fromToml, open, read } from "./read";
+export { toToml } from "./write";
 export { recipeJson } from "./recipe";
 export { fromFragment, toFragment } from "./link";
+export { NACRES, PEARLS, SCENES, summary } from "./presets";

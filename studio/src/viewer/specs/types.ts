@@ -12,6 +12,9 @@ export type Kind = "pearl" | "scene";
 /** A pearl in which every key of its model stands, with null where the renderer finds the value. */
 export type Pearl = Unchanging<complete.Pearl>;
 
+/** The layers of a pearl: grown, or listed. */
+export type Nacre = Pearl["nacre"];
+
 /** A scene likewise. */
 export type Scene = Unchanging<complete.Scene>;
 
