@@ -34,10 +34,7 @@ export interface Resolve {
 }
 
 export type ToWorker =
-  | { readonly kind: "load"; readonly module: WebAssembly.Module }
-  | Show
-  | Look
-  | Resolve;
+  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Look | Resolve;
 
 export type Codes = Developed["codes"];
 

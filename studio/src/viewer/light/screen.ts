@@ -18,9 +18,5 @@ export function put(
     canvas.width = canvas.height = widthPx;
   }
   const context = canvas.getContext("2d", { colorSpace: space, alpha: false });
-  context?.putImageData(
-    new ImageData(codes, widthPx, widthPx, { colorSpace: space }),
-    0,
-    0,
-  );
+  context?.putImageData(new ImageData(codes, widthPx, widthPx, { colorSpace: space }), 0, 0);
 }

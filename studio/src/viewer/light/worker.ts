@@ -65,7 +65,7 @@ async function make(wanted: Show): Promise<void> {
     if (latest !== null) return;
   } while (!job.step());
   for (const [first, end] of stripes(job.size, wanted.part, wanted.parts)) {
-    for (let row = first; row < end; ) {
+    for (let row = first; row < end;) {
       row = rows(job, wanted, row, end);
       await messages();
       if (latest !== null) return;

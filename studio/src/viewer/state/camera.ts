@@ -1,6 +1,6 @@
 /** How a hand turns the camera and moves a light. */
 
-import type { Scene, Specs } from "../standin/spec";
+import type { Scene, Specs } from "../specs/spec";
 
 /** Degrees a pixel of dragging. */
 const TURN = 0.35;

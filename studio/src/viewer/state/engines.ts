@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 import type { Codes } from "../light/messages";
 import { Pool, workersFor } from "../light/pool";
 import { screenSpace } from "../light/screen";
-import { type Specs, recipeJson } from "../standin/spec";
+import { type Specs, recipeJson } from "../specs/spec";
 
 /** Codes of this screen, fixed while the page is open. */
 export const SPACE = screenSpace();

@@ -1,6 +1,6 @@
 /** Files and links, in and out. */
 
-import { fromFragment, open, recipeJson, toFragment, toToml, type Specs } from "../standin/spec";
+import { fromFragment, open, recipeJson, toFragment, toToml, type Specs } from "../specs/spec";
 import { board, complaints, notice, specs, take, takeBoth } from "./store";
 
 /** Offers a file to be saved. */
@@ -15,7 +15,10 @@ export function saveAs(name: string, contents: Blob): void {
 export function saveToml(kind: "pearl" | "scene"): void {
   const spec = specs.value[kind];
   const text = kind === "pearl" ? toToml(kind, specs.value.pearl) : toToml(kind, specs.value.scene);
-  saveAs(`${spec.name.replace(/[^\p{L}\p{N}._-]+/gu, "-")}.toml`, new Blob([text], { type: "application/toml" }));
+  saveAs(
+    `${spec.name.replace(/[^\p{L}\p{N}._-]+/gu, "-")}.toml`,
+    new Blob([text], { type: "application/toml" }),
+  );
 }
 
 /** The canvas's own values; nothing is drawn anew. */

@@ -1,6 +1,6 @@
 /** Which keys stand together, as the trade thinks of them. */
 
-import { type Declaration, type Kind, declarations } from "../standin/spec";
+import { type Declaration, type Kind, declarations } from "../specs/spec";
 import type { Word } from "../words/en";
 import { declared } from "./path";
 

@@ -1,6 +1,6 @@
 /** Where a value stands on a slider, and numbers written short. */
 
-import type { Declaration } from "../standin/spec";
+import type { Declaration } from "../specs/spec";
 
 export interface Scale {
   toShare(value: number): number;
@@ -11,7 +11,7 @@ export interface Scale {
 /** So many steps has a slider. */
 export const STEPS = 1000;
 /** Beyond this ratio of its ends a range is told by its logarithm. */
-const WIDE = 200;
+const WIDE = 50;
 /** From zero up to more than this, small values get most of the slider. */
 const LONG = 40;
 
@@ -21,7 +21,10 @@ type Range = Pick<Declaration, "least" | "most" | "isWhole">;
 export function scaleOf({ least, most, isWhole }: Range): Scale | null {
   if (least === null || most === null || most > 1e7) return null;
   const round = (value: number) => {
-    const within = Math.min(most, Math.max(least, isWhole ? Math.round(value) : neat(value, least, most)));
+    const within = Math.min(
+      most,
+      Math.max(least, isWhole ? Math.round(value) : neat(value, least, most)),
+    );
     return within;
   };
   if (least > 0 && most / least > WIDE) {

@@ -1,10 +1,18 @@
 /** What the page shows, and the few ways to change it. */
 
 import { batch, computed, signal } from "@preact/signals";
-import type { Complaint, Kind, Pearl, Scene, Specs } from "../standin/spec";
+import {
+  type Complaint,
+  type Kind,
+  PEARLS,
+  type Pearl,
+  SCENES,
+  type Scene,
+  type Specs,
+} from "../specs/spec";
+import { faultsOf } from "./faults";
 import { type History, begin, redone, step, undone } from "./history";
 import { valueAt, withValue } from "./path";
-import { pearlPreset, scenePreset } from "./presets";
 
 /** A pearl in its scene, and what both were before they were changed. */
 export interface Side {
@@ -21,8 +29,8 @@ export interface Board {
 export type Which = "a" | "b";
 
 function first(): Board {
-  const pearl = pearlPreset("akoya-rg");
-  const scene = scenePreset("north-window-black");
+  const pearl = PEARLS.get("akoya-rg");
+  const scene = SCENES.get("north-window-black");
   if (pearl === undefined || scene === undefined) throw new Error("the presets are not there");
   const specs = { pearl, scene };
   return { a: { specs, origin: specs }, b: null };
@@ -43,8 +51,13 @@ export const specs = computed(() => side.value.specs);
 
 /** Whether a hand is on a knob: then first pictures only. */
 export const moving = signal(false);
-/** What is wrong with what was opened or typed. */
+/** What is wrong with a file or link that was therefore not taken. */
 export const complaints = signal<readonly Complaint[]>([]);
+/** What is wrong with the active pearl and its scene as they stand. */
+export const faults = computed(() => [
+  ...faultsOf("pearl", specs.value.pearl),
+  ...faultsOf("scene", specs.value.scene),
+]);
 /** What the open keys of the active pearl come to. */
 export const resolved = signal<Readonly<Record<string, number>>>({});
 /** One short message, spoken by screen readers too. */
@@ -76,7 +89,7 @@ export function edit(kind: Kind, path: string, value: unknown): void {
   const next = { ...now.specs, [kind]: withValue(now.specs[kind], path, value) };
   batch(() => {
     put({ ...now, specs: next }, `${kind}.${path}`);
-    complaints.value = complaints.value.filter((one) => one.path !== path);
+    complaints.value = [];
     touch();
   });
 }

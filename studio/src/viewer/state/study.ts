@@ -1,9 +1,8 @@
 /** A study file of the chosen pearls, as `nacreous study new` takes it. */
 
 import { stringify } from "smol-toml";
-import type { Kind, Specs } from "../standin/spec";
+import { type Kind, PEARLS, SCENES, type Specs } from "../specs/spec";
 import { type Change, changes } from "./path";
-import { PEARLS, SCENES } from "./presets";
 import type { Chosen } from "./tray";
 
 /** A stimulus has at most so many overrides. */
@@ -16,9 +15,9 @@ interface Near {
 
 /** The preset that a spec differs least from, by keys that can be set. */
 function nearest(kind: Kind, spec: unknown): Near | null {
-  const presets: readonly { name: string; values: unknown }[] = kind === "pearl" ? PEARLS : SCENES;
+  const presets: ReadonlyMap<string, unknown> = kind === "pearl" ? PEARLS : SCENES;
   let best: Near | null = null;
-  for (const { name, values } of presets) {
+  for (const [name, values] of presets) {
     const differs = changes(values, spec).filter((one) => one.path !== "name");
     const settable = differs.every((one) => one.to !== null && one.to !== undefined);
     if (settable && (best === null || differs.length < best.differs.length)) {
@@ -30,7 +29,9 @@ function nearest(kind: Kind, spec: unknown): Near | null {
 
 /** `key=value`, the value as TOML. */
 function override({ path, to }: Change): string {
-  return stringify({ value: to }).trim().replace(/^value = /, `${path}=`);
+  return stringify({ value: to })
+    .trim()
+    .replace(/^value = /, `${path}=`);
 }
 
 export interface Stimulus {

@@ -1,7 +1,7 @@
 /** The pearls that were chosen for a study. */
 
 import { signal } from "@preact/signals";
-import type { Specs } from "../standin/spec";
+import type { Specs } from "../specs/spec";
 
 export interface Chosen {
   readonly label: string;

@@ -2,67 +2,157 @@
 
 export const KEYS: Readonly<Record<string, readonly [name: string, says: string]>> = {
   name: ["Name", "What this is called."],
-  model: ["Model of light", "Light that goes through the pearl and out again, or the model of 1996."],
+  model: [
+    "Model of light",
+    "Light that goes through the pearl and out again, or the model of 1996.",
+  ],
   diameter_mm: ["Diameter", "How wide the whole pearl is."],
   body_colour: ["Body colour", "The colour of the pearl apart from its interference."],
   depth: ["Depth", "How strong the interference colour is against the body colour."],
   shininess: ["Shininess", "How bright and sharp the surface mirrors what is around it."],
   grain: ["Grain", "How strongly the fine grain of the surface shows."],
 
-  "nacre.harvest": ["Harvest", "The later in the cold season, the thinner and more even the outer tablets."],
+  "nacre.harvest": [
+    "Harvest",
+    "The later in the cold season, the thinner and more even the outer tablets.",
+  ],
   "nacre.seeding": ["Seeding", "The day on which the nucleus is put in."],
-  "nacre.thickness_winter_nm": ["Tablets in winter", "Thickness of a tablet that grew far from the summer's peak."],
-  "nacre.thickness_summer_nm": ["Tablets in summer", "Thickness of a tablet that grew at the summer's peak."],
-  "nacre.thickness_noise_nm": ["Disorder", "How much tablets differ from one another: disorder washes colours out."],
+  "nacre.thickness_winter_nm": [
+    "Tablets in winter",
+    "Thickness of a tablet that grew far from the summer's peak.",
+  ],
+  "nacre.thickness_summer_nm": [
+    "Tablets in summer",
+    "Thickness of a tablet that grew at the summer's peak.",
+  ],
+  "nacre.thickness_noise_nm": [
+    "Disorder",
+    "How much tablets differ from one another: disorder washes colours out.",
+  ],
   "nacre.peak": ["Peak of summer", "The day of the year on which nacre grows fastest."],
-  "nacre.season_days": ["Length of summer", "How long the warm season lasts, as the spread of its curve."],
-  "nacre.layers_winter": ["Layers a day, winter", "How many layers grow in a day far from the peak."],
+  "nacre.season_days": [
+    "Length of summer",
+    "How long the warm season lasts, as the spread of its curve.",
+  ],
+  "nacre.layers_winter": [
+    "Layers a day, winter",
+    "How many layers grow in a day far from the peak.",
+  ],
   "nacre.layers_summer": ["Layers a day, summer", "How many layers grow in a day at the peak."],
-  "nacre.layers_noise": ["Unevenness of growth", "How much the number of layers varies from day to day."],
-  "nacre.protein_nm": ["Protein between tablets", "Thickness of the sheet of protein below each tablet."],
+  "nacre.layers_noise": [
+    "Unevenness of growth",
+    "How much the number of layers varies from day to day.",
+  ],
+  "nacre.protein_nm": [
+    "Protein between tablets",
+    "Thickness of the sheet of protein below each tablet.",
+  ],
   "nacre.aragonite": ["Mineral", "What the tablets are made of, by its refractive index."],
   "nacre.protein": ["Protein", "What lies between the tablets, by its refractive index."],
-  "nacre.preset": ["Nacre it grew from", "The preset whose values hold where this pearl gives none."],
+  "nacre.preset": [
+    "Nacre it grew from",
+    "The preset whose values hold where this pearl gives none.",
+  ],
   "nacre.seed": ["Chance of growth", "Another number grows another pearl by the same rules."],
   "nacre.thickness_nm": ["Listed tablets", "The thickness of every tablet, the surface first."],
 
-  "film.outer_um": ["Depth that interferes", "How deep the outer nacre makes interference colours."],
-  "film.columns": ["Columns of tablets", "How many columns are averaged: more is smoother and slower."],
-  "film.column_spread_nm": ["Spread between columns", "How much tablets differ from column to column."],
+  "film.outer_um": [
+    "Depth that interferes",
+    "How deep the outer nacre makes interference colours.",
+  ],
+  "film.columns": [
+    "Columns of tablets",
+    "How many columns are averaged: more is smoother and slower.",
+  ],
+  "film.column_spread_nm": [
+    "Spread between columns",
+    "How much tablets differ from column to column.",
+  ],
 
   "body.pigment": ["Body colour", "The pigment that the nacre holds."],
-  "body.pigment_strength": ["Strength of the pigment", "How much of that pigment there is; 1 is usual."],
+  "body.pigment_strength": [
+    "Strength of the pigment",
+    "How much of that pigment there is; 1 is usual.",
+  ],
   "body.nacre_mm": ["Thickness of the nacre", "Below some 0.3 mm the nucleus begins to show."],
   "body.scattering_per_mm": ["Milkiness", "How much the nacre scatters light on its way."],
   "body.nucleus": ["Colour of the nucleus", "The bead inside, as light in the pearl meets it."],
-  "body.nucleus_bands": ["Bands of the nucleus", "How dark the bands of the bead are; they show through thin nacre."],
+  "body.nucleus_bands": [
+    "Bands of the nucleus",
+    "How dark the bands of the bead are; they show through thin nacre.",
+  ],
   "body.nucleus_band_mm": ["Width of the bands", "From one dark band of the bead to the next."],
-  "inside.spread": ["Light that wanders inside", "How far light spreads in the pearl before it comes out."],
+  "inside.spread": [
+    "Light that wanders inside",
+    "How far light spreads in the pearl before it comes out.",
+  ],
 
-  "interference.coherence_nm": ["Coherence", "Up to which difference of path waves still interfere."],
-  "interference.threshold": ["Cut-off of the sum", "The share of light at which deeper layers are left out."],
-  "interference.diffuse_loss": ["Loss in each layer", "The share of light that each layer scatters."],
-  "interference.mixing": ["Share of interference", "None of it, all of it, or a mixture with the body."],
+  "interference.coherence_nm": [
+    "Coherence",
+    "Up to which difference of path waves still interfere.",
+  ],
+  "interference.threshold": [
+    "Cut-off of the sum",
+    "The share of light at which deeper layers are left out.",
+  ],
+  "interference.diffuse_loss": [
+    "Loss in each layer",
+    "The share of light that each layer scatters.",
+  ],
+  "interference.mixing": [
+    "Share of interference",
+    "None of it, all of it, or a mixture with the body.",
+  ],
 
-  "surface.facet_spread_rad": ["Roughness", "How much the finest facets lean: more blurs the lamp's image."],
+  "surface.facet_spread_rad": [
+    "Roughness",
+    "How much the finest facets lean: more blurs the lamp's image.",
+  ],
   "surface.facets": ["Kind of roughness", "A bell-shaped blur, or one with long tails."],
-  "surface.waviness_rad": ["Waviness of the tablets", "Tablets that lean lay a coloured glow around the lamp's image."],
-  "surface.mirror_weight": ["Clearness of the mirror", "The share of the mirrored surroundings that stays clear."],
-  "surface.layer_reflectance": ["Mirror of the layers", "What the layers mirror besides the surface."],
-  "surface.falloff_mm": ["Reach of the mirror", "How far away mirrored things still have contrast."],
+  "surface.waviness_rad": [
+    "Waviness of the tablets",
+    "Tablets that lean lay a coloured glow around the lamp's image.",
+  ],
+  "surface.mirror_weight": [
+    "Clearness of the mirror",
+    "The share of the mirrored surroundings that stays clear.",
+  ],
+  "surface.layer_reflectance": [
+    "Mirror of the layers",
+    "What the layers mirror besides the surface.",
+  ],
+  "surface.falloff_mm": [
+    "Reach of the mirror",
+    "How far away mirrored things still have contrast.",
+  ],
 
-  "texture.source": ["Source of the grain", "A stand-in that is computed, or a photograph of a real pearl."],
+  "texture.source": [
+    "Source of the grain",
+    "A stand-in that is computed, or a photograph of a real pearl.",
+  ],
   "texture.mm_per_pixel": ["Scale of the photograph", "Size of one of its pixels on the pearl."],
-  "texture.side_px": ["Patch of the photograph", "Side of the squares in which the grain is measured."],
+  "texture.side_px": [
+    "Patch of the photograph",
+    "Side of the squares in which the grain is measured.",
+  ],
   "texture.low_per_mm": ["Coarsest grain", "Waves coarser than this are left out."],
   "texture.high_per_mm": ["Finest grain", "Waves finer than this are left out."],
   "texture.seed": ["Chance of the grain", "Another number draws another grain of the same kind."],
   "texture.hue_weight": ["Grain in hue", "How much the grain shifts the hue."],
-  "texture.chroma_weight": ["Grain in chroma", "How much the grain changes the strength of colour."],
-  "texture.value_weight": ["Grain in lightness", "How much the grain changes the brightness of the mirror."],
+  "texture.chroma_weight": [
+    "Grain in chroma",
+    "How much the grain changes the strength of colour.",
+  ],
+  "texture.value_weight": [
+    "Grain in lightness",
+    "How much the grain changes the brightness of the mirror.",
+  ],
 
   "coat.seed": ["Chance of the coat", "Another number lays patches and dents elsewhere."],
-  "coat.thickness_spread": ["Patches of colour", "How much the layers differ in thickness over the pearl."],
+  "coat.thickness_spread": [
+    "Patches of colour",
+    "How much the layers differ in thickness over the pearl.",
+  ],
   "coat.patch_mm": ["Size of the patches", "How far apart such places lie."],
   "coat.banding": ["Patches in bands", "How much of it lies in rings around the pearl."],
   "coat.liveliness": ["Liveliness", "Patches that turn into others as the pearl turns."],

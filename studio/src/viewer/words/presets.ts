@@ -34,7 +34,10 @@ function masters(family: string, en: string, ja: string): Names {
     ["published", "as reported", "報告値"],
   ] as const;
   for (const [step, said, told] of steps) {
-    made[`akoya-${family}-${step}`] = { en: `Master, ${en}, ${said}`, ja: `マスター ${ja} ${told}` };
+    made[`akoya-${family}-${step}`] = {
+      en: `Master, ${en}, ${said}`,
+      ja: `マスター ${ja} ${told}`,
+    };
   }
   return made;
 }
