@@ -8,66 +8,65 @@ import { faultsOf } from "../state/faults";
 import { FIRST_PX, SAMPLES, SPACE } from "../state/engines";
 
 export interface Making {
-    /** null before anything is seen. */
-    readonly stage: "first" | "refined" | null;
-    /** Share of the rows that are there. */
-    readonly share: number;
-    readonly failed: string;
+  /** null before anything is seen. */
+  readonly stage: "first" | "refined" | null;
+  /** Share of the rows that are there. */
+  readonly share: number;
+  readonly failed: string;
 }
 
 interface Given {
-    readonly specs: Specs;
-    readonly moving: boolean;
-    readonly size: number;
-    readonly pool: () => Pool;
-    readonly canvas: { current: HTMLCanvasElement | null };
-    readonly tell: (making: Making) => void;
+  readonly specs: Specs;
+  readonly moving: boolean;
+  readonly size: number;
+  readonly pool: () => Pool;
+  readonly canvas: { current: HTMLCanvasElement | null };
+  readonly tell: (making: Making) => void;
 }
 
 /** Keeps a canvas showing these specs. */
 export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): void {
-    const shown = useRef({ first: "", whole: "", stage: null as Making["stage"] });
-    useEffect(() => {
-        const frame = requestAnimationFrame(() => show());
-        return () => cancelAnimationFrame(frame);
+  const shown = useRef({ first: "", whole: "", stage: null as Making["stage"] });
+  useEffect(() => {
+    const frame = requestAnimationFrame(() => show());
+    return () => cancelAnimationFrame(frame);
 
-        function show(): void {
-            const seen = shown.current;
-            const [wrong] = [...faultsOf("pearl", specs.pearl), ...faultsOf("scene", specs.scene)];
-            if (wrong !== undefined)
-                return tell({ stage: seen.stage, share: 1, failed: wrong.text });
-            let recipe: string;
-            try {
-                recipe = recipeJson(specs, size, SAMPLES);
-            } catch (error) {
-                return tell({ stage: seen.stage, share: 1, failed: (error as Error).message });
-            }
-            if (!moving && seen.whole === recipe) return;
-            const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
-                if (canvas.current !== null) put(canvas.current, codes, widthPx, SPACE);
-            };
-            pool().show({
-                recipe,
-                size,
-                space: SPACE,
-                firstPx: seen.first === recipe ? 0 : FIRST_PX,
-                refine: !moving,
-                first(codes, widthPx, isCurrent) {
-                    draw(codes, widthPx);
-                    if (isCurrent) seen.first = recipe;
-                    seen.whole = "";
-                    seen.stage = "first";
-                    tell({ stage: "first", share: 0, failed: "" });
-                },
-                progress: (share) => tell({ stage: seen.stage, share, failed: "" }),
-                refined(codes, widthPx) {
-                    draw(codes, widthPx);
-                    seen.first = seen.whole = recipe;
-                    seen.stage = "refined";
-                    tell({ stage: "refined", share: 1, failed: "" });
-                },
-                failed: (text) => tell({ stage: seen.stage, share: 1, failed: text }),
-            });
-        }
-    }, [specs, moving, size]);
+    function show(): void {
+      const seen = shown.current;
+      const [wrong] = [...faultsOf("pearl", specs.pearl), ...faultsOf("scene", specs.scene)];
+      if (wrong !== undefined) return tell({ stage: seen.stage, share: 1, failed: wrong.text });
+      let recipe: string;
+      try {
+        recipe = recipeJson(specs, size, SAMPLES);
+      } catch (error) {
+        return tell({ stage: seen.stage, share: 1, failed: (error as Error).message });
+      }
+      if (!moving && seen.whole === recipe) return;
+      const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
+        if (canvas.current !== null) put(canvas.current, codes, widthPx, SPACE);
+      };
+      pool().show({
+        recipe,
+        size,
+        space: SPACE,
+        firstPx: seen.first === recipe ? 0 : FIRST_PX,
+        refine: !moving,
+        first(codes, widthPx, isCurrent) {
+          draw(codes, widthPx);
+          if (isCurrent) seen.first = recipe;
+          seen.whole = "";
+          seen.stage = "first";
+          tell({ stage: "first", share: 0, failed: "" });
+        },
+        progress: (share) => tell({ stage: seen.stage, share, failed: "" }),
+        refined(codes, widthPx) {
+          draw(codes, widthPx);
+          seen.first = seen.whole = recipe;
+          seen.stage = "refined";
+          tell({ stage: "refined", share: 1, failed: "" });
+        },
+        failed: (text) => tell({ stage: seen.stage, share: 1, failed: text }),
+      });
+    }
+  }, [specs, moving, size]);
 }
