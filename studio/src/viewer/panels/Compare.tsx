@@ -6,7 +6,16 @@ import { saveAs } from "../state/files";
 import { ESSENTIALS, PEARL_GROUPS, declaration } from "../state/groups";
 import { valueAt, withValue } from "../state/path";
 import { scaleOf, short } from "../state/scale";
-import { active, board, compare, compareNoMore, edit, notice, specs } from "../state/store";
+import {
+  active,
+  board,
+  compare,
+  compareNoMore,
+  edit,
+  notice,
+  specs,
+  together,
+} from "../state/store";
 import { studyOf } from "../state/study";
 import { choose, chosen, leaveOut } from "../state/tray";
 import { wiping } from "../state/view";
@@ -62,7 +71,15 @@ function Sides() {
           {t("wipe")}
         </button>
       </div>
-      <button type="button" class="quiet" onClick={compareNoMore}>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={together.value}
+          onChange={(event) => (together.value = event.currentTarget.checked)}
+        />
+        {t("together")}
+      </label>
+      <button type="button" onClick={compareNoMore}>
         {t("compareEnd")}
       </button>
     </section>
@@ -84,38 +101,70 @@ function alongs(): string[] {
 
 const FIVE = [0, 0.25, 0.5, 0.75, 1];
 
-/** Five pearls that differ in one key: two below, this one, two above; or all over its range. */
-function variants(path: string, from: number, to: number): { value: number; specs: Specs }[] {
-  const one = declaration("pearl", path);
-  return FIVE.map((share) => {
-    const raw = from + (to - from) * share;
-    const value = one?.isWhole === true ? Math.round(raw) : Number(raw.toPrecision(4));
-    return {
-      value,
-      specs: { ...specs.value, pearl: withValue(specs.value.pearl, path, value) },
-    };
+interface Variant {
+  readonly value: number;
+  readonly specs: Specs;
+}
+
+/** Five pearls that differ in one key, evenly from one end to the other. */
+function variants(path: string, [from, to]: Ends): Variant[] {
+  const isWhole = declaration("pearl", path)?.isWhole === true;
+  const values = FIVE.map((share) => {
+    const value = from + (to - from) * share;
+    return isWhole ? Math.round(value) : Number(value.toPrecision(3));
   });
+  return [...new Set(values)].map((value) => ({
+    value,
+    specs: { ...specs.value, pearl: withValue(specs.value.pearl, path, value) },
+  }));
+}
+
+type Ends = readonly [from: number, to: number];
+
+/** From a fourth of the value to twice of it; all of a range that is a share. */
+function endsOf(path: string): Ends {
+  const one = declaration("pearl", path);
+  const [least, most] = [one?.least ?? 0, one?.most ?? 1];
+  const now = valueAt(specs.value.pearl, path);
+  if (typeof now !== "number" || now <= 0 || most - least <= 1) return [least, most];
+  return [Math.max(least, now / 4), Math.min(most, now * 2)];
 }
 
 function Strip() {
   const [path, setPath] = useState("nacre.thickness_noise_nm");
   const all = alongs();
   const along = all.includes(path) ? path : (all[0] ?? path);
+  const [typed, setTyped] = useState<Ends | null>(null);
+  const [made, setMade] = useState<{ path: string; list: Variant[] } | null>(null);
+  const ends = typed ?? endsOf(along);
   const one = declaration("pearl", along);
-  const [made, setMade] = useState<{ path: string; list: ReturnType<typeof variants> } | null>(
-    null,
+  const end = (which: 0 | 1) => (
+    <input
+      type="text"
+      inputMode="decimal"
+      aria-label={t(which === 0 ? "stripFrom" : "stripTo")}
+      value={short(ends[which])}
+      onChange={(event) => {
+        const value = Number(event.currentTarget.value);
+        const isFit = value >= (one?.least ?? value) && value <= (one?.most ?? value);
+        if (isFit) setTyped(which === 0 ? [value, ends[1]] : [ends[0], value]);
+        else event.currentTarget.value = short(ends[which]);
+      }}
+    />
   );
-  const show = () => {
-    const now = valueAt(specs.value.pearl, along);
-    setMade({ path: along, list: variants(along, ...around(one, now)) });
-  };
   return (
     <section>
       <h2>{t("strip")}</h2>
       <div class="row">
         <label>
           <span class="sr-only">{t("stripAlong")}</span>
-          <select value={along} onChange={(event) => setPath(event.currentTarget.value)}>
+          <select
+            value={along}
+            onChange={(event) => {
+              setPath(event.currentTarget.value);
+              setTyped(null);
+            }}
+          >
             {all.map((key) => (
               <option key={key} value={key}>
                 {nameOf(key)}
@@ -123,46 +172,40 @@ function Strip() {
             ))}
           </select>
         </label>
-        <button type="button" onClick={show}>
+        <button type="button" onClick={() => setMade({ path: along, list: variants(along, ends) })}>
           {t("stripMake")}
         </button>
       </div>
-      {made !== null && (
-        <ul class="strip">
-          {made.list.map(({ value, specs: variant }) => (
-            <li key={value}>
-              <button
-                type="button"
-                class="choice"
-                aria-label={t("stripTake", {
-                  name: nameOf(made.path),
-                  value: short(value),
-                })}
-                onClick={() => edit("pearl", made.path, value)}
-              >
-                <SmallPicture specs={variant} />
-                <span>
-                  {short(value)} {unitName(declaration("pearl", made.path)?.unit)}
-                </span>
-              </button>
-            </li>
-          ))}
-        </ul>
-      )}
+      <div class="ends">
+        {end(0)} – {end(1)} {unitName(one?.unit)}
+      </div>
+      {made !== null && <Variants path={made.path} list={made.list} />}
     </section>
   );
 }
 
-/** The ends of a row: a share of the whole range on either side, or the range up to twice the value. */
-function around(one: ReturnType<typeof declaration>, now: unknown): [number, number] {
-  const [least, most] = [one?.least ?? 0, one?.most ?? 1];
-  if (typeof now !== "number" || now === 0 || most - least <= 1) {
-    return [
-      least,
-      typeof now === "number" && now > 0 ? most : Math.min(most, least + (most - least)),
-    ];
-  }
-  return [Math.max(least, now * 0.5), Math.min(most, now * 1.5)];
+function Variants({ path, list }: { path: string; list: readonly Variant[] }) {
+  const unit = unitName(declaration("pearl", path)?.unit);
+  return (
+    <ul class="strip">
+      {list.map(({ value, specs: variant }) => (
+        <li key={value}>
+          <button
+            type="button"
+            class="choice"
+            aria-label={t("stripTake", { name: nameOf(path), value: short(value) })}
+            aria-pressed={valueAt(specs.value.pearl, path) === value}
+            onClick={() => edit("pearl", path, value)}
+          >
+            <SmallPicture specs={variant} />
+            <span>
+              {short(value)} {unit}
+            </span>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
 }
 
 function StudyTray() {

@@ -26,7 +26,7 @@ interface Given {
 
 /** Keeps a canvas showing these specs. */
 export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): void {
-  const shown = useRef({ first: "", whole: "", stage: null as Making["stage"] });
+  const shown = useRef({ asked: "", first: "", whole: "", stage: null as Making["stage"] });
   useEffect(() => {
     const frame = requestAnimationFrame(() => show());
     return () => cancelAnimationFrame(frame);
@@ -41,7 +41,8 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
       } catch (error) {
         return tell({ stage: seen.stage, share: 1, failed: (error as Error).message });
       }
-      if (!moving && seen.whole === recipe) return;
+      if (seen.whole === recipe && seen.asked === recipe) return; // it is there, and nothing else comes
+      seen.asked = recipe;
       const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
         if (canvas.current !== null) put(canvas.current, codes, widthPx, SPACE);
       };

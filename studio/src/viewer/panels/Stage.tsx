@@ -22,10 +22,9 @@ interface Given {
 
 export function Stage({ which, pool, size, canvas, making }: Given) {
   const side = (which === "b" ? board.value.b : null) ?? board.value.a;
-  const isActive = board.value.b === null || active.value === which;
   usePicture({
     specs: side.specs,
-    moving: moving.value && isActive,
+    moving: moving.value,
     size,
     pool,
     canvas,

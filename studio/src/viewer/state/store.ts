@@ -78,9 +78,21 @@ function change(next: Board, gesture: string): void {
   history.value = step(history.value, next, gesture, performance.now());
 }
 
+/** Whether scene and camera of both sides change together. */
+export const together = signal(true);
+
 function put(next: Side, gesture: string): void {
   const { a, b } = board.value;
-  change(active.value === "b" && b !== null ? { a, b: next } : { a: next, b }, gesture);
+  if (b === null) return change({ a: next, b }, gesture);
+  const isScene = together.value && next.specs.scene !== side.value.specs.scene;
+  const along = (other: Side): Side =>
+    isScene
+      ? {
+          specs: { ...other.specs, scene: next.specs.scene },
+          origin: { ...other.origin, scene: next.origin.scene },
+        }
+      : other;
+  change(active.value === "b" ? { a: along(a), b: next } : { a: next, b: along(b) }, gesture);
 }
 
 /** Sets one key. */

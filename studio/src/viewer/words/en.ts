@@ -81,6 +81,7 @@ export const EN = {
   turnsB: "The knobs turn B",
   besides: "Side by side",
   wipe: "Wipe",
+  together: "Camera and scene move together",
   wipeAt: "Where the wipe is",
   strip: "A row of five",
   stripAlong: "Along which knob",

@@ -82,6 +82,7 @@ export const JA: Record<Word, string> = {
   turnsB: "つまみはBに効きます",
   besides: "並べる",
   wipe: "ワイプ",
+  together: "カメラと場面を一緒に動かす",
   wipeAt: "ワイプの位置",
   strip: "五つ並べる",
   stripAlong: "どのつまみで",
