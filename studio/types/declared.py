@@ -72,7 +72,9 @@ def _key(schema: dict[str, Any], field: FieldInfo) -> dict[str, Any]:
     if is_open(field):
         made["open"] = True
     marks = list(_marks(field))
-    if files := [ending for mark in marks if isinstance(mark, FilePath) for ending in mark.suffixes]:
+    if files := [
+        ending for mark in marks if isinstance(mark, FilePath) for ending in mark.suffixes
+    ]:
         made["files"] = files
     if checks := [mark.func.__name__ for mark in marks if isinstance(mark, _CHECKS)]:
         made["checks"] = checks
@@ -137,5 +139,15 @@ def _bare(schema: Any) -> Any:
         return schema
     if schema.get("type") == "integer" and schema.get("maximum", 0) > _EXACT:
         return {"tsType": "number | bigint"}
-    kept = ("$ref", "type", "enum", "anyOf", "oneOf", "items", "prefixItems", "minItems", "maxItems")
+    kept = (
+        "$ref",
+        "type",
+        "enum",
+        "anyOf",
+        "oneOf",
+        "items",
+        "prefixItems",
+        "minItems",
+        "maxItems",
+    )
     return {name: _bare(schema[name]) for name in kept if name in schema}

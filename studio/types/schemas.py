@@ -1,8 +1,8 @@
 """What the pages' generated files are made from; prints it as JSON, by the name of the file.
 
-`./just types` hands it to typescript.mjs beside this file: JSON Schemas, of which TypeScript is made,
-and declarations, which are written as they are. Each schema goes with its SHA-256, which the
-TypeScript then bears, so that a test sees without Node.js whether it is current.
+`./just types` hands it to typescript.mjs beside this file: JSON Schemas, of which TypeScript is
+made, and declarations, which are written as they are. Each schema goes with its SHA-256, which
+the TypeScript then bears, so that a test sees without Node.js whether it is current.
 """
 
 from __future__ import annotations

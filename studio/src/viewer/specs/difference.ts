@@ -22,14 +22,21 @@ export function difference(table: object, base: object): Plain {
   return found;
 }
 
-/** `base` with what differs laid over it; nothing of it is checked here. */
-export function laidOver(base: unknown, found: unknown): unknown {
-  if (!isTable(found)) return Array.isArray(found) ? found.map((one) => laidOver({}, one)) : found;
-  if (Object.hasOwn(found, WHOLE)) return laidOver({}, found[WHOLE]);
+/** Tables in each other, far more than any spec has: so that no link exhausts the stack. */
+const DEEPEST = 16;
+
+/** `base` with what differs laid over it; nothing of it is checked here but its depth. */
+export function laidOver(base: unknown, found: unknown, depth = 0): unknown {
+  if (depth > DEEPEST) return null;
+  const below = depth + 1;
+  if (Array.isArray(found)) return found.map((one) => laidOver({}, one, below));
+  if (!isTable(found)) return found;
+  if (Object.hasOwn(found, WHOLE)) return laidOver({}, found[WHOLE], below);
   const digits = found[NUMBER];
   if (typeof digits === "string" && /^\d{1,30}$/.test(digits)) return BigInt(digits);
   const made = new Map(isTable(base) ? Object.entries(base) : []);
-  for (const [key, value] of Object.entries(found)) made.set(key, laidOver(made.get(key), value));
+  for (const [key, value] of Object.entries(found))
+    made.set(key, laidOver(made.get(key), value, below));
   return Object.fromEntries(made);
 }
 

@@ -17,6 +17,8 @@ const VERSION = "1.";
 const MOST_LETTERS = 400_000;
 const MOST_BYTES = 1_000_000;
 
+class TooLarge extends Error {}
+
 /** The fragment, without its `#`. */
 export async function toFragment({ pearl, scene }: Specs): Promise<string> {
   const text = JSON.stringify([
@@ -47,7 +49,7 @@ export async function fromFragment(
     const inflated = await through(new DecompressionStream("deflate"), bytes, MOST_BYTES);
     parts = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(inflated));
   } catch (error) {
-    const isLarge = error instanceof RangeError;
+    const isLarge = error instanceof TooLarge;
     return damaged(
       isLarge ? `it holds more than ${MOST_BYTES} bytes` : "a part of it is missing or changed",
     );
@@ -61,8 +63,7 @@ function specsOf(parts: unknown, files?: ReadonlySet<string>): Read<Specs> {
   const pearlBase = PEARLS.get(String(pearlName));
   const sceneBase = SCENES.get(String(sceneName));
   if (!pearlBase || !sceneBase) return damaged("it is of a preset that is not here");
-  const model = (pearlChanges as { model?: unknown } | null)?.model;
-  const base = basePearl(pearlBase, model === "illuminant" ? model : (model ?? pearlBase.model));
+  const base = basePearl(pearlBase, (pearlChanges as { model?: unknown } | null)?.model);
   const pearl = read("pearl", laidOver(base, pearlChanges), "the link's pearl", files);
   if (!pearl.ok) return oneOf(pearl.complaints);
   const scene = read("scene", laidOver(sceneBase, sceneChanges), "the link's scene", files);
@@ -120,7 +121,7 @@ async function through(
     size += next.value.length;
     if (size > most) {
       await reader.cancel().catch(() => undefined);
-      throw new RangeError("too much");
+      throw new TooLarge();
     }
   }
   return new Uint8Array(await new Blob(chunks).arrayBuffer());

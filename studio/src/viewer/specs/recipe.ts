@@ -32,9 +32,5 @@ function named(name: string, given: Pearl, scene: Scene): Pearl {
   if (name === "*" || /^\*0+$/.test(name)) return given;
   const pearl = PEARLS.get(name);
   if (pearl) return pearl;
-  throw new Refusal(
-    name.startsWith("*")
-      ? `scene ${scene.name}: a row has "${name}"; allowed: "*0" to "*0", for 1 given`
-      : `scene ${scene.name}: a row has "${name}"; allowed on this page: pearl presets and "*"`,
-  );
+  throw new Refusal(`scene ${scene.name}: a row has "${name}"; allowed: "*0" to "*0", for 1 given`);
 }
