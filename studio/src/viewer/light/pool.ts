@@ -1,7 +1,6 @@
 /** Workers that share a picture by stripes of rows. */
 
 import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
-import file from "nacreous-wasm-file?url";
 import type { Codes, FromWorker, Show, ToWorker } from "./messages";
 
 /** A picture, and what is to be done with it; whatever is out of date is never told. */
@@ -18,19 +17,6 @@ export interface Wanted {
   progress?(share: number): void;
   refined?(codes: Codes, size: number): void;
   failed(text: string): void;
-}
-
-let compiled: Promise<WebAssembly.Module> | null = null;
-
-/** The program, fetched and compiled once for all workers. */
-function program(): Promise<WebAssembly.Module> {
-  compiled ??= fetch(file)
-    .then((response) => {
-      if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-      return response.arrayBuffer();
-    })
-    .then((bytes) => WebAssembly.compile(bytes));
-  return compiled;
 }
 
 /** How many workers a picture gets on a machine with so many processors. */
@@ -51,14 +37,14 @@ export class Pool {
   private question = 0;
   private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
 
-  constructor(count: number) {
+  constructor(count: number, program: Promise<WebAssembly.Module>) {
     for (let part = 0; part < count; part += 1) {
       const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
       worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.take(data);
       worker.onerror = (event) => this.wanted?.failed(event.message || "a worker could not start");
       this.workers.push(worker);
     }
-    this.ready = program().then((module) => {
+    this.ready = program.then((module) => {
       for (const part of this.workers.keys()) this.tell(part, { kind: "load", module });
     });
     this.ready.catch((error: unknown) => this.wanted?.failed(String(error)));

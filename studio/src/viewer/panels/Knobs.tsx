@@ -14,6 +14,7 @@ import {
 } from "../state/groups";
 import { valueAt } from "../state/path";
 import { faults, specs } from "../state/store";
+import { addLight, removeLight } from "../state/lights";
 import { t } from "../words/speech";
 import { Knob } from "./knobs/Knob";
 
@@ -41,6 +42,14 @@ export function SceneKnobs() {
       {camera !== undefined && <Grouped kind="scene" group={camera} isOpen />}
       <Listed list="lamps" count={scene.lamps.length} keys={LAMP_KEYS} word="lamp" />
       <Listed list="windows" count={scene.windows.length} keys={WINDOW_KEYS} word="window" />
+      <div class="row add">
+        <button type="button" onClick={() => addLight("lamps")}>
+          {t("addLamp")}
+        </button>
+        <button type="button" onClick={() => addLight("windows")}>
+          {t("addWindow")}
+        </button>
+      </div>
       {others.map((group) => (
         <Grouped key={group.title} kind="scene" group={group} />
       ))}
@@ -68,6 +77,11 @@ function Listed({ list, count, keys, word }: ListedGiven) {
             {given.map((path) => (
               <Knob key={path} kind="scene" path={path} />
             ))}
+            {list !== "rows" && (
+              <button type="button" class="quiet" onClick={() => removeLight(list, i)}>
+                {t("removeLight", { name: t(word, { n: i + 1 }) })}
+              </button>
+            )}
           </Fold>
         );
       })}

@@ -3,6 +3,7 @@
 import { signal } from "@preact/signals";
 import type { Codes } from "../light/messages";
 import { Pool, workersFor } from "../light/pool";
+import { program } from "../light/program";
 import { screenSpace } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 
@@ -22,12 +23,12 @@ let other: Pool | null = null;
 let small: Pool | null = null;
 
 export function mainPool(): Pool {
-  main ??= new Pool(processors());
+  main ??= new Pool(processors(), program());
   return main;
 }
 
 export function otherPool(): Pool {
-  other ??= new Pool(Math.max(1, Math.floor(processors() / 2)));
+  other ??= new Pool(Math.max(1, Math.floor(processors() / 2)), program());
   return other;
 }
 
@@ -76,7 +77,7 @@ function next(): void {
     job.done(made);
     next();
   };
-  small ??= new Pool(1);
+  small ??= new Pool(1, program());
   small.show({
     recipe: recipeJson(job.specs, SMALL_PX, 1),
     size: SMALL_PX,

@@ -20,6 +20,8 @@ type Range = Pick<Declaration, "least" | "most" | "isWhole">;
 /** A slider over a declared range; null where the range has no end or is a mere seed's. */
 export function scaleOf({ least, most, isWhole }: Range): Scale | null {
   if (least === null || most === null || most > 1e7) return null;
+  const ended = (of: (share: number) => number) => (share: number) =>
+    share <= 0 ? least : share >= 1 ? most : of(share);
   const round = (value: number) => {
     const within = Math.min(
       most,
@@ -31,14 +33,14 @@ export function scaleOf({ least, most, isWhole }: Range): Scale | null {
     const span = Math.log(most / least);
     return {
       toShare: (value) => Math.log(Math.max(value, least) / least) / span,
-      fromShare: (share) => round(Number((least * Math.exp(span * share)).toPrecision(3))),
+      fromShare: ended((share) => round(Number((least * Math.exp(span * share)).toPrecision(3)))),
       isWhole,
     };
   }
   const power = least === 0 && most > LONG ? 3 : 1;
   return {
     toShare: (value) => ((value - least) / (most - least)) ** (1 / power),
-    fromShare: (share) => round(least + (most - least) * share ** power),
+    fromShare: ended((share) => round(least + (most - least) * share ** power)),
     isWhole,
   };
 }

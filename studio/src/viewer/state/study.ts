@@ -19,12 +19,17 @@ function nearest(kind: Kind, spec: unknown): Near | null {
   let best: Near | null = null;
   for (const [name, values] of presets) {
     const differs = changes(values, spec).filter((one) => one.path !== "name");
-    const settable = differs.every((one) => one.to !== null && one.to !== undefined);
-    if (settable && (best === null || differs.length < best.differs.length)) {
+    if (differs.every(isSettable) && (best === null || differs.length < best.differs.length)) {
       best = { name, differs };
     }
   }
   return best;
+}
+
+/** An override changes the single value of a key that is there, and leaves none open. */
+function isSettable({ from, to }: Change): boolean {
+  const isSingle = typeof to !== "object" || (Array.isArray(to) && typeof to[0] === "number");
+  return from !== undefined && to !== undefined && to !== null && isSingle;
 }
 
 /** `key=value`, the value as TOML. */

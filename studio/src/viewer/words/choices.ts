@@ -5,6 +5,7 @@ import type { Language } from "./speech";
 export const CHOICES: Readonly<Record<string, Readonly<Record<Language, string>>>> = {
   transport: { en: "through the pearl", ja: "内部を通る光" },
   illuminant: { en: "of 1996", ja: "1996年" },
+  auto: { en: "of the lamps", ja: "照明の白" },
   none: { en: "none", ja: "なし" },
   white: { en: "white", ja: "白" },
   cream: { en: "cream", ja: "クリーム" },

@@ -48,7 +48,11 @@ export const KEYS: Readonly<Record<string, readonly [name: string, says: string]
     "Thickness of the sheet of protein below each tablet.",
   ],
   "nacre.aragonite": ["Mineral", "What the tablets are made of, by its refractive index."],
+  "nacre.aragonite.n_o": ["Index along the layers", "For the electric field along the layers."],
+  "nacre.aragonite.n_e": ["Index across the layers", "For the electric field across the layers."],
   "nacre.protein": ["Protein", "What lies between the tablets, by its refractive index."],
+  "nacre.protein.n_o": ["Index along the layers", "For the electric field along the layers."],
+  "nacre.protein.n_e": ["Index across the layers", "For the electric field across the layers."],
   "nacre.preset": [
     "Nacre it grew from",
     "The preset whose values hold where this pearl gives none.",

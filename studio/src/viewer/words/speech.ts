@@ -49,7 +49,7 @@ export function t(word: Word, places: Record<string, string | number> = {}): str
 
 /** What a declared key is called. */
 export function nameOf(key: string): string {
-  return keys.value[key]?.[0] ?? key;
+  return keys.value[key]?.[0] ?? key.slice(key.lastIndexOf(".") + 1);
 }
 
 /** One plain sentence about a declared key. */

@@ -8,7 +8,7 @@ import { short } from "../../state/scale";
 import { complaints, edit, faults, originAt, resolved, specs } from "../../state/store";
 import { wordFor } from "../../state/trade";
 import { language, nameOf, saysOf, t, unitName } from "../../words/speech";
-import { ColourControl, SelectControl, TextControl, Told } from "./choices";
+import { ColourControl, LightControl, SelectControl, TextControl, Told } from "./choices";
 import { DateControl } from "./dates";
 import { NumberControl, SeedControl, TripleControl } from "./numbers";
 import { MediumControl } from "./medium";
@@ -24,6 +24,7 @@ export interface Control {
 
 const DATES = ["nacre.harvest", "nacre.seeding", "nacre.peak"];
 const MEDIA = ["nacre.aragonite", "nacre.protein"];
+const LIT = /spectrum$|white$/;
 const TOLD = [
   "model",
   "nacre.preset",
@@ -119,6 +120,7 @@ function Set(control: Control & { path: string }) {
   if (TOLD.includes(path)) return <Told {...control} />;
   if (DATES.includes(path)) return <DateControl {...control} />;
   if (MEDIA.includes(path)) return <MediumControl {...control} />;
+  if (LIT.test(path)) return <LightControl {...control} />;
   if (one.choices !== undefined) return <SelectControl {...control} />;
   if (typeof value === "bigint" || (one.isWhole && (one.most ?? 0) > 1e7)) {
     return <SeedControl {...control} />;

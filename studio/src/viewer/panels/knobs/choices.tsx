@@ -47,48 +47,34 @@ export function ColourControl({ id, name, describedBy, value, set }: Control) {
   );
 }
 
-/** Lights that are offered; any other illuminant or temperature can be typed. */
+/** CIE's illuminants, and colour temperatures; a file may have any other. */
 const LIGHTS = [
-  "D65",
-  "D50",
-  "D55",
-  "A",
-  "C",
-  "E",
-  "FL2",
-  "FL11",
-  "LED-B3",
-  "LED-V1",
-  "5500K",
-  "3000K",
+  ...["D65", "D50", "D55", "D75", "A", "C", "E"],
+  ...["2700K", "3000K", "4000K", "5000K", "5500K", "6500K", "10000K"],
+  ...Array.from({ length: 12 }, (_, i) => `FL${i + 1}`),
+  ...["LED-B1", "LED-B2", "LED-B3", "LED-B4", "LED-B5", "LED-BH1", "LED-RGB1", "LED-V1", "LED-V2"],
 ];
 
-export function TextControl({ id, describedBy, value, declared, set }: Control) {
-  const isLight = /spectrum$|white$/.test(declared.path);
+export function LightControl(control: Control) {
+  const choices = control.declared.path.endsWith("white") ? ["auto", ...LIGHTS] : LIGHTS;
+  return <SelectControl {...control} declared={{ ...control.declared, choices }} />;
+}
+
+export function TextControl({ id, describedBy, value, set }: Control) {
   return (
-    <>
-      <input
-        id={id}
-        type="text"
-        class="wide"
-        autocomplete="off"
-        maxLength={120}
-        aria-describedby={describedBy}
-        value={String(value)}
-        {...(isLight ? { list: `${id}-list` } : {})}
-        onChange={(event) => {
-          const text = event.currentTarget.value.trim();
-          if (text !== "") set(text);
-        }}
-      />
-      {isLight && (
-        <datalist id={`${id}-list`}>
-          {(declared.path.endsWith("white") ? ["auto", ...LIGHTS] : LIGHTS).map((light) => (
-            <option key={light} value={light} />
-          ))}
-        </datalist>
-      )}
-    </>
+    <input
+      id={id}
+      type="text"
+      class="wide"
+      autocomplete="off"
+      maxLength={120}
+      aria-describedby={describedBy}
+      value={String(value)}
+      onChange={(event) => {
+        const text = event.currentTarget.value.trim();
+        if (text !== "") set(text);
+      }}
+    />
   );
 }
 
