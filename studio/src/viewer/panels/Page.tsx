@@ -2,7 +2,7 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { openFiles } from "../state/files";
-import { complaints, notice, redo, undo } from "../state/store";
+import { notice, redo, refused, undo } from "../state/store";
 import { type Tab, tab } from "../state/view";
 import { language, t } from "../words/speech";
 import { Bar } from "./Bar";
@@ -100,19 +100,19 @@ function Messages() {
     const gone = setTimeout(() => (notice.value = ""), 7000);
     return () => clearTimeout(gone);
   }, [said]);
-  const wrong = complaints.value;
+  const { complaints, from } = refused.value ?? { complaints: [], from: "file" };
   return (
     <div class="messages">
-      {wrong.length > 0 && (
+      {complaints.length > 0 && (
         <div class="message wrong" role="alert">
-          <strong>{t("complaints")}</strong>
+          <strong>{t(from === "file" ? "refusedFile" : "refusedLink")}</strong>
           <ul lang="en">
-            {wrong.slice(0, 6).map((one) => (
+            {complaints.slice(0, 6).map((one) => (
               <li key={one.text}>{one.text}</li>
             ))}
-            {wrong.length > 6 && <li>… {wrong.length - 6}</li>}
+            {complaints.length > 6 && <li>… {complaints.length - 6}</li>}
           </ul>
-          <button type="button" onClick={() => (complaints.value = [])}>
+          <button type="button" onClick={() => (refused.value = null)}>
             {t("close")}
           </button>
         </div>

@@ -1,7 +1,7 @@
 /** Files and links, in and out. */
 
-import { fromFragment, open, recipeJson, toFragment, toToml, type Specs } from "../specs/spec";
-import { board, complaints, notice, specs, take, takeBoth } from "./store";
+import { fromFragment, open, toFragment, toToml, type Specs } from "../specs/spec";
+import { beginWith, notice, refused, specs, take } from "./store";
 
 /** Offers a file to be saved. */
 export function saveAs(name: string, contents: Blob): void {
@@ -36,7 +36,7 @@ export async function openFiles(files: readonly File[]): Promise<void> {
   for (const file of files.slice(0, 8)) {
     const bytes = new Uint8Array(await file.slice(0, MOST_BYTES).arrayBuffer());
     const read = open(bytes, file.name);
-    if (!read.ok) complaints.value = read.complaints;
+    if (!read.ok) refused.value = { from: "file", complaints: read.complaints };
     else if (read.value.kind === "pearl") take("pearl", read.value.spec);
     else take("scene", read.value.spec);
   }
@@ -49,12 +49,16 @@ export async function linkTo(which: Specs): Promise<string> {
   return url.href;
 }
 
+/** Keeps the address that of what is shown, so that loading the page again changes nothing. */
+export async function keepAddress(): Promise<void> {
+  history.replaceState(null, "", await linkTo(specs.value));
+}
+
 /** Copies the link; where the browser does not let us, it stands in the address bar. */
 export async function copyLink(said: { copied: string; shown: string }): Promise<void> {
-  const link = await linkTo(specs.value);
-  history.replaceState(null, "", link);
+  await keepAddress();
   try {
-    await navigator.clipboard.writeText(link);
+    await navigator.clipboard.writeText(location.href);
     notice.value = said.copied;
   } catch {
     notice.value = said.shown;
@@ -66,15 +70,6 @@ export async function openLink(): Promise<void> {
   const fragment = location.hash.replace(/^#/, "");
   if (fragment === "") return;
   const read = await fromFragment(fragment);
-  if (!read.ok) {
-    complaints.value = read.complaints;
-    return;
-  }
-  try {
-    recipeJson(read.value, 64, 1);
-  } catch (error) {
-    complaints.value = [{ path: "", text: (error as Error).message }];
-    return;
-  }
-  if (board.value.b === null) takeBoth(read.value);
+  if (read.ok) beginWith(read.value);
+  else refused.value = { from: "link", complaints: read.complaints };
 }

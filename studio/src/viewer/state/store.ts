@@ -52,7 +52,11 @@ export const specs = computed(() => side.value.specs);
 /** Whether a hand is on a knob: then first pictures only. */
 export const moving = signal(false);
 /** What is wrong with a file or link that was therefore not taken. */
-export const complaints = signal<readonly Complaint[]>([]);
+export interface Refused {
+  readonly from: "file" | "link";
+  readonly complaints: readonly Complaint[];
+}
+export const refused = signal<Refused | null>(null);
 /** What is wrong with the active pearl and its scene as they stand. */
 export const faults = computed(() => [
   ...faultsOf("pearl", specs.value.pearl),
@@ -101,7 +105,7 @@ export function edit(kind: Kind, path: string, value: unknown): void {
   const next = { ...now.specs, [kind]: withValue(now.specs[kind], path, value) };
   batch(() => {
     put({ ...now, specs: next }, `${kind}.${path}`);
-    complaints.value = [];
+    refused.value = null;
     touch();
   });
 }
@@ -128,14 +132,16 @@ export function take(kind: Kind, spec: Pearl | Scene): void {
       },
       "",
     );
-    complaints.value = [];
+    refused.value = null;
   });
 }
 
-export function takeBoth(both: Specs): void {
+/** Begins anew with what a link holds; there is nothing before it to go back to. */
+export function beginWith(both: Specs): void {
   batch(() => {
-    put({ specs: both, origin: both }, "");
-    complaints.value = [];
+    history.value = begin<Board>({ a: { specs: both, origin: both }, b: null });
+    active.value = "a";
+    refused.value = null;
   });
 }
 

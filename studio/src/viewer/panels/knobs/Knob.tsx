@@ -5,7 +5,7 @@ import type { Declaration, Kind } from "../../specs/spec";
 import { declaration } from "../../state/groups";
 import { declared, valueAt } from "../../state/path";
 import { short } from "../../state/scale";
-import { complaints, edit, faults, originAt, resolved, specs } from "../../state/store";
+import { edit, faults, originAt, refused, resolved, specs } from "../../state/store";
 import { wordFor } from "../../state/trade";
 import { language, nameOf, saysOf, t, unitName } from "../../words/speech";
 import { ColourControl, LightControl, SelectControl, TextControl, Told } from "./choices";
@@ -44,7 +44,9 @@ export function Knob({ kind, path }: { kind: Kind; path: string }) {
   const key = declared(path);
   const name = nameOf(key);
   const origin = originAt(kind, path);
-  const wrong = [...faults.value, ...complaints.value].filter((one) => one.path === path);
+  const wrong = [...faults.value, ...(refused.value?.complaints ?? [])].filter(
+    (one) => one.path === path,
+  );
   const set = (next: unknown) => edit(kind, path, next);
   const control = { id, name, describedBy: `${id}-says`, value, declared: one, set };
   return (
