@@ -4,15 +4,18 @@ import { useState } from "preact/hooks";
 import type { Specs } from "../specs/spec";
 import { saveAs } from "../state/files";
 import { ESSENTIALS, PEARL_GROUPS, declaration } from "../state/groups";
-import { valueAt, withValue } from "../state/path";
+import { changes, declared, valueAt, withValue } from "../state/path";
 import { scaleOf, short } from "../state/scale";
 import {
+  type Side,
+  type Which,
   active,
   board,
   compare,
   compareNoMore,
   edit,
   notice,
+  side,
   specs,
   together,
 } from "../state/store";
@@ -33,6 +36,25 @@ export function Compare() {
   );
 }
 
+/** Which side the knobs turn. */
+export function SideSwitch() {
+  const one = (which: Which, word: "turnsA" | "turnsB") => (
+    <button
+      type="button"
+      aria-pressed={active.value === which}
+      onClick={() => (active.value = which)}
+    >
+      {t(word)}
+    </button>
+  );
+  return (
+    <div class="segmented" role="group" aria-label={t("tabCompare")}>
+      {one("a", "turnsA")}
+      {one("b", "turnsB")}
+    </div>
+  );
+}
+
 function Sides() {
   if (board.value.b === null) {
     return (
@@ -47,22 +69,7 @@ function Sides() {
   return (
     <section>
       <h2>{t("tabCompare")}</h2>
-      <div class="segmented" role="group">
-        <button
-          type="button"
-          aria-pressed={active.value === "a"}
-          onClick={() => (active.value = "a")}
-        >
-          {t("turnsA")}
-        </button>
-        <button
-          type="button"
-          aria-pressed={active.value === "b"}
-          onClick={() => (active.value = "b")}
-        >
-          {t("turnsB")}
-        </button>
-      </div>
+      <SideSwitch />
       <div class="segmented" role="group">
         <button type="button" aria-pressed={!wiping.value} onClick={() => (wiping.value = false)}>
           {t("besides")}
@@ -208,10 +215,20 @@ function Variants({ path, list }: { path: string; list: readonly Variant[] }) {
   );
 }
 
+/** A pearl's name, and what was turned of it, as far as that is short. */
+function labelOf({ specs: now, origin }: Side): string {
+  const name = PEARL_NAMES[now.pearl.name]?.[language.value] ?? now.pearl.name;
+  const turned = changes(origin.pearl, now.pearl).map(({ path, to }) => {
+    const unit = unitName(declaration("pearl", path)?.unit);
+    const value = typeof to === "number" ? short(to) : String(to);
+    return `${nameOf(declared(path))} ${value} ${unit}`.trim();
+  });
+  return [name, ...turned.slice(0, 2)].join(", ").slice(0, 100);
+}
+
 function StudyTray() {
   const { a, b } = board.value;
-  const add = (one: Specs) =>
-    choose(one, PEARL_NAMES[one.pearl.name]?.[language.value] ?? one.pearl.name);
+  const add = (one: Side) => choose(one.specs, labelOf(one));
   const send = () => {
     const { toml, leftOut } = studyOf(chosen.value);
     saveAs("study.toml", new Blob([toml], { type: "application/toml" }));
@@ -240,15 +257,15 @@ function StudyTray() {
         ))}
       </ul>
       <div class="row">
-        <button type="button" onClick={() => add(specs.value)}>
+        <button type="button" onClick={() => add(side.value)}>
           {t("studyAdd")}
         </button>
         {b !== null && (
           <button
             type="button"
             onClick={() => {
-              add(a.specs);
-              add(b.specs);
+              add(a);
+              add(b);
             }}
           >
             {t("studyAddBoth")}

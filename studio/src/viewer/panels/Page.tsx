@@ -2,12 +2,12 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { openFiles } from "../state/files";
-import { notice, redo, refused, undo } from "../state/store";
+import { board, notice, redo, refused, undo } from "../state/store";
 import { type Tab, tab } from "../state/view";
 import { language, t } from "../words/speech";
 import { Bar } from "./Bar";
 import { Bench } from "./Bench";
-import { Compare } from "./Compare";
+import { Compare, SideSwitch } from "./Compare";
 import { PearlKnobs, SceneKnobs } from "./Knobs";
 import { Presets } from "./Presets";
 
@@ -86,6 +86,7 @@ function Panels() {
         aria-labelledby={`tab-${tab.value}`}
         tabIndex={-1}
       >
+        {board.value.b !== null && tab.value !== "compare" && <SideSwitch />}
         <Shown key={tab.value} />
       </div>
     </aside>
