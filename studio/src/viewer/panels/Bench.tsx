@@ -11,6 +11,9 @@ import { Dome } from "./Dome";
 import type { Making } from "./Picture";
 import { Stage } from "./Stage";
 
+/** Whether fingers are what the page is used with. */
+const IS_TOUCHED = matchMedia("(pointer: coarse)").matches;
+
 const NOTHING: Making = { stage: null, share: 0, failed: "" };
 
 /** The canvas whose picture is saved. */
@@ -70,7 +73,7 @@ export function Bench() {
       <div class="under">
         <Dome />
         <div class="facts">
-          <p class="hint">{t("hint")}</p>
+          <p class="hint">{t(IS_TOUCHED ? "hintTouch" : "hint")}</p>
           <div class="row">
             <label>
               <span class="sr-only">{t("pictureSize")}</span>
@@ -86,8 +89,8 @@ export function Bench() {
               </select>
             </label>
             {!two && (
-              <button type="button" class="beside" onClick={compare}>
-                {t("compareStart")}
+              <button type="button" class="beside" title={t("compareStart")} onClick={compare}>
+                {t("tabCompare")}
               </button>
             )}
             {SPACE === "display-p3" && <span class="badge">{t("wide")}</span>}

@@ -68,6 +68,7 @@ export const EN = {
   failed: "This picture could not be made.",
   pearlPicture: "The pearl. Arrow keys turn the camera, plus and minus zoom, 0 puts it back.",
   hint: "Drag to turn · wheel to zoom · double click to reset",
+  hintTouch: "Drag to turn · pinch to zoom · double tap to reset",
   dome: "Light from above",
   domeHint: "Seen from above. The middle is overhead, the rim is the horizon.",
   moveLamp: "Move {name}: {azimuth}° to the side, {elevation}° high",

@@ -69,6 +69,7 @@ export const JA: Record<Word, string> = {
   failed: "この画像は作れませんでした。",
   pearlPicture: "真珠。矢印キーでカメラが回り、＋と－で拡大縮小、0で元に戻ります。",
   hint: "ドラッグで回す・ホイールで拡大・ダブルクリックで戻す",
+  hintTouch: "なぞって回す・つまんで拡大・二度たたいて戻す",
   dome: "光の位置",
   domeHint: "真上から見た図。中心が真上、縁が地平です。",
   moveLamp: "{name}を動かす：横{azimuth}°、高さ{elevation}°",

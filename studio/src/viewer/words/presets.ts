@@ -45,7 +45,7 @@ function masters(family: string, en: string, ja: string): Names {
 export const SCENE_NAMES: Names = {
   "north-window-black": { en: "Black cloth", ja: "黒い布" },
   "north-window-white": { en: "White cloth", ja: "白い布" },
-  aurora: { en: "Aurora viewer", ja: "オーロラビューア" },
+  aurora: { en: "Aurora viewer", ja: "オーロラ\u200bビューア" },
   booth: { en: "Light booth", ja: "観察ブース" },
   paper: { en: "Lamp and squares", ja: "照明と市松" },
   "two-tier": { en: "Sorting tray", ja: "選別台" },
