@@ -65,7 +65,7 @@ function Panels() {
             role="tab"
             key={name}
             id={`tab-${name}`}
-            class={`tab ${name}`}
+            class="tab"
             aria-selected={tab.value === name}
             aria-controls="panel"
             tabIndex={tab.value === name ? 0 : -1}
