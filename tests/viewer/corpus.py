@@ -22,6 +22,7 @@ from nacreous.problem import InputError
 from nacreous.recipe import recipe
 from nacreous.spec import Pearl, Scene, preset
 from nacreous.spec.specfile import SpecFile
+from nacreous.viewer import fragment
 from tests.viewer.damage import damaged
 from tests.viewer.random_spec import random_file
 
@@ -68,6 +69,7 @@ def _valid() -> Iterator[dict[str, Any]]:
             "pearl": _case("pearl", pearl_text, pearl),
             "scene": _case("scene", scene_text, scene),
             "recipe": recipe(pearl, scene, 256, 16).json,
+            "link": fragment(pearl, scene),
         }
 
 

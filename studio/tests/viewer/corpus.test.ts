@@ -35,7 +35,7 @@ interface Case {
 interface Corpus {
   readonly presets: readonly (Case & { readonly name: string })[];
   readonly recipes: readonly { pearl: string; scene: string; recipe: string }[];
-  readonly valid: readonly { pearl: Case; scene: Case; recipe: string }[];
+  readonly valid: readonly { pearl: Case; scene: Case; recipe: string; link: string }[];
   readonly damaged: readonly { how: string; kind: Kind; bytes: string; lines: string[] }[];
   readonly numbers: readonly { number: number; repr: string; g: string; g3: string }[];
 }
@@ -83,7 +83,7 @@ describe.skipIf(!path)(
     });
 
     test("valid files are the same, and so are their recipes and what their links hold", async () => {
-      for (const { pearl, scene, recipe } of corpus.valid) {
+      for (const { pearl, scene, recipe, link } of corpus.valid) {
         expectSame("pearl", pearl);
         expectSame("scene", scene);
         const specs = {
@@ -91,7 +91,9 @@ describe.skipIf(!path)(
           scene: value(fromToml("scene", scene.text, "s", FILES)),
         };
         expect(recipeJson(specs, 256, 16)).toBe(recipe);
-        expect(value(await fromFragment(await toFragment(specs), FILES))).toEqual(specs);
+        for (const fragment of [await toFragment(specs), link]) {
+          expect(value(await fromFragment(fragment, FILES))).toEqual(specs);
+        }
       }
     });
 

@@ -5,16 +5,19 @@ import type { Declaration, Kind } from "./types";
 
 /** Every key of a kind of file that has a value of its own, in the order of the file. */
 export function declarations(kind: Kind): readonly Declaration[] {
+  const placed = everyKey(ROOTS[kind]);
+  // A key of a table that one model alone has is that model's alone.
+  const tables = placed.filter(({ key }) => key.model && tablesIn(key).length > 0);
   const found = new Map<string, Declaration>();
-  for (const placed of everyKey(ROOTS[kind])) {
-    if (placed.key.allowed !== undefined && !found.has(placed.path)) {
-      found.set(placed.path, declaration(placed));
-    }
+  for (const one of placed) {
+    if (one.key.allowed === undefined || found.has(one.path)) continue;
+    const above = tables.find(({ path }) => one.path.startsWith(`${path}.`));
+    found.set(one.path, declaration(one, one.key.model ?? above?.key.model));
   }
-  return [...found.values()].map((one) => withModelAbove(one, kind));
+  return [...found.values()];
 }
 
-function declaration({ path, key }: Placed): Declaration {
+function declaration({ path, key }: Placed, model: Key["model"]): Declaration {
   const kinds = alternatives(key);
   const number = kinds.find((one) => one.type === "number" || one.type === "integer") ?? {};
   const choices = choicesOf(key);
@@ -28,7 +31,7 @@ function declaration({ path, key }: Placed): Declaration {
     isWhole: number.type === "integer",
     ...(choices.length > 0 && { choices }),
     default: key.default ?? null,
-    ...(key.model && { model: key.model }),
+    ...(model && { model }),
     meaning: key.meaning,
     allowed: key.allowed ?? "",
     isOpen: key.open === true,
@@ -44,12 +47,4 @@ function choicesOf(key: Key): readonly string[] {
 
 function bound(given: number | string | undefined): number | null {
   return given === undefined ? null : Number(given);
-}
-
-/** A key of a table that one model alone has is that model's alone. */
-function withModelAbove(one: Declaration, kind: Kind): Declaration {
-  const above = everyKey(ROOTS[kind]).find(
-    ({ path, key }) => key.model && tablesIn(key).length > 0 && one.path.startsWith(`${path}.`),
-  );
-  return above?.key.model ? { ...one, model: above.key.model } : one;
 }

@@ -4,7 +4,7 @@ import { Check, names, type Problem } from "./check";
 import { declared, keyOf, ROOTS, tablesIn } from "./declared";
 import { bytesToText, tomlTable } from "./document";
 import { ownKeys } from "./model";
-import type { Complaint, Kind, Pearl, Read, Scene, SpecOf } from "./types";
+import type { Complaint, Kind, Pearl, Read, Scene, Specs } from "./types";
 import { type Table, type Value, valueOf } from "./value";
 import { label, shown } from "./words";
 
@@ -25,7 +25,7 @@ export function read<K extends Kind>(
   values: unknown,
   file: string,
   files = NO_FILES,
-): Read<SpecOf[K]> {
+): Read<Specs[K]> {
   const where = label(file);
   const table = valueOf(values);
   if (!(table instanceof Map)) {
@@ -42,7 +42,7 @@ export function read<K extends Kind>(
     return { ok: false, complaints: complaints(check.problems, where) };
   }
   const own = kind === "pearl" ? ownKeys(made, root, (made as Pearl).model) : made;
-  return { ok: true, value: own as SpecOf[K] };
+  return { ok: true, value: own as Specs[K] };
 }
 
 /** The spec of a file's text. */
@@ -51,7 +51,7 @@ export function fromToml<K extends Kind>(
   text: string,
   file: string,
   files = NO_FILES,
-): Read<SpecOf[K]> {
+): Read<Specs[K]> {
   const table = tomlTable(text, label(file));
   return table.ok ? read(kind, table.value, file, files) : table;
 }
@@ -62,7 +62,7 @@ export function fromBytes<K extends Kind>(
   bytes: Uint8Array,
   file: string,
   files = NO_FILES,
-): Read<SpecOf[K]> {
+): Read<Specs[K]> {
   const text = bytesToText(bytes, label(file));
   return text.ok ? fromToml(kind, text.value, file, files) : text;
 }

@@ -23,11 +23,6 @@ export interface Specs {
   readonly scene: Scene;
 }
 
-export interface SpecOf {
-  readonly pearl: Pearl;
-  readonly scene: Scene;
-}
-
 /** What is wrong: `path` is the dotted key, "" of the whole file; `text` the command line's line. */
 export interface Complaint {
   readonly path: string;

@@ -10,7 +10,7 @@ import {
   tableOf,
 } from "./declared";
 import { json, repr } from "./number";
-import type { Kind, SpecOf } from "./types";
+import type { Kind, Specs } from "./types";
 
 /** How one format writes what the other writes otherwise. */
 interface Format {
@@ -38,7 +38,7 @@ const JSON_TEXT: Format = {
 type Plain = Readonly<Record<string, unknown>>;
 
 /** The complete file, as Python's `to_toml` writes it. */
-export function toToml<K extends Kind>(kind: K, spec: SpecOf[K]): string {
+export function toToml<K extends Kind>(kind: K, spec: Specs[K]): string {
   const root = declared(ROOTS[kind]);
   const keys = Object.entries(spec).filter(([, value]) => value !== null);
   const blocks = [
@@ -60,7 +60,7 @@ export function toToml<K extends Kind>(kind: K, spec: SpecOf[K]): string {
 }
 
 /** A spec as pydantic writes it: compact, every key, null where it is open. */
-export function specJson<K extends Kind>(kind: K, spec: SpecOf[K]): string {
+export function specJson<K extends Kind>(kind: K, spec: Specs[K]): string {
   return tableText(spec, declared(ROOTS[kind]), JSON_TEXT);
 }
 
