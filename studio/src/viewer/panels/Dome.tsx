@@ -71,7 +71,7 @@ function Handle({ light }: { light: Light }) {
     <g
       class="handle"
       transform={`translate(${x} ${y})`}
-      tabIndex={0}
+      tabindex={0}
       role="slider"
       aria-label={lightName(light)}
       aria-valuemin={-180}
