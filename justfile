@@ -213,6 +213,7 @@ wheel: pages viewer _program
 types: _node-tools setup
     python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
     nacreous presets --json >nacreous/presets/complete.json
+    nacreous words --json >studio/src/viewer/words/trade.json
     python studio/types/schemas.py | node studio/types/typescript.mjs studio/src
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js

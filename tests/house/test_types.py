@@ -55,3 +55,9 @@ def test_the_types_are_what_the_generator_makes(schemas: str, tmp_path: Path) ->
     for name in FILES:
         made = (tmp_path / name).read_bytes()
         assert made == (SOURCES / name).read_bytes(), f"{name} {STALE}"
+
+
+def test_the_viewer_has_the_trades_words_as_they_are() -> None:
+    script = [sys.executable, "-m", "nacreous", "words", "--json"]
+    said = subprocess.run(script, capture_output=True, check=True).stdout
+    assert said == (SOURCES / "viewer" / "words" / "trade.json").read_bytes(), STALE
