@@ -44,6 +44,7 @@ export type FromWorker =
       readonly ticket: number;
       readonly codes: Codes;
       readonly widthPx: number;
+      readonly tookMs: number;
     }
   | {
       readonly kind: "rows";

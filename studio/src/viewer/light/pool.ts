@@ -1,6 +1,7 @@
 /** Workers that share a picture by stripes of rows. */
 
 import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
+import type { First } from "./first";
 import type { Codes, FromWorker, Show, ToWorker } from "./messages";
 
 /** A picture, and what is to be done with it; whatever is out of date is never told. */
@@ -13,7 +14,7 @@ export interface Wanted {
   readonly firstPx: number;
   readonly refine: boolean;
   /** isCurrent: false of a picture that was asked for just before, while things move. */
-  first?(codes: Codes, widthPx: number, isCurrent: boolean): void;
+  first?(made: First, isCurrent: boolean): void;
   progress?(share: number): void;
   refined?(codes: Codes, size: number): void;
   failed(text: string): void;
@@ -112,7 +113,7 @@ export class Pool {
     if (wanted === null) return;
     const isCurrent = told.ticket === this.ticket;
     if (told.kind === "first" && told.ticket > this.whole) {
-      wanted.first?.(told.codes, told.widthPx, isCurrent);
+      wanted.first?.(told, isCurrent);
     }
     if (!isCurrent || told.kind === "first") return;
     if (told.kind === "failed") wanted.failed(told.text);

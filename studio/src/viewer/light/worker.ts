@@ -56,7 +56,7 @@ async function make(wanted: Show): Promise<void> {
   if (job === null) job = new Job(wanted.recipe, wanted.resources);
   else job.change(wanted.recipe, wanted.resources);
   if (wanted.firstPx > 0) {
-    const first = firstPicture(job, wanted.recipe, wanted.firstPx, wanted.space);
+    const first = firstPicture(job, wanted.firstPx, wanted.space);
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
   }
   if (!wanted.refine) return;

@@ -1,11 +1,12 @@
 /** A picture: the first one at once, the whole one when the hand rests. */
 
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Pool } from "../light/pool";
+import { nextPx } from "../light/first";
 import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 import { faultsOf } from "../state/faults";
-import { FIRST_PX, SAMPLES, SPACE } from "../state/engines";
+import { SAMPLES, SPACE } from "../state/engines";
 
 export interface Making {
   /** null before anything is seen. */
@@ -26,10 +27,16 @@ interface Given {
 
 /** Keeps a canvas showing these specs. */
 export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): void {
-  const shown = useRef({ asked: "", first: "", whole: "", stage: null as Making["stage"] });
-  useEffect(() => {
-    const frame = requestAnimationFrame(() => show());
-    return () => cancelAnimationFrame(frame);
+  const shown = useRef({
+    asked: "",
+    first: "",
+    firstPx: 256,
+    whole: "",
+    stage: null as Making["stage"],
+  });
+  // Not an effect that waits for a frame: the hand would feel it.
+  useLayoutEffect(() => {
+    show();
 
     function show(): void {
       const seen = shown.current;
@@ -50,10 +57,11 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
         recipe,
         size,
         space: SPACE,
-        firstPx: seen.first === recipe ? 0 : FIRST_PX,
+        firstPx: seen.first === recipe ? 0 : Math.min(size, seen.firstPx),
         refine: !moving,
-        first(codes, widthPx, isCurrent) {
-          draw(codes, widthPx);
+        first(made, isCurrent) {
+          draw(made.codes, made.widthPx);
+          seen.firstPx = nextPx(made);
           if (isCurrent) seen.first = recipe;
           seen.whole = "";
           seen.stage = "first";

@@ -12,8 +12,6 @@ export const SPACE = screenSpace();
 
 /** Samples a pixel of the picture at rest, as `nacreous render` has them. */
 export const SAMPLES = 16;
-/** Pixels a side of the picture that is shown at once. */
-export const FIRST_PX = 256;
 const SMALL_PX = 96;
 
 const processors = () => workersFor(navigator.hardwareConcurrency);
@@ -84,7 +82,7 @@ function next(): void {
     space: SPACE,
     firstPx: SMALL_PX,
     refine: false,
-    first: (codes, widthPx) => end({ codes, widthPx }),
+    first: end,
     failed: () => end(null),
   });
 }

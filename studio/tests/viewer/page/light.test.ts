@@ -1,5 +1,6 @@
 import { expect, test, vi } from "vitest";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
+import { nextPx } from "../../../src/viewer/light/first";
 import { Pool } from "../../../src/viewer/light/pool";
 import { stripes } from "../../../src/viewer/light/messages";
 
@@ -70,13 +71,13 @@ test("rows out of date are dropped; a first picture is shown though the hand wen
   const [one] = workers as [FakeWorker];
   expect(one.told.filter((message) => message.kind === "show")).toHaveLength(1);
   const codes = new Uint8ClampedArray(16 * 16 * 4);
-  one.says({ kind: "first", ticket: 1, codes, widthPx: 8 });
-  expect(first).toHaveBeenLastCalledWith(codes, 8, false);
+  one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
+  expect(first).toHaveBeenLastCalledWith(expect.objectContaining({ codes }), false);
   one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes });
   expect(refined).not.toHaveBeenCalled();
   one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes });
   expect(refined).toHaveBeenCalledTimes(1);
-  one.says({ kind: "first", ticket: 1, codes, widthPx: 8 });
+  one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenCalledTimes(1); // the whole picture is there
 });
 
@@ -92,4 +93,11 @@ test("pixels with glare are joined first and looked at as one", async () => {
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "whole", ticket: 1, codes });
   expect(refined).toHaveBeenCalledWith(codes, 16);
+});
+
+test("first pictures are large where they keep up with the hand, and small where not", () => {
+  expect(nextPx({ widthPx: 256, tookMs: 8 })).toBe(512);
+  expect(nextPx({ widthPx: 256, tookMs: 25 })).toBe(256);
+  expect(nextPx({ widthPx: 512, tookMs: 30 })).toBe(512);
+  expect(nextPx({ widthPx: 512, tookMs: 80 })).toBe(256);
 });
