@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-_CLONE = Path(__file__).parents[2]
+#: Where the program lies, if it was not installed.
+CLONE = Path(__file__).parents[2]
 
 
 def cure(task: str) -> str:
@@ -12,6 +13,6 @@ def cure(task: str) -> str:
 
     task: of the justfile, in a clone.
     """
-    if (_CLONE / "just").is_file() and (_CLONE / "studio").is_dir():
+    if (CLONE / "just").is_file() and (CLONE / "studio").is_dir():
         return f"build them by   ./just {task}"
     return "this nacreous was installed without them; install a wheel that has them"

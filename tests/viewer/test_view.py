@@ -125,7 +125,7 @@ def test_a_clone_is_told_to_build_the_page_and_a_wheel_is_not(
         InputError, match=r"viewer's files are missing .*: build them by   \./just viewer$"
     ):
         Page(tmp_path)
-    monkeypatch.setattr(built, "_CLONE", tmp_path)
+    monkeypatch.setattr(built, "CLONE", tmp_path)
     with pytest.raises(InputError, match="installed without them") as problem:
         Page(tmp_path)
     assert "just" not in str(problem.value)
