@@ -14,6 +14,9 @@ unexport PYTHONPATH
 unexport UV_PYTHON
 unexport UV_SYSTEM_PYTHON
 
+# The types of the browser's rooms: without them the viewer's light, state and panels are not looked at.
+wasm_types := justfile_directory() / "target/wasm/nacreous.d.ts"
+
 # What maturin tells PyO3, told to clippy and cargo test too: build for this interpreter, and as an
 # extension, which needs no libpython.
 export PYO3_PYTHON := VIRTUAL_ENV / "bin/python"
@@ -56,7 +59,7 @@ test-python *options: setup
 [group("trust")]
 [working-directory("studio")]
 test-pages: pages
-    npx --no-install tsc --noEmit
+    npx --no-install tsc --noEmit --project {{ if path_exists(wasm_types) == "true" { "tsconfig.json" } else { "tsconfig.pages.json" } }}
     npx --no-install vitest run
     npx --no-install prettier --check --log-level warn .
 
