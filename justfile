@@ -14,6 +14,9 @@ unexport PYTHONPATH
 unexport UV_PYTHON
 unexport UV_SYSTEM_PYTHON
 
+# The types of the browser's rooms: without them the viewer's light, state and panels are not looked at.
+wasm_types := justfile_directory() / "target/wasm/nacreous.d.ts"
+
 # What maturin tells PyO3, told to clippy and cargo test too: build for this interpreter, and as an
 # extension, which needs no libpython.
 export PYO3_PYTHON := VIRTUAL_ENV / "bin/python"
@@ -38,7 +41,7 @@ figures: _program
 # Run every test and every check; what fails or is left out is told at the end
 [group("trust")]
 test:
-    tests/every-part check-rust check-python test-rust test-python _test-wasm _test-pages
+    tests/every-part check-rust check-python test-rust _viewer test-python _test-wasm _test-pages
 
 # Run the Rust tests, the examples in its documentation included
 [group("trust")]
@@ -56,7 +59,7 @@ test-python *options: setup
 [group("trust")]
 [working-directory("studio")]
 test-pages: pages
-    npx --no-install tsc --noEmit
+    npx --no-install tsc --noEmit --project {{ if path_exists(wasm_types) == "true" { "tsconfig.json" } else { "tsconfig.pages.json" } }}
     npx --no-install vitest run
     npx --no-install prettier --check --log-level warn .
 
@@ -183,10 +186,27 @@ pages: _node-tools
         echo "$sources" >node_modules/built-from
     fi
 
-# Make a manylinux wheel with the pages, in dist/, and try it on every Python found, 3.11 to 3.14
+# Build the viewer from studio/ and the browser's rooms into nacreous/viewer/page/; at once when nothing changed
 [group("build")]
 [script]
-wheel: pages _program
+[working-directory("studio")]
+viewer: _wasm-tools pages
+    page=../nacreous/viewer/page
+    sources=$({
+        find . -path ./node_modules -prune -o -type f -exec cksum {} +
+        cksum ../nacreous/presets/complete.json
+        find ../Cargo.* ../crates ../data ../xtask -path ../xtask/target -prune -o -type f -exec cksum {} +
+    } | sort | cksum)
+    if [ ! -f $page/index.html ] || [ "$sources" != "$(cat node_modules/viewer-built-from 2>/dev/null)" ]; then
+        (cd .. && cargo xtask wasm)
+        npx --no-install vite build --config viewer.config.ts --logLevel warn
+        echo "$sources" >node_modules/viewer-built-from
+    fi
+
+# Make a manylinux wheel with the pages and the viewer, in dist/, and try it on every Python found, 3.11 to 3.14
+[group("build")]
+[script]
+wheel: pages viewer _program
     rm -rf dist
     maturin build --release --compatibility pypi --out dist
     tests/try-wheel dist/*.whl
@@ -196,7 +216,8 @@ wheel: pages _program
 types: _node-tools setup
     python -m nacreous.spec.ranges >crates/render/src/spec/ranges.csv
     nacreous presets --json >nacreous/presets/complete.json
-    python studio/types/schemas.py | node studio/types/typescript.mjs studio/src/shared
+    nacreous words --json >studio/src/viewer/words/trade.json
+    python studio/types/schemas.py | node studio/types/typescript.mjs studio/src
 
 # Build the browser's rooms, WebAssembly, into target/wasm/; lint them, test them in Node.js
 [group("build")]
@@ -228,7 +249,7 @@ lock *options:
 [group("build")]
 clean:
     rm -rf target .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
-    rm -rf nacreous/_core.*.so nacreous/server/pages studio/node_modules
+    rm -rf nacreous/_core.*.so nacreous/server/pages nacreous/viewer/page studio/node_modules
 
 # Debian's own cargo and rustup's minimal profile come without them.
 [script]
@@ -280,6 +301,14 @@ _test-pages:
         just test-pages
     else
         tests/every-part --left-out "the study's pages: $(echo "$missing" | head -n 1)"
+    fi
+
+[script]
+_viewer:
+    if missing=$(just _node-tools 2>&1) && missing=$(just _wasm-tools 2>&1); then
+        just viewer
+    else
+        tests/every-part --left-out "the viewer: $(echo "$missing" | head -n 1)"
     fi
 
 [script]

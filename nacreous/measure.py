@@ -162,7 +162,7 @@ class Blemishes:
     looked_at: float
     """Share of the visible half of the ball."""
     threshold: float
-    """The difference from which a place belongs to a spot, in CIELAB."""
+    """The least difference that is told here, in CIELAB: 1, or more in rough texture."""
     spots: tuple[Circle, ...]
     """Discs as large as they look, the largest first."""
 
@@ -184,7 +184,7 @@ class Measures:
     lamp: LampImage | None
     blemishes: Blemishes | None
     refused: Mapping[str, str]
-    """Why a part is None, by its name."""
+    """Why a part is None, or what is not told of it, by its name."""
 
     def to_json(self) -> str:
         """All of it for machines; numbers as {"value": ..., "error": ...}, null where refused."""

@@ -18,6 +18,7 @@ _WORDS = {
     "lamp.haze": "haze",
     "lamp.distinctness": "distinctness of image",
     "blemishes": "blemishes",
+    "blemishes.relief": "fainter blemishes",
 }
 
 

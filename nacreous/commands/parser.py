@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 #: Modules of `nacreous.commands`, in the order of the help page.
 COMMANDS = (
     "render",
+    "view",
     "turn",
     "grow",
     "sheets",
@@ -38,6 +39,7 @@ _REPEATED = (argparse._AppendAction, argparse._StoreTrueAction)
 _EXAMPLES = """\
 examples:
   nacreous render paper          the pearl of 1996, as pearl.png
+  nacreous view                  a pearl to turn, with all its knobs, in the browser
   nacreous turn tahitian         on a turntable, as turn.webp
   nacreous sheets out            families, pigments and scenes on contact sheets
   nacreous paper out             the paper's figures again, measured, on one page

@@ -231,11 +231,13 @@ def _numbers(option: str, settings: Sequence[str]) -> dict[str, float]:
     from nacreous.problem import InputError
     from nacreous.spec.complaint import shown
 
-    found = {}
+    found: dict[str, float] = {}
     for setting in settings:
-        key, _, value = setting.partition("=")
+        key, _, value = (part.strip() for part in setting.partition("="))
+        if key in found:
+            raise InputError(f"--{option} {shown(setting)}: {key} is given twice; allowed: once")
         try:
-            found[key.strip()] = float(value)
+            found[key] = float(value)
         except ValueError:
             raise InputError(
                 f"--{option} {shown(setting)}: wanted: key=number, such as size_mm=7.25"

@@ -8,14 +8,16 @@ import socket
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 import uvicorn
-from fastapi import FastAPI
 
 from nacreous.problem import InputError
-from nacreous.server.hosts import host_of
+
+if TYPE_CHECKING:
+    from fastapi import FastAPI
+    from starlette.types import ASGIApp
 
 _BACKLOG = 2048
 #: Where a proxy may be that is believed: at "localhost", by either protocol.
@@ -32,6 +34,8 @@ def check_url(url: str) -> str:
     >>> check_url("https://pearls.example/")
     'https://pearls.example'
     """
+    from nacreous.server.hosts import host_of  # with the store, which the viewer does without
+
     try:
         parts = urlsplit(url)
         good = parts.scheme in ("http", "https") and bool(parts.hostname)
@@ -99,8 +103,8 @@ def address_of(listening: socket.socket) -> str:
     return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
 
 
-def server_of(app: FastAPI) -> uvicorn.Server:
-    """uvicorn, as a study needs it; `run(sockets=[...])` serves."""
+def server_of(app: ASGIApp) -> uvicorn.Server:
+    """uvicorn, as a study and the viewer need it; `run(sockets=[...])` serves."""
     config = uvicorn.Config(
         app,
         ws="none",

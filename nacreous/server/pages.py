@@ -11,6 +11,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from nacreous.problem import InputError
+from nacreous.server.built import cure
 
 #: Where the pages are built.
 FOLDER = Path(__file__).parent / "pages"
@@ -35,7 +36,8 @@ class Pages:
         missing = [name for name in _PAGES.values() if name not in self._files]
         if missing:
             raise InputError(
-                f"the study's pages are missing ({folder / missing[0]} does not exist): {_cure()}"
+                f"the study's pages are missing ({folder / missing[0]} does not exist): "
+                f"{cure('pages')}"
             )
 
     def page(self, path: str) -> Response:
@@ -51,14 +53,6 @@ class Pages:
     def _response(self, name: str, kept: str) -> Response:
         kind = mimetypes.guess_type(name)[0] or "application/octet-stream"
         return Response(self._files[name], media_type=kind, headers={"Cache-Control": kept})
-
-
-def _cure() -> str:
-    """What brings the pages: an installed program has no clone to build them in."""
-    clone = FOLDER.parents[2]
-    if (clone / "just").is_file() and (clone / "studio").is_dir():
-        return "build them by   ./just pages"
-    return "this nacreous was installed without them; install a wheel that has them"
 
 
 @router.api_route("/", methods=_READING)

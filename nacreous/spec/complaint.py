@@ -148,7 +148,7 @@ def _verdicts(
         prefix = f"{at.dotted}." if at.path else ""
         for key, verdict, other in detail["ctx"]["found"]:
             yield prefix + key, verdict.replace("{other}", prefix + other)
-    elif detail["type"] == "missing":
+    elif detail["type"] == "missing" and loc[-1:] == tuple(at.path[-1:]):  # no item of a triple
         yield at.dotted, f"is missing; allowed: {_allowed(at.field)}"
     else:
         yield at.dotted, _bad_value(_value_at(values, at.path, detail["input"]), at)

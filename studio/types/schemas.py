@@ -1,6 +1,7 @@
-"""The JSON Schemas behind the pages' TypeScript; prints them as JSON, by the name of the file.
+"""What the pages' generated files are made from; prints it as JSON, by the name of the file.
 
-`./just types` hands them to typescript.mjs beside this file. Each goes with its SHA-256, which
+`./just types` hands it to typescript.mjs beside this file: JSON Schemas, of which TypeScript is
+made, and declarations, which are written as they are. Each schema goes with its SHA-256, which
 the TypeScript then bears, so that a test sees without Node.js whether it is current.
 """
 
@@ -11,26 +12,18 @@ import json
 import sys
 from typing import Any
 
+import declared
+
 from nacreous.server.wire import wire_schema
-from nacreous.spec import Pearl, Scene, json_schema
 
 
 def schemas() -> dict[str, dict[str, Any]]:
     """A schema for each file of TypeScript, all its types in "$defs"."""
-    return {"wire": wire_schema(), "spec": spec_schema()}
-
-
-def spec_schema() -> dict[str, Any]:
-    """Pearl and scene files with all their tables."""
-    found: dict[str, Any] = {}
-    for model in (Pearl, Scene):
-        schema = json_schema(model)
-        tables = schema.pop("$defs", {})
-        del schema["$schema"]
-        for name, table in {**tables, model.__name__: schema}.items():
-            if found.setdefault(name, table) != table:
-                raise ValueError(f"{name} means two things")
-    return {"$defs": {name: found[name] for name in sorted(found)}}
+    return {
+        "shared/wire": wire_schema(),
+        "shared/spec": {"$defs": declared.tables()},
+        "viewer/specs/complete": declared.complete(),
+    }
 
 
 def fingerprint(schema: dict[str, Any]) -> str:
@@ -39,8 +32,9 @@ def fingerprint(schema: dict[str, Any]) -> str:
 
 
 if __name__ == "__main__":
-    made = {
-        name: {"sha256": fingerprint(schema), "schema": schema}
+    made: dict[str, Any] = {
+        f"{name}.ts": {"sha256": fingerprint(schema), "schema": schema}
         for name, schema in schemas().items()
     }
+    made["viewer/specs/declared.json"] = {"values": declared.declared()}
     json.dump(made, sys.stdout)

@@ -1,11 +1,11 @@
-// TypeScript from the schemas that schemas.py prints: node typescript.mjs FOLDER < SCHEMAS.
+// The generated files of what schemas.py prints: node typescript.mjs FOLDER < PRINTED.
 
-import { writeFile } from "node:fs/promises";
-import { join } from "node:path";
+import { mkdir, writeFile } from "node:fs/promises";
+import { basename, dirname, join } from "node:path";
 import { text } from "node:stream/consumers";
 
 import { compile } from "json-schema-to-typescript";
-import { resolveConfig } from "prettier";
+import { format, resolveConfig } from "prettier";
 
 /**
  * A schema as json-schema-to-typescript understands it: it knows tuples as drafts before 2020 wrote
@@ -31,13 +31,22 @@ const NOISE = [
 const [folder] = process.argv.slice(2);
 const style = await resolveConfig(import.meta.filename);
 
-for (const [name, { sha256, schema }] of Object.entries(JSON.parse(await text(process.stdin)))) {
-  const made = await compile(older(schema), name, {
+async function typescript(name, { sha256, schema }) {
+  const made = await compile(older(schema), basename(name, ".ts"), {
     additionalProperties: false,
     bannerComment: `/* Made by ./just types, never by hand. SHA-256 of its schema:\n * ${sha256}\n */`,
     style,
     unreachableDefinitions: true,
   });
-  const clean = NOISE.reduce((kept, noise) => kept.replace(noise, ""), made);
-  await writeFile(join(folder, `${name}.ts`), clean);
+  return NOISE.reduce((kept, noise) => kept.replace(noise, ""), made);
+}
+
+for (const [name, made] of Object.entries(JSON.parse(await text(process.stdin)))) {
+  const path = join(folder, name);
+  await mkdir(dirname(path), { recursive: true });
+  const { values } = made;
+  const written = values
+    ? await format(JSON.stringify(values), { ...style, parser: "json" })
+    : await typescript(name, made);
+  await writeFile(path, written);
 }

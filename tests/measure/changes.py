@@ -85,12 +85,17 @@ CHANGES: dict[str, tuple[Callable[[Light], Light], float, bool]] = {
 }
 
 
+#: What the command line takes for clipped in a file of 8 bits.
+CLIPPED = 0.97
+
+
 def moved(linear: Light, change: str, white: float = 1.0) -> dict[str, tuple[float, float]]:
     """Each measure before and after a change, lengths scaled alike; nan where refused after."""
     made, length, is_turned = CHANGES[change]
     before = numbers(measure(linear, white=(white,) * 3))
     other = np.maximum(white * nc.colour.rgb_from_xyz(THERE), 1e-3) if is_turned else [white] * 3
-    after = numbers(measure(made(linear), white=other))
+    ends = CLIPPED if change == "jpeg" else None
+    after = numbers(measure(made(linear), white=other, clipped_at=ends))
     before["diameter"] *= length
     return {name: (value, after.get(name, np.nan)) for name, value in before.items()}
 

@@ -92,6 +92,26 @@ def test_spots_are_found_with_their_area_and_a_clean_ball_has_none() -> None:
     assert other.area.value == pytest.approx(seen, rel=0.35)  # seen from aside they cover more
 
 
+@pytest.mark.parametrize("rough", [0.0, 0.03])
+def test_domes_of_another_colour_are_told_in_texture_of_lightness(rough: float) -> None:
+    rows, columns = np.ogrid[:SIDE, :SIDE]
+    noise = rough * np.random.default_rng(1).standard_normal((SIDE, SIDE, 1))
+    clean = ball(4.0) * (1 + noise).astype(np.float32)
+    found = []
+    for radius in (0, 5, 7, 9):
+        risen = clean.copy()
+        for x, y in ((125, 115), (112, 80), (95, 130)):
+            away = np.hypot(columns + 0.5 - x, rows + 0.5 - y)
+            dome = np.maximum(1 - (away / max(radius, 0.1)) ** 2, 0)[..., None] ** 2
+            risen *= 1 + dome * np.float32([0.08, -0.04, 0.04])
+        found.append(measure(risen.astype(np.float32)))
+    spots = [one.blemishes for one in found if one.blemishes is not None]
+    assert [one.count for one in spots] == [0, 3, 3, 3]
+    areas = [one.area.value for one in spots]
+    assert areas == sorted(areas)
+    assert ["blemishes.relief" in one.refused for one in found] == [True, False, False, False]
+
+
 def test_the_parts_of_a_score_lie_in_the_regions_of_their_hue() -> None:
     picture = ellipse()
     picture[picture[..., 0] > 0.3] = nc.colour.rgb_from_xyz(

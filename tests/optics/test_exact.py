@@ -1,176 +1,22 @@
-"""Exact stacks against two peers, one a 4x4 method; media of every kind; what is refused."""
+"""Laws of exact stacks and of ensembles, and what is refused."""
 
 from __future__ import annotations
 
-import csv
 import math
 import os
 import signal
 import threading
 import time
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-import tmm
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
-from scipy.linalg import expm
 
 import nacreous as nc
 from nacreous.optics import absorptance, energies, fresnel, reflectance, transmittance
-
-NM = np.arange(380.0, 781.0)
-ROOT = Path(__file__).parent.parent.parent
-
-
-def refusal(act: Any) -> str:
-    with pytest.raises(nc.InputError) as caught:
-        act()
-    message = str(caught.value)
-    assert "\n" not in message
-    assert len(message) < 200
-    return message
-
-
-# --- against peers
-
-
-def random_stack(random: np.random.Generator) -> tuple[nc.LayerStack, float]:
-    """A stack of one of six kinds, and an angle; absorbing x oblique x evanescent x metal."""
-    kind = random.choice(["lossless", "absorbing", "evanescent", "metal", "metallic", "mixed"])
-    bilayers = int(np.exp(random.uniform(0, math.log(400))))
-    ambient, k, d_p = 1.0, 0.0, random.uniform(1, 60)
-    aragonite, protein = complex(random.uniform(1.5, 1.7)), complex(random.uniform(1.3, 1.6))
-    substrate = complex(random.uniform(1.2, 2.0))
-    if kind in ("absorbing", "mixed"):
-        k = 10 ** random.uniform(-6, -2)
-        aragonite, protein = aragonite + k * 1j, protein + 3j * k
-    if kind in ("evanescent", "mixed"):
-        ambient, protein, d_p = 1.8, complex(random.uniform(1, 1.3)) + k * 1j, random.uniform(1, 9)
-        bilayers = min(bilayers, 60)
-    if kind in ("metal", "mixed"):
-        substrate = complex(random.uniform(0.04, 2), random.uniform(1, 6))
-    if kind == "metallic":
-        protein, d_p = complex(random.uniform(0.04, 2), random.uniform(1, 6)), random.uniform(1, 9)
-        bilayers = min(bilayers, 25)
-    thickness_nm = random.uniform(100, 700, bilayers)
-    stack = nc.LayerStack(thickness_nm, d_p, aragonite, protein, ambient, substrate)
-    return stack, random.uniform(0, 1.55)
-
-
-@pytest.mark.parametrize("seed", range(200))
-def test_random_stacks_agree_with_tmm(seed: int) -> None:
-    random = np.random.default_rng(seed)
-    stack, angle_rad = random_stack(random)
-    wavelength_nm = random.uniform(300, 900)
-    layers = [item for d in stack.thickness_nm for item in (d, stack.protein_nm)]
-    indices = [stack.aragonite, stack.protein] * len(stack)
-    n = [stack.ambient, *indices, stack.substrate]
-    for polarisation in "sp":
-        peer = tmm.coh_tmm(polarisation, n, [math.inf, *layers, math.inf], angle_rad, wavelength_nm)
-        ours = energies(stack, angle_rad, wavelength_nm, polarisation)
-        assert float(ours.R[0, 0]) == pytest.approx(peer["R"], abs=1e-10)
-        assert float(ours.T[0, 0]) == pytest.approx(peer["T"], abs=1e-10)
-        assert float(ours.A[0, 0]) == pytest.approx(1 - peer["R"] - peer["T"], abs=1e-10)
-
-
-def berreman(
-    epsilon: NDArray[np.complex128], across: float, thickness_nm: float, wavelength_nm: float
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Berreman 1972: (matrix of a layer, its Delta) for (Ex, Hy, Ey, -Hx) and any tensor."""
-    e = epsilon
-    delta = np.array(
-        [
-            [-across * e[2, 0] / e[2, 2], 1 - across**2 / e[2, 2], -across * e[2, 1] / e[2, 2], 0],
-            [
-                e[0, 0] - e[0, 2] * e[2, 0] / e[2, 2],
-                -across * e[0, 2] / e[2, 2],
-                e[0, 1] - e[0, 2] * e[2, 1] / e[2, 2],
-                0,
-            ],
-            [0, 0, 0, 1],
-            [
-                e[1, 0] - e[1, 2] * e[2, 0] / e[2, 2],
-                -across * e[1, 2] / e[2, 2],
-                e[1, 1] - e[1, 2] * e[2, 1] / e[2, 2] - across**2,
-                0,
-            ],
-        ]
-    )
-    return expm(2j * np.pi / wavelength_nm * thickness_nm * delta), delta
-
-
-def four_by_four(
-    stack: nc.LayerStack, angle_rad: float, wavelength_nm: float
-) -> dict[str, tuple[float, float]]:
-    """R and T for s and p by 4x4 matrices, energies from Poynting's vector."""
-
-    def tensor(medium: Any) -> NDArray[np.complex128]:
-        o, e = medium if isinstance(medium, tuple) else (medium, medium)
-        return np.diag([o**2, o**2, e**2]).astype(complex)
-
-    n_0 = float(stack.ambient)  # type: ignore[arg-type]
-    across, cos = n_0 * math.sin(angle_rad), math.cos(angle_rad)
-    through = np.eye(4, dtype=complex)
-    for d in stack.thickness_nm:
-        for medium, nm in ((stack.aragonite, d), (stack.protein, stack.protein_nm)):
-            through = berreman(tensor(medium), across, nm, wavelength_nm)[0] @ through
-    slopes, modes = np.linalg.eig(berreman(tensor(stack.substrate), across, 1, 1)[1])
-    leaving = modes[:, np.argsort(slopes.imag + 1e-3 * slopes.real)[2:]]
-
-    def flux(psi: NDArray[np.complex128]) -> float:
-        return float((psi[0] * psi[1].conj() + psi[2] * psi[3].conj()).real)
-
-    found = {}
-    for name, incoming in (("s", [0, 0, 1, n_0 * cos]), ("p", [cos, n_0, 0, 0])):
-        back_s, back_p = np.array([0, 0, 1, -n_0 * cos]), np.array([cos, -n_0, 0, 0])
-        system = np.column_stack([leaving, -through @ back_s, -through @ back_p])
-        t_1, t_2, r_s, r_p = np.linalg.solve(system, through @ np.array(incoming))
-        energy = flux(np.array(incoming))
-        reflected = -flux(r_s * back_s + r_p * back_p)
-        found[name] = (reflected / energy, flux(leaving @ np.array([t_1, t_2])) / energy)
-    return found
-
-
-@pytest.mark.parametrize("seed", range(60))
-def test_uniaxial_stacks_agree_with_berremans_4x4_matrices(seed: int) -> None:
-    random = np.random.default_rng(1000 + seed)
-
-    def medium(k: float) -> tuple[complex, complex]:
-        o, e = random.uniform(1.3, 1.8, 2) + 1j * random.uniform(0, k, 2)
-        return complex(o), complex(e)
-
-    k = [0.0, 0.02][seed % 2]
-    ambient = [1.0, 1.6][seed // 2 % 2]  # 1.6: total reflection at many angles
-    bilayers = int(random.integers(1, 20))
-    stack = nc.LayerStack(
-        random.uniform(50, 500, bilayers),
-        random.uniform(0, 60),
-        medium(k),
-        medium(k),
-        ambient,
-        medium(k) if seed % 3 else 1.53,
-    )
-    angle_rad, wavelength_nm = random.uniform(0, 1.5), random.uniform(350, 800)
-    for polarisation, (R, T) in four_by_four(stack, angle_rad, wavelength_nm).items():
-        ours = energies(stack, angle_rad, wavelength_nm, polarisation)
-        assert float(ours.R[0, 0]) == pytest.approx(R, abs=1e-10)
-        assert float(ours.T[0, 0]) == pytest.approx(T, abs=1e-10)
-
-
-def test_nacre_reflects_as_much_as_was_computed_elsewhere() -> None:
-    """100 bilayers head on: 0.088 on average with 1.53, 0.243 with the uniaxial pair (a peer)."""
-    layers = np.random.default_rng(0).normal(450, 40, (20, 100))
-    for aragonite, expected in ((1.53, 0.088), ((1.683, 1.53), 0.243)):
-        stacks = [nc.LayerStack(d, 20.0, aragonite, 1.43) for d in layers]
-        mean = np.mean([reflectance(stack, 0.0, NM) for stack in stacks])
-        assert mean == pytest.approx(expected, abs=0.03)
-
-
-# --- laws
+from tests.optics.refusal import NM, refusal
 
 _N = st.floats(0.05, 4)
 _K = st.one_of(st.just(0.0), st.floats(0, 5))
@@ -346,9 +192,6 @@ def test_single_precision_is_right_to_1e_4_and_1e_5_rms() -> None:
         assert np.sqrt(np.mean((single - double) ** 2)) < 1e-5
 
 
-# --- ensembles
-
-
 def test_an_ensemble_is_the_mean_and_spread_of_its_columns() -> None:
     found = nc.optics.ensemble("akoya-rg", [0.0, 0.6], NM[::20], columns=5, seed=3)
     stacks = [nc.grow("akoya-rg", seed=seed) for seed in range(3, 8)]
@@ -400,134 +243,6 @@ def test_an_ensemble_says_what_is_wrong(given: dict[str, Any], message: str) -> 
     assert refusal(lambda: nc.optics.ensemble(**whole)) == message
 
 
-# --- media
-
-
-def test_aragonite_by_name_is_the_measured_uniaxial_one() -> None:
-    with (ROOT / "data" / "aragonite_lines.csv").open() as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    for row in rows:
-        n_o = (float(row["n_beta"]) + float(row["n_gamma"])) / 2
-        pair = (n_o, float(row["n_alpha"]))
-        nm = float(row["wavelength_nm"])
-        by_pair, by_name = (
-            reflectance(nc.LayerStack([400.0], 0.0, medium, 1.0, 1.0, medium), [0.0, 1.2], nm, "p")
-            for medium in (pair, "aragonite")
-        )
-        np.testing.assert_allclose(by_name, by_pair, rtol=0, atol=1e-4)
-    assert len(rows) == 7
-
-
-@pytest.mark.parametrize(
-    ("name", "index"), [("aragonite-isotropic-1.53", 1.53), ("protein-1.43", 1.43)]
-)
-def test_the_papers_media_have_names(name: str, index: float) -> None:
-    by_name, by_index = (nc.LayerStack([400.0] * 9, 20.0, 1.6, n) for n in (name, index))
-    np.testing.assert_array_equal(reflectance(by_name, 0.3, NM), reflectance(by_index, 0.3, NM))
-
-
-def test_function_table_and_name_of_one_medium_agree() -> None:
-    """Leertouwer's chitin; the function sees each wavelength once, and in rising order."""
-    seen = []
-
-    def chitin(wavelength_nm: NDArray[np.float64]) -> NDArray[np.float64]:
-        seen.append(wavelength_nm)
-        return 1.517 + 8.80e3 / wavelength_nm**2
-
-    asked_nm = np.array([600.0, 450.0, 600.0, 500.0])
-    known_nm = np.unique(asked_nm)
-    table = nc.medium.IndexTable(known_nm, chitin(known_nm))
-    seen.clear()
-    stacks = [nc.LayerStack([400.0] * 9, 20.0, "aragonite", m) for m in ("chitin", table, chitin)]
-    name, tabled, called = (reflectance(stack, [0.0, 1.0], asked_nm) for stack in stacks)
-    assert [list(nm) for nm in seen] == [[450.0, 500.0, 600.0]]
-    np.testing.assert_allclose(called, name, rtol=0, atol=1e-13)
-    np.testing.assert_array_equal(called, tabled)
-
-
-def test_a_function_may_return_a_complex_pair() -> None:
-    def pair(nm: NDArray[np.float64]) -> Any:
-        return np.full(nm.shape, 1.683 + 1e-3j), np.full(nm.shape, 1.53)
-
-    by_function, by_pair = (
-        energies(nc.LayerStack([400.0] * 9, 20.0, medium), [0.0, 1.0], NM)
-        for medium in (pair, (1.683 + 1e-3j, 1.53))
-    )
-    np.testing.assert_array_equal(by_function.R, by_pair.R)
-    np.testing.assert_array_equal(by_function.A, by_pair.A)
-
-
-def test_tables_are_interpolated_in_straight_lines() -> None:
-    table = nc.medium.IndexTable([400.0, 500.0], [1.5, 1.6 + 0.2j])
-    halfway = nc.LayerStack([400.0], 0.0, table, 1.4)
-    constant = nc.LayerStack([400.0], 0.0, 1.55 + 0.1j, 1.4)
-    np.testing.assert_allclose(
-        absorptance(halfway, 0.4, 450.0), absorptance(constant, 0.4, 450.0), rtol=1e-12
-    )
-
-
-def test_equal_media_make_equal_stacks() -> None:
-    stacks = [
-        nc.LayerStack([400.0], aragonite=nc.medium.IndexTable([400, 500], [1.5, n]))
-        for n in (1.6, 1.6, 1.7)
-    ]
-    assert stacks[0] == stacks[1] != stacks[2]
-    assert hash(stacks[0]) == hash(stacks[1])
-    assert repr(stacks[0].aragonite) == "IndexTable(2 wavelengths, 400 to 500 nm)"
-
-
-# --- what is refused
-
-SHAPE = "allowed: a number, that of the wavelengths, (401,), or a pair of them"
-
-
-@pytest.mark.parametrize(
-    ("medium", "message"),
-    [
-        (lambda nm: nm[1:] / 400, f"protein(wavelength_nm) has shape (400,); {SHAPE}"),
-        (
-            lambda nm: (nm, nm, nm),
-            f"protein(wavelength_nm) has shape (401,), (401,), (401,); {SHAPE}",
-        ),
-        (lambda nm: [[1.5]], "protein(wavelength_nm) has 2 dimensions; allowed: 1"),
-        (lambda nm: None, "protein(wavelength_nm) is None; allowed: numbers"),
-        (lambda nm: nm - 400, "protein at 380 nm: n is -20; allowed: above 0, up to 100"),
-        (lambda nm: nm / 400 - 1j, "protein at 380 nm: k is -1; allowed: 0 to 100"),
-        (lambda nm: nm * math.nan, "protein at 380 nm: n is NaN; allowed: above 0, up to 100"),
-        (
-            nc.medium.IndexTable([400, 700], [1.4, 1.5]),
-            "wavelength_nm is 380; allowed with this protein: 400 to 700 nm",
-        ),
-        (1e-5, "protein: n is 0.00001; allowed: 0.001 to 100 for exact optics"),
-    ],
-)
-def test_a_medium_without_an_index_is_named(medium: Any, message: str) -> None:
-    assert refusal(lambda: reflectance(nc.LayerStack([400.0], protein=medium), 0.0, NM)) == message
-
-
-@pytest.mark.parametrize(
-    ("columns", "message"),
-    [
-        (
-            ([400, 400], [1.4, 1.5]),
-            "protein: wavelength_nm has 400 after 400; allowed: rising values",
-        ),
-        (
-            ([400], [1.4, 1.5]),
-            "protein has 2 indices for 1 wavelengths; allowed: as many, at least 1",
-        ),
-        (([], []), "protein has 0 indices for 0 wavelengths; allowed: as many, at least 1"),
-        (([400], [0]), "protein at 400 nm: n is 0; allowed: above 0, up to 100"),
-        (([400], ["x"]), "ordinary is ['x']; allowed: numbers"),
-        (([[400]], [1]), "wavelength_nm has 2 dimensions; allowed: 1"),
-        (([0.5], [1]), "protein: wavelength_nm is 0.5; allowed: 1 to 1000000 nm"),
-    ],
-)
-def test_a_table_that_is_none_is_named(columns: Any, message: str) -> None:
-    act = lambda: nc.LayerStack([400.0], protein=nc.medium.IndexTable(*columns))  # noqa: E731
-    assert refusal(act) == message
-
-
 @pytest.mark.parametrize(
     ("given", "message"),
     [
@@ -564,18 +279,6 @@ def test_the_model_of_1996_refuses_two_indices_at_once() -> None:
         assert refusal(lambda stack=stack: nc.optics.illuminant(stack, 0.0, NM)) == (
             "the index of aragonite changes with direction; allowed: an isotropic medium"
         )
-
-
-def test_in_dispersive_media_each_wavelength_sees_its_own_index() -> None:
-    """The model of 1996 mixes no wavelengths: a table is a row of constant media side by side."""
-    layers, angles = list(np.linspace(360, 430, 90)), [0.0, 0.7, 1.4]
-    n1, n2 = (lambda nm: 1.5 + 9e3 / nm**2), (lambda nm: 1.4 + 5e3 / nm**2)
-    nm = NM[::29]
-    found = nc.optics.illuminant(nc.LayerStack(layers, 20.0, n1, n2), angles, nm)
-    for i, each in enumerate(nm):
-        alone = nc.LayerStack(layers, 20.0, float(n1(each)), float(n2(each)))
-        expected = nc.optics.illuminant(alone, angles, each)[:, 0]
-        np.testing.assert_allclose(found[:, i], expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("views", [[], [0.5]])

@@ -10,7 +10,7 @@ import pytest
 import nacreous as nc
 from nacreous import medium
 from nacreous.problem import InputError
-from tests.optics.test_published import written
+from tests.optics.published_files import written
 
 OTHER_QUANTITIES = [
     *("eV,n,k", "wl (A),n,k", "wavelength [cm-1],n,k", "energy,n,k", "E,n,k", "kx,n,k", "hv,n,k"),

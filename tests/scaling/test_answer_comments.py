@@ -7,7 +7,7 @@ import pytest
 
 import nacreous as nc
 from nacreous.scaling import Comparisons
-from tests.scaling.test_answer_files import read, said
+from tests.scaling.answer_texts import read, said
 
 PCIBEX = """# Results on Monday, March 02 2026 10:03:43 UTC.
 # USER AGENT: Mozilla/5.0 (X11; Linux), Gecko

@@ -3,7 +3,7 @@
 import pytest
 
 import nacreous as nc
-from tests.scaling.test_answer_files import read, said
+from tests.scaling.answer_texts import read, said
 
 CASES = [
     ("WorkerId,AssignmentStatus", "AssignmentStatus", "Approved", "Rejected"),

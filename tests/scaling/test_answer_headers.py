@@ -5,7 +5,7 @@ import re
 import pytest
 
 import nacreous as nc
-from tests.scaling.test_answer_files import read, said
+from tests.scaling.answer_texts import read, said
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])

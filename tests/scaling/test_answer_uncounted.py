@@ -5,7 +5,7 @@ import pytest
 
 import nacreous as nc
 from nacreous.scaling.data.question import SeveralQuestionsError
-from tests.scaling.test_answer_files import read
+from tests.scaling.answer_texts import read
 
 PAIRS = [("A", "B"), ("B", "C"), ("A", "C")]
 

@@ -9,7 +9,7 @@ import pytest
 import nacreous as nc
 from nacreous.commands.scale_lines import told
 from nacreous.scaling.data.answers import Grouping
-from tests.scaling.test_report import survey
+from tests.scaling.report_answers import survey
 
 
 def with_rooms(rooms):

@@ -13,7 +13,7 @@ import pytest
 
 from nacreous.cli import main
 from nacreous.problem import InputError
-from nacreous.server import pages
+from nacreous.server import built, pages
 from nacreous.server.app import create_app
 from nacreous.study.design import open_frozen
 from nacreous.study.running import Running
@@ -157,7 +157,7 @@ def test_mistakes_are_one_line(
 def test_pages_that_are_missing_are_advised_as_can_help(
     monkeypatch: pytest.MonkeyPatch, folder: Path, tmp_path: Path, place: Path, cure: str
 ) -> None:
-    monkeypatch.setattr(pages, "FOLDER", place / "nacreous/server/pages")
+    monkeypatch.setattr(built, "CLONE", place)
     with Store.open(folder) as store:
         running = Running(store, open_frozen(folder))
         with pytest.raises(InputError, match=f"the study's pages are missing .*: .*{cure}"):

@@ -83,6 +83,13 @@ def test_all_problems_of_a_file_come_at_once() -> None:
     assert [line.split()[1] for line in lines] == named
 
 
+@pytest.mark.parametrize("given", [[], [1.0, 2.0], [1.0, 2.0, 3.0, 4.0]])
+def test_a_position_of_another_count_of_numbers_is_not_called_missing(given: list[float]) -> None:
+    values = {"lamps": [{"position_mm": given}]}
+    (line,) = problems(lambda: Scene.check(values, "s.toml", Path()))
+    assert line.startswith(f"s.toml: lamps.0.position_mm is {given}; allowed: three numbers")
+
+
 def test_thousands_of_bad_numbers_are_not_thousands_of_lines() -> None:
     lines = problems(lambda: Layers(thickness_nm=[-1.0] * 5000))
     assert len(lines) == 21

@@ -55,6 +55,7 @@ pub use picture::develop::{Developed, develop, eight_bit};
 pub use picture::glare::spread as spread_glare;
 pub use picture::reflections::Reflections;
 pub use picture::sampler::Sampler;
+pub use picture::screen::{Screened, screen};
 pub use preview::backdrop::Backdrop;
 pub use preview::canvas::{Canvas, Sitter};
 pub use preview::dyes::Dyes;

@@ -11,6 +11,7 @@ pub(crate) mod reflections;
 pub(crate) mod resampling;
 pub(crate) mod rim;
 pub(crate) mod sampler;
+pub(crate) mod screen;
 pub(crate) mod seeing;
 pub(crate) mod tent;
 pub(crate) mod view;

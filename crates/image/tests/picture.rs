@@ -28,7 +28,8 @@ fn rendered(
     progress: &Progress,
 ) -> Option<Vec<f32>> {
     let (pearls, around) = (vec![pearl], Arc::clone(surroundings));
-    let reflections = Arc::new(Reflections::new(&pearls, &around, camera, SIZE));
+    let models: Vec<Arc<Model>> = pearls.iter().map(|pearl| Arc::clone(&pearl.model)).collect();
+    let reflections = Arc::new(Reflections::new(&models, &around, camera, SIZE));
     Sampler::new(pearls, around, *camera, (SIZE, samples_side), reflections).rows(0..SIZE, progress)
 }
 

@@ -85,7 +85,7 @@ fn seen_in_even_light(form: &FormParameters, coat: Option<Coat>) -> (f64, f64) {
     let pearl = Pearl { model: Arc::new(model(&lit)), skin: Skin { texture: None, grain, coat } };
     let camera = Camera::new(Projection::Perspective { distance_mm: 60.0 }, 0.4, 0.3, 14.0);
     let (lit, size_px, pearls) = (Arc::new(lit), 48, vec![pearl]);
-    let reflections = Arc::new(Reflections::new(&pearls, &lit, &camera, size_px));
+    let reflections = Arc::new(Reflections::new(&models_of(&pearls), &lit, &camera, size_px));
     let sampler = Sampler::new(pearls, lit, camera, (size_px, side), reflections);
     let pixels = sampler.rows(0..size_px, &Progress::default()).unwrap();
     let off = |pixel: &[f32]| {
@@ -154,4 +154,8 @@ fn normals_are_those_of_differences_between_places() {
             assert!((numeric - solid.surface(towards).1).length() < 1e-6, "{form:?} {i}");
         }
     }
+}
+
+fn models_of(pearls: &[Pearl]) -> Vec<Arc<Model>> {
+    pearls.iter().map(|pearl| Arc::clone(&pearl.model)).collect()
 }

@@ -5,9 +5,10 @@ use serde::Serialize;
 
 use crate::course::residuals;
 use crate::disc::{Disc, Pixel};
-use crate::lamp::Highlight;
+use crate::highlight::Highlight;
 use crate::regions::regions;
-use crate::spot::{Map, Spot, spot};
+use crate::spot::{Map, Spot, needed, spot};
+use crate::value::median;
 use crate::{Circle, Value};
 
 /// Out to here the pearl is looked at: nearer to the rim, spots are seen too obliquely.
@@ -23,6 +24,8 @@ const LEAST_DIFFERENCE: f64 = 1.0;
 /// mirrored **(ours)**.
 const LEAST_SPOT: (f64, f64) = (2e-4, 4.0);
 const LARGEST_SPOT: f64 = 0.17;
+/// Radius of the spots, and how far apart they lie, in radii, by which it is tried what could be told.
+const TRIED: (f64, f64) = (0.06, 0.15);
 /// Regions that share more than this are one spot.
 const SHARED: f64 = 0.3;
 /// Where spots fill more than this of what lies within 2.5 radii of one, and 0.2 of the pearl's, it is a pattern,
@@ -39,7 +42,8 @@ pub struct Blemishes {
     pub count: usize,
     /// Share of the visible half of the ball that was looked at.
     pub looked_at: f64,
-    /// The least difference that counts, in CIELAB.
+    /// The least difference that is told, in CIELAB: 1, or what a spot of 0.06 radii needs to be told from texture and
+    /// mirrored light here, the median of places tried.
     pub threshold: f64,
     /// Middles, and radii of discs as large as they look, in pixels, the largest first.
     pub spots: Vec<Circle>,
@@ -78,7 +82,28 @@ pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> 
     let mut spots: Vec<Circle> = found.iter().map(|spot| around(disc, &spot.places)).collect();
     spots.sort_by(|one, other| other.radius_px.total_cmp(&one.radius_px));
     let area = Value::new(value, fabs(doubt));
-    Some(Blemishes { area, count: spots.len(), looked_at, threshold: LEAST_DIFFERENCE, spots })
+    let (count, threshold) = (spots.len(), LEAST_DIFFERENCE.max(told_from(&map, &looked)));
+    Some(Blemishes { area, count, looked_at, threshold, spots })
+}
+
+/// What spots would have to differ by, tried over the pearl: the median; NaN where none could be told.
+fn told_from(map: &Map<'_>, looked: &[bool]) -> f64 {
+    let radius = (TRIED.0 * map.radius).max(1.0);
+    let step = (TRIED.1 * map.radius).round().max(2.0) as usize;
+    let disc = |at: usize| -> Vec<usize> {
+        let reach = radius as usize + 1;
+        let near = |row: usize| (0..=2 * reach).map(move |column| (row, column));
+        let own = |(row, column): (usize, usize)| {
+            let (down, right) = (row as f64 - reach as f64, column as f64 - reach as f64);
+            let place = (at + row * map.width + column).checked_sub(reach * (map.width + 1))?;
+            (down * down + right * right <= radius * radius).then_some(place)
+        };
+        (0..=2 * reach).flat_map(near).filter_map(own).collect()
+    };
+    let on_grid =
+        |at: &usize| (at % map.width).is_multiple_of(step) && (at / map.width).is_multiple_of(step);
+    let tried = (0..looked.len()).filter(|&at| looked[at]).filter(on_grid);
+    median(&mut tried.filter_map(|at| needed(map, &disc(at))).collect::<Vec<f64>>())
 }
 
 /// Whether a place is no lamp's image and not clipped.

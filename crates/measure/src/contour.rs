@@ -5,12 +5,12 @@ use std::f64::consts::{PI, TAU};
 use libm::{atan2, cos, fabs, sin, sqrt};
 
 use crate::edge::Edge;
-use crate::solve::{inverse, product, times};
+use crate::solve::{inverse, product, robust_weight, times};
 use crate::value::median;
 use crate::{Circle, Value};
 
-/// Tukey's biweight: residuals beyond this many robust standard deviations have no weight.
-const CUT: f64 = 4.685;
+/// Rounds of least absolute differences, and all, the rest by Tukey's biweight.
+const ROUNDS: (usize, usize) = (8, 20);
 /// The waves' prior standard deviation, in radii **(ours)**: it decides only where no edge is seen.
 const PRIOR: f64 = 0.05;
 /// Directions in which a shape is measured.
@@ -63,34 +63,18 @@ impl Contour {
         let mut waves = vec![0.0; size];
         let (mut spread, mut left) = (middle.radius_px, Vec::new());
         let mut covariance = Vec::new();
-        for round in 0..20 {
+        for round in 0..ROUNDS.1 {
             let (matrix, side) = normal_equations(&rows, &weights, &seen, spread, middle);
             covariance = inverse(&matrix)?;
             waves = times(&covariance, &side);
-            left = seen
-                .iter()
-                .zip(&rows)
-                .map(|(edge, row)| edge.away - product(row, &waves))
-                .collect::<Vec<f64>>();
+            let off = |(edge, row): (&&Edge, &Vec<f64>)| edge.away - product(row, &waves);
+            left = seen.iter().zip(&rows).map(off).collect::<Vec<f64>>();
             let mut sizes: Vec<f64> = left.iter().map(|one| fabs(*one)).collect();
             spread = (1.4826 * median(&mut sizes)).max(LEAST_SPREAD);
-            // First the least absolute differences, which start from no guess, then Tukey's.
-            let weight = |one: &f64| {
-                if round < 8 {
-                    return spread / fabs(*one).max(0.1 * spread);
-                }
-                let share = one / (CUT * spread);
-                let rest = (1.0 - share * share).max(0.0);
-                rest * rest
-            };
+            let weight = |one: &f64| robust_weight(*one, spread, round < ROUNDS.0);
             weights = left.iter().map(weight).collect();
         }
-        let total: f64 = weights.iter().sum();
-        let squares: f64 = weights.iter().zip(&left).map(|(w, one)| w * one * one).sum();
-        let variance = squares / (total - size as f64).max(1.0);
-        for part in covariance.iter_mut().flatten() {
-            *part *= variance;
-        }
+        scale(&mut covariance, &weights, &left);
         let middle = Circle { radius_px: waves[0], ..middle };
         (waves[0] > 0.0).then_some(Self { middle, waves, covariance, spread })
     }
@@ -157,50 +141,69 @@ impl Contour {
     /// least has its own.
     pub fn widths(&self) -> Widths {
         let shape = self.places(DIRECTIONS);
-        let order = self.waves.len() / 2;
-        let mut widths = Vec::with_capacity(DIRECTIONS / 2);
-        for at in 0..DIRECTIONS / 2 {
-            let turn = PI * at as f64 / (DIRECTIONS / 2) as f64;
-            let (c, s) = (cos(turn), sin(turn));
-            let reach = |[x, y]: &[f64; 2]| c * x + s * y;
-            let far = extreme(&shape, |place| reach(place));
-            let near = extreme(&shape, |place| -reach(place));
-            let slope = |place: usize| {
-                let towards = TAU * place as f64 / DIRECTIONS as f64;
-                let along = fabs(cos(towards - turn));
-                basis(towards, order).into_iter().map(move |part| along * part)
-            };
-            let slopes: Vec<f64> =
-                slope(far).zip(slope(near)).map(|(one, other)| one + other).collect();
-            widths.push((reach(&shape[far]) - reach(&shape[near]), slopes));
-        }
-        let by_width =
-            |first: &&(f64, Vec<f64>), second: &&(f64, Vec<f64>)| first.0.total_cmp(&second.0);
+        let turn = |at: usize| PI * at as f64 / (DIRECTIONS / 2) as f64;
+        let widths: Vec<Width> =
+            (0..DIRECTIONS / 2).map(|at| self.width(&shape, turn(at))).collect();
+        let by_size = |first: &&Width, second: &&Width| first.size.total_cmp(&second.size);
         let (Some(least), Some(greatest)) =
-            (widths.iter().min_by(by_width), widths.iter().max_by(by_width))
+            (widths.iter().min_by(by_size), widths.iter().max_by(by_size))
         else {
             unreachable!("there are directions");
         };
-        let mean = widths.iter().map(|(width, _)| width).sum::<f64>() / widths.len() as f64;
+        let mean = widths.iter().map(|width| width.size).sum::<f64>() / widths.len() as f64;
         let between: Vec<f64> =
-            greatest.1.iter().zip(&least.1).map(|(one, other)| one - other).collect();
-        let error = |slopes: &[f64], (pixels, spreads): (f64, f64)| {
-            let of_fit = product(slopes, &times(&self.covariance, slopes)).max(0.0);
-            let lean = spreads * self.spread;
-            sqrt(of_fit + pixels * pixels + lean * lean)
-        };
-        let of_width = |slopes: &[f64]| error(slopes, SYSTEMATIC_OF_WIDTH);
+            greatest.slopes.iter().zip(&least.slopes).map(|(one, other)| one - other).collect();
         let mut of_mean = vec![0.0; self.waves.len()];
         of_mean[0] = 2.0;
+        let value =
+            |size, slopes: &[f64]| Value::new(size, self.error(slopes, SYSTEMATIC_OF_WIDTH));
         Widths {
-            least: Value::new(least.0, of_width(&least.1)),
-            greatest: Value::new(greatest.0, of_width(&greatest.1)),
-            mean: Value::new(mean, of_width(&of_mean)),
+            least: value(least.size, &least.slopes),
+            greatest: value(greatest.size, &greatest.slopes),
+            mean: value(mean, &of_mean),
             roundness: Value::new(
-                (greatest.0 - least.0) / mean,
-                error(&between, SYSTEMATIC_OF_DIFFERENCE) / mean,
+                (greatest.size - least.size) / mean,
+                self.error(&between, SYSTEMATIC_OF_DIFFERENCE) / mean,
             ),
         }
+    }
+
+    /// The distance of the parallel tangents across one direction.
+    fn width(&self, shape: &[[f64; 2]], turn: f64) -> Width {
+        let (c, s) = (cos(turn), sin(turn));
+        let reach = |[x, y]: &[f64; 2]| c * x + s * y;
+        let far = extreme(shape, |place| reach(place));
+        let near = extreme(shape, |place| -reach(place));
+        let slope = |place: usize| {
+            let towards = TAU * place as f64 / DIRECTIONS as f64;
+            let along = fabs(cos(towards - turn));
+            basis(towards, self.waves.len() / 2).into_iter().map(move |part| along * part)
+        };
+        let slopes = slope(far).zip(slope(near)).map(|(one, other)| one + other).collect();
+        Width { size: reach(&shape[far]) - reach(&shape[near]), slopes }
+    }
+
+    /// The standard error of what has such slopes in the waves, with what is systematic, in pixels and spreads.
+    fn error(&self, slopes: &[f64], (pixels, spreads): (f64, f64)) -> f64 {
+        let of_fit = product(slopes, &times(&self.covariance, slopes)).max(0.0);
+        let lean = spreads * self.spread;
+        sqrt(of_fit + pixels * pixels + lean * lean)
+    }
+}
+
+/// The distance of two parallel tangents, and its slope in each wave.
+struct Width {
+    size: f64,
+    slopes: Vec<f64>,
+}
+
+/// Makes the covariance that of the fit, by what is left of the edges.
+fn scale(covariance: &mut [Vec<f64>], weights: &[f64], left: &[f64]) {
+    let total: f64 = weights.iter().sum();
+    let squares: f64 = weights.iter().zip(left).map(|(w, one)| w * one * one).sum();
+    let variance = squares / (total - covariance.len() as f64).max(1.0);
+    for part in covariance.iter_mut().flatten() {
+        *part *= variance;
     }
 }
 

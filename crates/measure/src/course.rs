@@ -1,18 +1,17 @@
 //! The slow course of colour over a pearl, and what differs from it.
 
-use libm::{fabs, sqrt};
+use libm::sqrt;
 
 use crate::Circle;
 use crate::disc::Disc;
-use crate::solve::{inverse, times};
+use crate::solve::{inverse, robust_weight, times};
 use crate::value::median;
 
 /// The course is a polynomial of this degree in the place, per channel of CIELAB **(ours)**: shading, rings
 /// of colour and glows are followed, spots are not.
 const DEGREE: usize = 6;
 const TERMS: usize = (DEGREE + 1) * (DEGREE + 2) / 2;
-/// Tukey's biweight, after as many rounds of least absolute differences.
-const CUT: f64 = 4.685;
+/// Rounds of least absolute differences, and all, the rest by Tukey's biweight.
 const ROUNDS: (usize, usize) = (5, 12);
 /// Differences are never taken for smaller than this.
 const LEAST_SPREAD: f64 = 0.1;
@@ -20,6 +19,9 @@ const LEAST_SPREAD: f64 = 0.1;
 const ENOUGH: usize = 6000;
 /// Ridge, in shares of the mean diagonal: it decides only where nothing is looked at.
 const RIDGE: f64 = 1e-6;
+
+/// A place's terms of the course, and its colour.
+type Row = ([f64; TERMS], [f64; 3]);
 
 /// CIELAB less the robust course of colour, averaged over 3 x 3 pixels; 0 where nothing is looked at.
 ///
@@ -34,7 +36,7 @@ pub fn residuals(disc: &Disc, held: &[bool], circle: &Circle) -> Option<Vec<[f64
         Some((terms(right, down), pixel.lab))
     };
     let count = held.iter().filter(|held| **held).count();
-    let rows: Vec<([f64; TERMS], [f64; 3])> =
+    let rows: Vec<Row> =
         (0..held.len()).filter_map(row).step_by(count.div_ceil(ENOUGH).max(1)).collect();
     if rows.len() < 4 * TERMS {
         return None;
@@ -71,27 +73,11 @@ fn less(lab: [f64; 3], terms: &[f64; TERMS], course: &[Vec<f64>; 3]) -> [f64; 3]
 }
 
 /// The robust fit of each channel, with the same weights.
-fn fitted(rows: &[([f64; TERMS], [f64; 3])]) -> Option<[Vec<f64>; 3]> {
+fn fitted(rows: &[Row]) -> Option<[Vec<f64>; 3]> {
     let mut weights = vec![1.0; rows.len()];
     let mut course = [Vec::new(), Vec::new(), Vec::new()];
     for round in 0..ROUNDS.1 {
-        let mut matrix = vec![vec![0.0; TERMS]; TERMS];
-        let mut sides = [vec![0.0; TERMS], vec![0.0; TERMS], vec![0.0; TERMS]];
-        for ((terms, lab), weight) in rows.iter().zip(&weights) {
-            for one in 0..TERMS {
-                let weighted = weight * terms[one];
-                for other in 0..TERMS {
-                    matrix[one][other] += weighted * terms[other];
-                }
-                for channel in 0..3 {
-                    sides[channel][one] += weighted * lab[channel];
-                }
-            }
-        }
-        let ridge = RIDGE * (0..TERMS).map(|at| matrix[at][at]).sum::<f64>() / TERMS as f64;
-        for (at, line) in matrix.iter_mut().enumerate() {
-            line[at] += ridge;
-        }
+        let (matrix, sides) = normal_equations(rows, &weights);
         let inverse = inverse(&matrix)?;
         course = sides.map(|side| times(&inverse, &side));
         let sizes: Vec<f64> = rows
@@ -100,17 +86,31 @@ fn fitted(rows: &[([f64; TERMS], [f64; 3])]) -> Option<[Vec<f64>; 3]> {
             .map(|[l, a, b]| sqrt(l * l + a * a + b * b))
             .collect();
         let spread = (1.4826 * median(&mut sizes.clone())).max(LEAST_SPREAD);
-        for (weight, size) in weights.iter_mut().zip(&sizes) {
-            *weight = if round < ROUNDS.0 {
-                spread / fabs(*size).max(0.1 * spread)
-            } else {
-                let share = size / (CUT * spread);
-                let rest = (1.0 - share * share).max(0.0);
-                rest * rest
-            };
-        }
+        weights = sizes.iter().map(|&size| robust_weight(size, spread, round < ROUNDS.0)).collect();
     }
     Some(course)
+}
+
+/// The matrix, with its ridge, and the side of each channel.
+fn normal_equations(rows: &[Row], weights: &[f64]) -> (Vec<Vec<f64>>, [Vec<f64>; 3]) {
+    let mut matrix = vec![vec![0.0; TERMS]; TERMS];
+    let mut sides = [vec![0.0; TERMS], vec![0.0; TERMS], vec![0.0; TERMS]];
+    for ((terms, lab), weight) in rows.iter().zip(weights) {
+        for one in 0..TERMS {
+            let weighted = weight * terms[one];
+            for other in 0..TERMS {
+                matrix[one][other] += weighted * terms[other];
+            }
+            for channel in 0..3 {
+                sides[channel][one] += weighted * lab[channel];
+            }
+        }
+    }
+    let ridge = RIDGE * (0..TERMS).map(|at| matrix[at][at]).sum::<f64>() / TERMS as f64;
+    for (at, line) in matrix.iter_mut().enumerate() {
+        line[at] += ridge;
+    }
+    (matrix, sides)
 }
 
 /// The mean over a pixel and those around it.

@@ -2,30 +2,27 @@
 
 use std::f64::consts::{PI, TAU};
 
-use libm::{acos, cos, sin, sqrt};
+use libm::{acos, sqrt};
 use serde::Serialize;
 
 use crate::circle::angle;
 use crate::disc::{Disc, Pixel};
+use crate::highlight::{FARTHEST, Highlight};
+use crate::profile::{AZIMUTHS, HAZE, Profile, place_of, profiles};
 use crate::value::{jackknife, median};
 use crate::white::White;
 use crate::{Circle, Picture, Value};
 
-/// Beyond this share of the radius the rim's own mirroring is taken for no lamp.
-const FARTHEST: f64 = 0.93;
 /// The half of the box over which light is averaged before its peak is sought, in radii.
 const SMOOTH: f64 = 0.02;
 /// A peak below this many times the light around is no lamp's image **(ours)**.
 const LEAST_CONTRAST: f64 = 1.25;
 /// The widest image, half-width of the normal; wider is shading.
 const WIDEST: f64 = 35.0 * PI / 180.0;
-/// Directions around the image's middle, and groups of them that the jackknife leaves out.
-const AZIMUTHS: usize = 72;
+/// Groups of directions that the jackknife leaves out.
 const GROUPS: usize = 12;
-/// Off the half-level line: where distinctness compares, and where haze is read, of the normal.
-/// 2.5 degrees are 5 of the mirrored light, as ASTM E430 has for haze.
+/// Off the half-level line, to both sides, distinctness compares: of the normal.
 const DISTINCT: f64 = PI / 180.0;
-const HAZE: f64 = 2.5 * PI / 180.0;
 
 /// The lamp's image in a pearl. Angles are those of the surface's normal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -50,29 +47,6 @@ pub struct LampImage {
     pub distinctness: Option<Value>,
     /// Places of the half-level line, in pixels.
     pub line: Vec<[f64; 2]>,
-}
-
-/// Where the lamp is mirrored: what colours and blemishes leave out.
-#[derive(Clone, Copy, Debug)]
-pub struct Highlight {
-    /// The normal at its middle.
-    pub normal: [f64; 3],
-    /// Radius of a cap as large as what is brighter than half.
-    pub half_width: f64,
-}
-
-impl Highlight {
-    /// Whether a place lies within the image and so many half-widths, or so many degrees, around it.
-    pub fn covers(
-        &self,
-        circle: &Circle,
-        (x, y): (f64, f64),
-        widths: f64,
-        beside_deg: f64,
-    ) -> bool {
-        let reach = (widths * self.half_width).max(self.half_width + beside_deg.to_radians());
-        circle.normal(x, y).is_some_and(|normal| angle(normal, self.normal) < reach)
-    }
 }
 
 /// What the search for the image finds, measured or not.
@@ -104,7 +78,7 @@ pub fn lamp_image(picture: &Picture<'_>, white: &White, disc: &Disc, circle: &Ci
     }
     let patch = patch(&light, disc.width, top, f64::midpoint(peak, around));
     let pixels: Vec<&Pixel> = patch.iter().filter_map(|&at| disc.pixels[at].as_ref()).collect();
-    let Some(highlight) = cap(&pixels, circle, disc.factor) else {
+    let Some(highlight) = Highlight::cap(&pixels, circle, disc.factor) else {
         return refused("no lamp's image stands out from the light around it");
     };
     let clipped = pixels.iter().filter(|pixel| pixel.clipped).count();
@@ -168,76 +142,6 @@ fn patch(light: &[Option<f64>], width: usize, top: usize, level: f64) -> Vec<usi
     found
 }
 
-/// The cap of the ball as large as some pixels of it, around their middle.
-fn cap(pixels: &[&Pixel], circle: &Circle, factor: usize) -> Option<Highlight> {
-    let (mut sum, mut area) = ([0.0; 3], 0.0);
-    for normal in pixels.iter().filter_map(|pixel| circle.normal(pixel.place.0, pixel.place.1)) {
-        let share = 1.0 / normal[2].max(0.1);
-        area += share;
-        for axis in 0..3 {
-            sum[axis] += share * normal[axis];
-        }
-    }
-    let length = sqrt(sum.iter().map(|part| part * part).sum());
-    let side = factor as f64 / circle.radius_px;
-    let half_width = acos((1.0 - area * side * side / TAU).max(-1.0));
-    (length > 0.0).then(|| Highlight { normal: sum.map(|part| part / length), half_width })
-}
-
-/// One direction from the image's middle outwards.
-struct Profile {
-    turn: f64,
-    /// Luminance in equal steps of angle.
-    light: Vec<f64>,
-    step: f64,
-}
-
-impl Profile {
-    fn at(&self, away: f64) -> Option<f64> {
-        let place = away / self.step;
-        let first = place.max(0.0) as usize;
-        let (one, other) = (self.light.get(first)?, self.light.get(first + 1)?);
-        Some(one + (place.max(0.0) - first as f64) * (other - one))
-    }
-
-    /// Where light first falls below a level.
-    fn falls_below(&self, level: f64) -> Option<f64> {
-        let below = self.light.iter().position(|&light| light < level)?;
-        let before = below.checked_sub(1)?;
-        let part = (self.light[before] - level) / (self.light[before] - self.light[below]);
-        Some(self.step * (before as f64 + part))
-    }
-}
-
-fn profiles(
-    picture: &Picture<'_>,
-    white: &White,
-    circle: &Circle,
-    highlight: &Highlight,
-) -> Vec<Profile> {
-    let normal = highlight.normal;
-    let [down, right] = across(normal);
-    let step = 0.5 / circle.radius_px;
-    let farthest = (3.0 * highlight.half_width + HAZE).min(1.2);
-    (0..AZIMUTHS)
-        .map(|at| {
-            let turn = TAU * at as f64 / AZIMUTHS as f64;
-            let (c, s) = (cos(turn), sin(turn));
-            let mut light = Vec::new();
-            for count in 0..(farthest / step) as usize {
-                let (ca, sa) = (cos(step * count as f64), sin(step * count as f64));
-                let one = [0, 1, 2].map(|i| ca * normal[i] + sa * (c * right[i] + s * down[i]));
-                if one[2] <= 0.0 || one[0] * one[0] + one[1] * one[1] > FARTHEST * FARTHEST {
-                    break;
-                }
-                let (x, y) = circle.place(one);
-                light.push(white.luminance(picture.at(x, y)));
-            }
-            Profile { turn, light, step }
-        })
-        .collect()
-}
-
 /// Light between three and four half-widths from the middle, where enough of the pearl lies there.
 fn light_around(disc: &Disc, circle: &Circle, highlight: &Highlight, otherwise: f64) -> Value {
     let mut groups = vec![Vec::new(); GROUPS];
@@ -274,77 +178,74 @@ fn measured(
     otherwise: f64,
 ) -> Result<LampImage, String> {
     let around = light_around(disc, circle, highlight, otherwise);
-    let above = peak - around.value;
-    if above <= (LEAST_CONTRAST - 1.0) * around.value {
+    if peak - around.value <= (LEAST_CONTRAST - 1.0) * around.value {
         return Err("no lamp's image stands out from the light around it".to_owned());
     }
     let profiles = profiles(picture, white, circle, highlight);
-    let level = around.value + 0.5 * above;
-    let mut widths = vec![Vec::new(); GROUPS];
-    let mut falls = vec![Vec::new(); GROUPS];
-    let mut hazes = vec![Vec::new(); GROUPS];
-    let mut line = Vec::new();
-    for (number, profile) in profiles.iter().enumerate() {
-        let group = number * GROUPS / AZIMUTHS;
-        let Some(width) = profile.falls_below(level) else { continue };
-        widths[group].push(width * width);
-        let of_peak = |away: f64| Some((profile.at(away)? - around.value) / above);
-        if let (Some(inside), Some(outside)) =
-            (of_peak(width - DISTINCT), of_peak(width + DISTINCT))
-        {
-            falls[group].push(inside - outside);
-        }
-        if let Some(light) = of_peak(width + HAZE) {
-            hazes[group].push(light);
-        }
-        line.push(place_of(circle, highlight, profile.turn, width));
-    }
-    let found = widths.iter().map(Vec::len).sum::<usize>();
-    if 10 * found < 7 * AZIMUTHS {
+    let read = Readings::of(&profiles, around.value, peak);
+    if 10 * read.half_level.len() < 7 * AZIMUTHS {
         return Err("the lamp's image runs into the outline".to_owned());
     }
-    let percent = |groups: &[Vec<f64>]| {
-        let enough = 2 * groups.iter().map(Vec::len).sum::<usize>() > AZIMUTHS;
-        enough.then(|| mean_of(groups, |mean| 100.0 * mean))
-    };
     let pixel = 1.0 / circle.radius_px;
     let (x_px, y_px) = circle.place(highlight.normal);
     let gloss = 100.0 * (1.0 - around.value / peak);
     let gloss_error = around.error.map_or(f64::NAN, |error| 100.0 * error / peak);
+    let on_line = |&(turn, away): &(f64, f64)| place_of(circle, highlight.normal, turn, away);
     Ok(LampImage {
         x_px,
         y_px,
         view_deg: acos(highlight.normal[2].min(1.0)).to_degrees(),
         peak,
         around,
-        half_width_deg: mean_of(&widths, |mean| sqrt(mean).to_degrees()),
+        half_width_deg: mean_of(&read.widths, |mean| sqrt(mean).to_degrees()),
         contrast_gloss: Value::new(gloss, gloss_error),
-        haze: percent(&hazes),
+        haze: percent(&read.hazes),
         // Less than a pixel to both sides would measure the camera.
-        distinctness: if pixel <= DISTINCT { percent(&falls) } else { None },
-        line,
+        distinctness: if pixel <= DISTINCT { percent(&read.falls) } else { None },
+        line: read.half_level.iter().map(on_line).collect(),
     })
 }
 
-/// Two directions across a normal; which way they turn does not matter.
-fn across(normal: [f64; 3]) -> [[f64; 3]; 2] {
-    let flat = sqrt(normal[1] * normal[1] + normal[2] * normal[2]);
-    let down = [0.0, normal[2] / flat, -normal[1] / flat];
-    let right = [
-        normal[1] * down[2] - normal[2] * down[1],
-        normal[2] * down[0] - normal[0] * down[2],
-        normal[0] * down[1] - normal[1] * down[0],
-    ];
-    [down, right]
+/// Numbers by groups of directions.
+type Groups = Vec<Vec<f64>>;
+
+/// What the profiles show, by groups of directions that the jackknife leaves out.
+struct Readings {
+    /// Squares of angles from the middle to half level.
+    widths: Groups,
+    /// Falls across that level, and light beyond it, in shares of the peak above what is around.
+    falls: Groups,
+    hazes: Groups,
+    /// Directions, and how far half level lies away in them.
+    half_level: Vec<(f64, f64)>,
 }
 
-fn place_of(circle: &Circle, highlight: &Highlight, turn: f64, away: f64) -> [f64; 2] {
-    let normal = highlight.normal;
-    let [down, right] = across(normal);
-    let (c, s, ca, sa) = (cos(turn), sin(turn), cos(away), sin(away));
-    let (x, y) =
-        circle.place([0, 1, 2].map(|i| ca * normal[i] + sa * (c * right[i] + s * down[i])));
-    [x, y]
+impl Readings {
+    fn of(profiles: &[Profile], around: f64, peak: f64) -> Self {
+        let empty = || vec![Vec::new(); GROUPS];
+        let mut read =
+            Self { widths: empty(), falls: empty(), hazes: empty(), half_level: Vec::new() };
+        let above = peak - around;
+        for (number, profile) in profiles.iter().enumerate() {
+            let group = number * GROUPS / AZIMUTHS;
+            let Some(width) = profile.falls_below(around + 0.5 * above) else { continue };
+            read.widths[group].push(width * width);
+            let of_peak = |away: f64| Some((profile.at(away)? - around) / above);
+            let aside = (of_peak(width - DISTINCT), of_peak(width + DISTINCT));
+            if let (Some(inside), Some(outside)) = aside {
+                read.falls[group].push(inside - outside);
+            }
+            read.hazes[group].extend(of_peak(width + HAZE));
+            read.half_level.push((profile.turn, width));
+        }
+        read
+    }
+}
+
+/// The mean of shares in percent, where half of all directions have one.
+fn percent(groups: &Groups) -> Option<Value> {
+    let enough = 2 * groups.iter().map(Vec::len).sum::<usize>() > AZIMUTHS;
+    enough.then(|| mean_of(groups, |mean| 100.0 * mean))
 }
 
 /// What follows from the mean of some groups, with its jackknife over them.

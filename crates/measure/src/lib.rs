@@ -26,18 +26,19 @@
 //! ```
 
 mod blemish;
-
 mod circle;
 mod contour;
 mod course;
 mod disc;
 mod edge;
 mod error;
+mod highlight;
 mod lamp;
 mod measures;
 mod outline;
 mod path;
 mod picture;
+mod profile;
 mod regions;
 mod rim;
 mod rings;

@@ -108,43 +108,34 @@ pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, Measure
     };
     let mut refused = Refusals::default();
     let widths = outline.contour.widths();
-    let size = size(&widths, &outline, given.mm_per_pixel);
     let roundness = outline.is_seen().then_some(widths.roundness);
     if roundness.is_none() {
         refused.add("roundness", "no edge stands out along the circle given");
     }
     let sphere = roundness.is_none_or(|roundness| roundness.value <= ROUND);
-    let circle = outline.contour.middle;
     let clipped_at = given.clipped_at.unwrap_or(f64::INFINITY);
     let disc = Disc::of(picture, &white, &outline.contour, clipped_at, COLOUR_PX);
-    let colour = whole(&disc, &circle);
+    let colour = whole(&disc, &outline.contour.middle);
     if colour.is_none() {
         refused.add("colour", "all of the pearl is clipped");
     }
     let OfSphere { rings, lamp, blemishes } = if sphere {
         of_sphere(picture, &white, &outline, &disc, clipped_at, &mut refused)
     } else {
-        for quantity in ["rings", "lamp", "blemishes"] {
-            refused.add(quantity, "the pearl is no sphere: its diameters differ by more than 5 %");
-        }
-        OfSphere::default()
+        OfSphere::none(&mut refused)
     };
-    Ok(Measures {
-        place: Place {
-            circle,
-            given: given.circle.is_some(),
-            share: outline.share,
-            line: outline.contour.places(180),
-        },
-        size,
-        roundness,
-        sphere,
-        colour,
-        rings,
-        lamp,
-        blemishes,
-        refused: refused.0,
-    })
+    let (place, size) = (place(&outline, given), size(&widths, &outline, given.mm_per_pixel));
+    let refused = refused.0;
+    Ok(Measures { place, size, roundness, sphere, colour, rings, lamp, blemishes, refused })
+}
+
+fn place(outline: &Outline, given: &Given) -> Place {
+    Place {
+        circle: outline.contour.middle,
+        given: given.circle.is_some(),
+        share: outline.share,
+        line: outline.contour.places(180),
+    }
 }
 
 /// What is measured of a sphere alone.
@@ -153,6 +144,16 @@ struct OfSphere {
     rings: Option<Rings>,
     lamp: Option<LampImage>,
     blemishes: Option<Blemishes>,
+}
+
+impl OfSphere {
+    /// Of what is no sphere.
+    fn none(refused: &mut Refusals) -> Self {
+        for quantity in ["rings", "lamp", "blemishes"] {
+            refused.add(quantity, "the pearl is no sphere: its diameters differ by more than 5 %");
+        }
+        Self::default()
+    }
 }
 
 fn of_sphere(
@@ -179,7 +180,15 @@ fn of_sphere(
     let rings = refused.taken("rings", rings(disc, &circle, found.highlight).ok_or_else(few));
     let small = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
     let spots = blemishes(&small, &circle, found.highlight).ok_or_else(few);
-    OfSphere { rings, lamp, blemishes: refused.taken("blemishes", spots) }
+    let blemishes = refused.taken("blemishes", spots);
+    if let Some(none) = blemishes.as_ref().filter(|found| found.count == 0) {
+        let least = none.threshold;
+        let reason = format!(
+            "no spot differs by {least:.1} and more in CIELAB; relief that differs by less cannot be told here"
+        );
+        refused.add("blemishes.relief", &reason);
+    }
+    OfSphere { rings, lamp, blemishes }
 }
 
 #[derive(Default)]

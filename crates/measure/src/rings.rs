@@ -6,7 +6,7 @@ use libm::{asin, atan2, sqrt};
 use serde::Serialize;
 
 use crate::disc::{Disc, Pixel};
-use crate::lamp::Highlight;
+use crate::highlight::Highlight;
 use crate::value::jackknife;
 use crate::white::lab;
 use crate::{Circle, Value};

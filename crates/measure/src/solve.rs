@@ -1,6 +1,9 @@
 //! Small systems of normal equations.
 
-use libm::sqrt;
+use libm::{fabs, sqrt};
+
+/// Tukey's biweight: residuals beyond this many robust standard deviations have no weight.
+const CUT: f64 = 4.685;
 
 /// The inverse of a symmetric positive matrix, by Cholesky; None where it is singular.
 pub fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
@@ -40,6 +43,17 @@ pub fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
 /// A matrix times a vector.
 pub fn times(matrix: &[Vec<f64>], vector: &[f64]) -> Vec<f64> {
     matrix.iter().map(|row| product(row, vector)).collect()
+}
+
+/// The weight of a residual in a robust fit: that of the least absolute differences, which starts from no guess,
+/// or Tukey's.
+pub fn robust_weight(left: f64, spread: f64, is_first: bool) -> f64 {
+    if is_first {
+        return spread / fabs(left).max(0.1 * spread);
+    }
+    let share = left / (CUT * spread);
+    let rest = (1.0 - share * share).max(0.0);
+    rest * rest
 }
 
 /// The sum of products.

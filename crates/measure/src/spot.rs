@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use libm::{atan2, sqrt};
+use libm::{atan2, fabs, sqrt};
 
 use crate::solve::{inverse, product, times};
 use crate::value::{median, quantile};
@@ -17,15 +17,19 @@ const RING: f64 = 0.09;
 const LEAST_ROUND: f64 = 0.5;
 /// The share of its difference that is lost across its border, on the mean and in each eighth **(ours)**.
 const LEAST_FALL: (f64, f64) = (0.55, 0.3);
-/// Times what its surroundings differ from their own course, that it differs; and the same where less than `WHOLE`
+/// Times what its surroundings differ from their own course, in the direction of colour in which it is clearest, that it differs; and the same where less than `WHOLE`
 /// of the ring can be seen or the spot is under `SMALL_PX` in radius, where texture passes for spots **(ours)**.
-const STANDS_OUT: f64 = 3.0;
-const STANDS_OUT_IN_DOUBT: f64 = 5.5;
+const STANDS_OUT: f64 = 4.5;
+const STANDS_OUT_IN_DOUBT: f64 = 8.0;
 const WHOLE: f64 = 0.95;
 const SMALL_PX: f64 = 3.0;
 /// The same against means over twelfths of the ring, in which texture is averaged and mirrored tables are not **(ours)**.
 const STANDS_OUT_OF_SECTORS: f64 = 7.0;
 const SECTORS: usize = 12;
+/// Scatter of surroundings is never taken for less than this, in CIELAB **(ours)**.
+const FLOOR: f64 = 0.1;
+/// A place belongs to a spot from this share of its difference on: where a sharp border is.
+const BELONGS: f64 = 0.5;
 /// Of the ring, this share differs less than what counts as its difference.
 const USUAL: f64 = 0.75;
 /// The ring's share that must be seen.
@@ -51,7 +55,7 @@ pub struct Map<'a> {
 
 /// A region that may be a spot.
 pub struct Spot {
-    /// Where at least half of its difference is.
+    /// Where at least `BELONGS` of its difference is.
     pub places: Vec<usize>,
     /// Its difference, in CIELAB.
     pub contrast: f64,
@@ -87,20 +91,32 @@ pub fn spot(map: &Map<'_>, region: &[usize]) -> Option<Spot> {
     let middle = [0, 1, 2]
         .map(|i| median(&mut ring.own.iter().map(|&at| differs[at][i]).collect::<Vec<f64>>()));
     let contrast = length(middle);
-    let along: Vec<f64> = differs.iter().map(|one| product(one, &middle) / contrast).collect();
-    let fall = ring.fall(&along, contrast)?;
-    let radius = sqrt(ring.window.area as f64 / PI);
-    let doubt = ring.seen < WHOLE || radius < SMALL_PX;
-    let wanted = if doubt { STANDS_OUT_IN_DOUBT } else { STANDS_OUT };
-    let usual = quantile(&mut rest.iter().map(|one| length(*one)).collect::<Vec<f64>>(), USUAL);
-    let needed = (wanted * usual).max(STANDS_OUT_OF_SECTORS * ring.of_sectors(&rest));
+    let axis = clearest(&rest, middle)?;
+    let along: Vec<f64> = differs.iter().map(|one| product(one, &axis)).collect();
+    let own = product(&middle, &axis);
+    let fall = ring.fall(&along, own)?;
     let belongs = |at: &usize| {
         let place = ring.window.places[*at];
-        ring.window.away[*at] <= ring.aside && map.held[place] && along[*at] >= 0.5 * contrast
+        ring.window.away[*at] <= ring.aside && map.held[place] && along[*at] >= BELONGS * own
     };
     let places = (0..along.len()).filter(belongs).map(|at| ring.window.places[at]).collect();
-    let clearness = contrast / needed.max(1e-9);
+    let clearness = own / ring.needed(&rest, &axis).max(1e-9);
+    let radius = ring.radius();
     Some(Spot { places, contrast, clearness, sharpness: contrast * fall, radius })
+}
+
+/// What a spot of such places would have to differ by, in CIELAB and in the channel that tells it best; None where
+/// none could be told.
+pub fn needed(map: &Map<'_>, region: &[usize]) -> Option<f64> {
+    let ring = Ring::around(map, region)?;
+    let (_, rest) = ring.course()?;
+    let in_channel = |channel: usize| {
+        let mut difference = [0.0; 3];
+        difference[channel] = 1.0;
+        let axis = clearest(&rest, difference)?;
+        Some(ring.needed(&rest, &axis) / axis[channel])
+    };
+    (0..3).filter_map(in_channel).min_by(f64::total_cmp)
 }
 
 impl<'a> Ring<'a> {
@@ -135,6 +151,20 @@ impl<'a> Ring<'a> {
         let middle = (mean(&|at| at % map.width), mean(&|at| at / map.width));
         let reach = sqrt(window.area as f64 / PI) + step + wide;
         Some(Self { map, window, aside, own, around, middle, reach, seen })
+    }
+
+    /// Of the region, in pixels of the map.
+    fn radius(&self) -> f64 {
+        sqrt(self.window.area as f64 / PI)
+    }
+
+    /// What a difference along an axis of colour must be to stand out of what is left of the surroundings.
+    fn needed(&self, rest: &[[f64; 3]], axis: &[f64]) -> f64 {
+        let doubt = self.seen < WHOLE || self.radius() < SMALL_PX;
+        let wanted = if doubt { STANDS_OUT_IN_DOUBT } else { STANDS_OUT };
+        let along: Vec<f64> = rest.iter().map(|one| product(one, axis)).collect();
+        let usual = quantile(&mut along.iter().map(|one| fabs(*one)).collect::<Vec<f64>>(), USUAL);
+        (wanted * usual).max(STANDS_OUT_OF_SECTORS * self.of_sectors(&along))
     }
 
     /// Where a place of the window lies from the region's middle, in reaches.
@@ -191,15 +221,15 @@ impl<'a> Ring<'a> {
     }
 
     /// What the means over sectors of the ring differ from its course.
-    fn of_sectors(&self, rest: &[[f64; 3]]) -> f64 {
-        let mut sums = [([0.0; 3], 0.0); SECTORS];
+    fn of_sectors(&self, rest: &[f64]) -> f64 {
+        let mut sums = [(0.0, 0.0); SECTORS];
         for (&at, rest) in self.around.iter().zip(rest) {
             let (sum, count) = &mut sums[self.sector(at, SECTORS)];
-            *sum = [0, 1, 2].map(|i| sum[i] + rest[i]);
+            *sum += rest;
             *count += 1.0;
         }
         let held = sums.iter().filter(|(_, count)| *count > 2.0);
-        let mut means: Vec<f64> = held.map(|(sum, count)| length(*sum) / count).collect();
+        let mut means: Vec<f64> = held.map(|(sum, count)| fabs(*sum) / count).collect();
         quantile(&mut means, USUAL)
     }
 
@@ -210,8 +240,7 @@ impl<'a> Ring<'a> {
 
     /// The share of the difference that is lost across the border; None where that is too little.
     fn fall(&self, along: &[f64], contrast: f64) -> Option<f64> {
-        let radius = sqrt(self.window.area as f64 / PI);
-        let depth = (radius / 2.0).round().clamp(1.0, self.aside.floor());
+        let depth = (self.radius() / 2.0).round().clamp(1.0, self.aside.floor());
         let within = |at: &&usize| (depth + 0.3..=depth + 1.5).contains(&-self.window.away[**at]);
         let mut inside: Vec<f64> = self.own.iter().filter(within).map(|&at| along[at]).collect();
         let mut own: Vec<f64> = self.own.iter().map(|&at| along[at]).collect();
@@ -236,6 +265,25 @@ impl<'a> Ring<'a> {
         let least = held.map(|(sum, count)| (inside - sum / count) / contrast).fold(2.0, f64::min);
         (fall >= LEAST_FALL.0 && least >= LEAST_FALL.1).then_some(fall)
     }
+}
+
+/// The direction of colour, of length 1, in which a difference is clearest against what is left of its surroundings:
+/// texture is lighter and darker, relief of another colour, or the other way round.
+fn clearest(rest: &[[f64; 3]], difference: [f64; 3]) -> Option<Vec<f64>> {
+    let mut scatter = vec![vec![0.0; 3]; 3];
+    for one in rest {
+        for (row, line) in scatter.iter_mut().enumerate() {
+            for (column, sum) in line.iter_mut().enumerate() {
+                *sum += one[row] * one[column] / rest.len() as f64;
+            }
+        }
+    }
+    for (at, line) in scatter.iter_mut().enumerate() {
+        line[at] += FLOOR * FLOOR;
+    }
+    let axis = times(&inverse(&scatter)?, &difference);
+    let size = sqrt(product(&axis, &axis));
+    Some(axis.iter().map(|part| part / size).collect())
 }
 
 fn length([l, a, b]: [f64; 3]) -> f64 {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use nacreous_image::{Ball, Camera, Hull, Projection, Solid};
 
-use self::neck::neck;
+use self::neck::{Bead, neck};
 use crate::{
     RenderError,
     frame::Frame,
@@ -91,7 +91,7 @@ impl Arrangement {
             }
             places
         } else {
-            let places = in_rows(scene, &sizes, largest_mm)?;
+            let places = in_rows(scene, (&sizes, solids), largest_mm)?;
             check_clearance(scene, &places)?;
             places
         };
@@ -199,11 +199,15 @@ fn camera(spec: &CameraSpec, field_mm: f64) -> Camera {
     Camera::new(projection, elevation_rad, azimuth_rad, field_mm)
 }
 
-fn in_rows(scene: &SceneSpec, sizes: &[Size], largest_mm: f64) -> Result<Vec<Place>, RenderError> {
+fn in_rows(
+    scene: &SceneSpec,
+    (sizes, solids): (&[Size], &Solids),
+    largest_mm: f64,
+) -> Result<Vec<Place>, RenderError> {
     let rows = numbered(scene, sizes.len())?;
     let deepest_mm = sizes.iter().map(|size| size.below_mm).fold(0.0, f64::max);
     if scene.rows.iter().any(|row| row.form == RowForm::Neck) {
-        return around_neck(scene, &rows, sizes, deepest_mm);
+        return around_neck(scene, &rows, (sizes, solids), deepest_mm);
     }
     let pitch_mm = distance(scene, "pitch_mm", scene.pitch_mm, largest_mm)?;
     let gap_mm = distance(scene, "row_gap_mm", scene.row_gap_mm, largest_mm)?;
@@ -226,7 +230,7 @@ fn in_rows(scene: &SceneSpec, sizes: &[Size], largest_mm: f64) -> Result<Vec<Pla
 fn around_neck(
     scene: &SceneSpec,
     rows: &[Vec<usize>],
-    sizes: &[Size],
+    (sizes, solids): (&[Size], &Solids),
     deepest_mm: f64,
 ) -> Result<Vec<Place>, RenderError> {
     let [row] = rows else {
@@ -234,11 +238,15 @@ fn around_neck(
             format!("has {} rows, one of them around a neck; allowed: that one alone", rows.len());
         return Err(RenderError::scene(&scene.name, fault));
     };
-    let radii_mm: Vec<f64> = row.iter().map(|&pearl| sizes[pearl].reach_mm).collect();
+    let bead = |&pearl: &usize| {
+        let Size { radius_mm, below_mm, .. } = sizes[pearl];
+        Bead::new(radius_mm, below_mm, solids[pearl].as_deref())
+    };
+    let beads: Vec<Bead> = row.iter().map(bead).collect();
     let placed = |(&pearl, [x, z]): (&usize, [f64; 2])| {
         sizes[pearl].placed(pearl, DVec3::new(x, sizes[pearl].below_mm - deepest_mm, z))
     };
-    Ok(row.iter().zip(neck(&radii_mm)).map(placed).collect())
+    Ok(row.iter().zip(neck(&beads)).map(placed).collect())
 }
 
 /// The numbers of each row's pearls.

@@ -47,6 +47,11 @@ pub enum RenderError {
 }
 
 impl RenderError {
+    /// Of work that other jobs did on something else.
+    pub(crate) fn parts() -> Self {
+        Self::out_of_range("parts", "those of other work", "all parts of the work that comes next")
+    }
+
     /// A fault of one quantity.
     pub(crate) fn out_of_range(
         quantity: impl Into<String>,

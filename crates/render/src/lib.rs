@@ -36,5 +36,5 @@ pub use stages::{
     around::BOUNCES,
     job::{Job, MAX_SAMPLES},
     preview::Asked,
-    view::{View, light_of},
+    view::{View, light_of, light_of_pixel},
 };

@@ -95,3 +95,28 @@ fn a_job_that_was_stopped_can_go_on() {
     assert!(job.view(&stopped).unwrap().is_none());
     assert!(picture(&mut job) == picture(&mut new(common::recipe(NAME, &[]))));
 }
+
+#[test]
+fn work_shared_out_gives_the_same_to_the_bit() {
+    // Large enough for a cache of what the pearl mirrors.
+    let changes = [("/size", json!(256)), ("/pearls/0/film/columns", json!(9))];
+    let recipe = || common::recipe(NAME, &changes);
+    let progress = Progress::default();
+    let rows = |job: &mut Job| job.view(&progress).unwrap().unwrap().rows(120..122, &progress);
+    let whole = rows(&mut new(recipe()));
+    let mut jobs = [(); 3].map(|()| new(recipe()));
+    let mut shared = Vec::new();
+    loop {
+        let parts = (0..3).map(|i| jobs[i].part(i, 3).unwrap()).collect::<Option<Vec<_>>>();
+        let Some(parts) = parts else { break };
+        let parts: Vec<&[f64]> = parts.iter().map(Vec::as_slice).collect();
+        for job in &mut jobs {
+            assert!(job.join(&[parts[0], parts[1]]).is_err());
+            assert!(job.join(&[parts[0], parts[1], &parts[2][1..]]).is_err());
+            job.join(&parts).unwrap();
+        }
+        shared.push(parts.iter().map(|part| part.len()).sum::<usize>());
+    }
+    assert!(shared.len() == 2 && shared.iter().all(|numbers| *numbers > 1000), "{shared:?}");
+    assert!(rows(&mut jobs[1]) == whole);
+}

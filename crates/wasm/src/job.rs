@@ -1,5 +1,6 @@
 //! The binding of the render room's job: a recipe in JSON in, rows of light out.
 
+use js_sys::Float64Array;
 use nacreous_image::{CHANNELS, Development, Progress};
 use nacreous_render::{Asked, View, spec::Recipe};
 use wasm_bindgen::{Clamped, prelude::*};
@@ -53,6 +54,24 @@ impl Job {
             self.view = self.made.step(&Progress::default()).map_err(refused)?;
         }
         Ok(self.view.is_some())
+    }
+
+    /// Part `part` of `parts` of the work that comes next and can be shared out among workers, each with a job of the same
+    /// recipe; undefined where nothing is left to share, and `step` and `rows` go on.
+    pub fn part(&mut self, part: usize, parts: usize) -> Result<Option<Vec<f64>>, JsError> {
+        if !(1..=MOST_PARTS).contains(&parts) || part >= parts {
+            let message =
+                format!("part {part} of {parts}; allowed: 0 to below parts, of 1 to {MOST_PARTS}");
+            return Err(refused(message));
+        }
+        self.made.part(part, parts).map_err(refused)
+    }
+
+    /// Takes over what `part` gave of all parts of the same work, in their order.
+    pub fn join(&mut self, parts: Vec<Float64Array>) -> Result<(), JsError> {
+        let parts: Vec<Vec<f64>> = parts.iter().map(Float64Array::to_vec).collect();
+        let parts: Vec<&[f64]> = parts.iter().map(Vec::as_slice).collect();
+        self.made.join(&parts).map_err(refused)
     }
 
     /// A first picture, as codes RGBA row by row, in a few hundredths of a second: colours looked up where rows work them out.
@@ -135,6 +154,9 @@ pub fn check_pixels(pixels: &[f32]) -> Result<(), JsError> {
 fn broken_off() -> JsError {
     refused("the picture broke off; please report this")
 }
+
+/// Workers of a page.
+const MOST_PARTS: usize = 64;
 
 /// What the memory of a page holds at once: a GB. More than there is ends the program.
 const MOST_PIXELS: usize = 1 << 24;

@@ -2,8 +2,8 @@
 
 use js_sys::{Array, Object, Reflect};
 use nacreous_colour::{Gamut, RgbSpace};
-use nacreous_image::{PARTS, eight_bit};
-use nacreous_render::light_of;
+use nacreous_image::{CHANNELS, PARTS, screen};
+use nacreous_render::light_of_pixel;
 use wasm_bindgen::{Clamped, prelude::*};
 
 use crate::{job::check_pixels, refused};
@@ -62,13 +62,11 @@ pub fn develop(
     check_pixels(pixels)?;
     let space: RgbSpace = space.parse().map_err(refused)?;
     let gamut: Gamut = gamut.parse().map_err(refused)?;
-    let developed = nacreous_image::develop(&light_of(pixels), space, gamut);
-    let (codes, _) = developed.codes.as_chunks::<3>();
-    let opaque = |rgb: &[u16; 3]| [rgb[0], rgb[1], rgb[2], u16::MAX];
-    let codes: Vec<u16> = codes.iter().flat_map(opaque).collect();
+    let light = |i: usize| light_of_pixel(&pixels[CHANNELS * i..]).map(f64::from);
+    let screened = screen(pixels.len() / CHANNELS, light, space, gamut);
     object(&[
-        ("codes", Clamped(eight_bit(&codes)).into()),
-        ("outOfGamut", developed.out_of_gamut.into()),
+        ("codes", Clamped(screened.codes).into()),
+        ("outOfGamut", screened.out_of_gamut.into()),
     ])
 }
 

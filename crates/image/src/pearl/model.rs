@@ -12,7 +12,7 @@ use crate::{
     light::glow::{self, DISC_POINTS, Glow},
     pearl::{
         illuminant::IlluminantPearl,
-        reflection_cache::{Arounds, ReflectionCache},
+        reflection_cache::{Arounds, CachePlan},
         shade::Shade,
         sight::{Sight, Spread},
         skin::Skin,
@@ -78,13 +78,13 @@ impl Model {
     }
 
     /// The caches of what the facets of its lobes show the camera, where there shall be one.
-    pub(crate) fn reflection_caches(
-        &self,
-        surroundings: &Lit,
+    pub(crate) fn reflection_caches<'a>(
+        &'a self,
+        surroundings: &'a Lit,
         ball: usize,
-        camera: &Camera,
+        camera: &'a Camera,
         pixel_mm: f64,
-    ) -> Vec<Option<ReflectionCache>> {
+    ) -> Vec<Option<CachePlan<'a>>> {
         match self {
             Self::Illuminant(_) => Vec::new(),
             Self::Transport(model) => model.reflection_caches(surroundings, ball, camera, pixel_mm),

@@ -16,7 +16,7 @@ use crate::{
         gathered::Gathered,
         glint::glint,
         lobe_colours::LobeColours,
-        reflection_cache::{Around, Arounds, ReflectionCache},
+        reflection_cache::{Around, Arounds, CachePlan},
         response::Response,
         sight::{Sight, Spread},
     },
@@ -189,13 +189,13 @@ impl Reflection {
     }
 
     /// The cache of what the facets show `camera`, if pixels are finer.
-    pub(crate) fn cache(
-        &self,
-        surroundings: &Lit,
+    pub(crate) fn cache<'a>(
+        &'a self,
+        surroundings: &'a Lit,
         ball: usize,
-        camera: &Camera,
+        camera: &'a Camera,
         pixel_mm: f64,
-    ) -> Option<ReflectionCache> {
+    ) -> Option<CachePlan<'a>> {
         let facets = self.facets();
         let place = &surroundings.balls[ball];
         let pixels = PI * (place.radius_mm / pixel_mm).powi(2);
@@ -209,7 +209,7 @@ impl Reflection {
             return None;
         }
         let seen = (axis, libm::acos(least_mm / far_mm));
-        ReflectionCache::new(seen, &facets, looked_at, |normal, samples| {
+        CachePlan::new(seen, &facets, looked_at, move |normal, samples| {
             let point = surroundings.farthest(ball, normal);
             let view = camera.toward_eye(point).0;
             let hit = Hit { point, normal, cos_view: normal.dot(view).max(0.02) };

@@ -46,14 +46,20 @@ const SHARE: f64 = 0.25;
 const FEWEST: f64 = 96.0;
 const MOST: usize = 1024;
 
-impl ReflectionCache {
+/// A cache to be made: its net, and what works a knot out.
+pub(crate) struct CachePlan<'a> {
+    net: Net,
+    knot: Box<dyn Fn(DVec3) -> Around + Sync + 'a>,
+}
+
+impl<'a> CachePlan<'a> {
     /// `None` where the ball's pixels would look at fewer facets, `facets` in all, than a good cache's knots. What is `seen` are
     /// the normals within an angle of an axis. `gather` works out a knot for a normal and samples of facets.
     pub(crate) fn new(
         seen: (DVec3, f64),
         lobe: &Facets<'_>,
         facets: f64,
-        gather: impl Fn(DVec3, &[FacetSample]) -> Around + Sync,
+        gather: impl Fn(DVec3, &[FacetSample]) -> Around + Sync + 'a,
     ) -> Option<Self> {
         let half = libm::ceil(seen.1 * STEPS_PER_SPREAD / lobe.spread_rad()) as usize;
         let net = Net::new(seen, half);
@@ -64,11 +70,34 @@ impl ReflectionCache {
             return None;
         }
         let samples = lobe.lattice((each as usize).min(MOST));
-        let knot = |i: usize| Some(gather(net.normal(i)?, &samples));
-        let knots = parallel::map(knots, |i| knot(i).unwrap_or_default());
-        Some(Self { net, knots })
+        Some(Self { net, knot: Box::new(move |normal| gather(normal, &samples)) })
     }
 
+    /// All of it.
+    pub(crate) fn cache(self) -> ReflectionCache {
+        let knots = self.part(0, 1);
+        ReflectionCache { net: self.net, knots }
+    }
+
+    /// Every `parts`-th knot from number `part` on.
+    pub(crate) fn part(&self, part: usize, parts: usize) -> Vec<Around> {
+        let knot = |i: usize| self.net.normal(part + i * parts).map(&self.knot).unwrap_or_default();
+        let count = (self.net.side() * self.net.side()).saturating_sub(part).div_ceil(parts);
+        parallel::map(count, knot)
+    }
+
+    /// Knots in all.
+    pub(crate) fn knots(&self) -> usize {
+        self.net.side() * self.net.side()
+    }
+
+    /// Of knots worked out elsewhere, all of them in their order.
+    pub(crate) fn with(self, knots: Vec<Around>) -> ReflectionCache {
+        ReflectionCache { net: self.net, knots }
+    }
+}
+
+impl ReflectionCache {
     /// What the facets show at a point of the ball.
     pub(crate) fn at(&self, normal: DVec3) -> Around {
         let [x, y] = self.net.place(normal);
@@ -105,12 +134,13 @@ mod tests {
         let gather =
             |normal: DVec3, _: &[FacetSample]| Around { light: wave(normal), rest: [normal.x; 3] };
         let (axis, far_mm) = camera.toward_eye(DVec3::ZERO);
-        ReflectionCache::new(
+        let plan = CachePlan::new(
             (axis, libm::acos(4.0 / far_mm)),
             &Facets::new(Microfacets::grooves(spread_rad), None),
             1e7,
             gather,
-        )
+        );
+        plan.map(CachePlan::cache)
     }
 
     #[test]

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::{
     pearl::{
         reflection::Reflection,
-        reflection_cache::{Arounds, ReflectionCache},
+        reflection_cache::{Arounds, CachePlan},
         response::Response,
         shade::Shade,
         sight::Sight,
@@ -88,15 +88,15 @@ impl Transport {
     }
 
     /// The caches of what the facets of each lobe show `camera`, where pixels are finer.
-    pub(crate) fn reflection_caches(
-        &self,
-        surroundings: &Lit,
+    pub(crate) fn reflection_caches<'a>(
+        &'a self,
+        surroundings: &'a Lit,
         ball: usize,
-        camera: &Camera,
+        camera: &'a Camera,
         pixel_mm: f64,
-    ) -> Vec<Option<ReflectionCache>> {
+    ) -> Vec<Option<CachePlan<'a>>> {
         let cache =
-            |reflection: &Reflection| reflection.cache(surroundings, ball, camera, pixel_mm);
+            |reflection: &'a Reflection| reflection.cache(surroundings, ball, camera, pixel_mm);
         self.reflections.iter().map(cache).collect()
     }
 }

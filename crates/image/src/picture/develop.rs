@@ -40,7 +40,12 @@ const AT_ONCE: usize = 3 * 1024;
 
 /// The nearest 8-bit codes.
 pub fn eight_bit(codes: &[u16]) -> Vec<u8> {
-    codes.iter().map(|&code| ((u32::from(code) + 128) / 257) as u8).collect()
+    codes.iter().map(|&code| eight_bit_of(code)).collect()
+}
+
+/// The nearest 8-bit code.
+pub(crate) fn eight_bit_of(code: u16) -> u8 {
+    ((u32::from(code) + 128) / 257) as u8
 }
 
 #[cfg(test)]

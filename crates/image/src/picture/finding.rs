@@ -30,16 +30,16 @@ impl Sampler {
         let ray = self.ray((row, column), 0.0, 0.0);
         view.balls.clear();
         view.inside_mm.clear();
-        view.free_mm.clear();
+        view.known.clear();
         for &ball in balls {
             let aside_mm = 2.0 * self.pixel_mm[ball];
             if !self.surroundings.is_passed(ball, &ray, aside_mm) {
                 let near_mm = NEAR_PX * self.pixel_mm[ball];
-                let (inside_mm, free_mm) = self.surroundings.inside_mm(ball, &ray, near_mm);
+                let (inside_mm, known) = self.surroundings.inside_mm(ball, &ray, near_mm);
                 if inside_mm > -aside_mm {
                     view.balls.push(ball);
                     view.inside_mm.push(inside_mm);
-                    view.free_mm.push(free_mm);
+                    view.known.push(known);
                 }
             }
         }

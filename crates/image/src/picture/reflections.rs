@@ -3,12 +3,14 @@
 //! By `pearl/reflection_cache.rs`, for pearls that are satin.
 //! Left out: pearls whose pixels are coarser than a cache.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::{
     pearl::{
-        model::Pearl,
-        reflection_cache::{Arounds, ReflectionCache},
+        model::Model,
+        reflection_cache::{Around, Arounds, CachePlan, ReflectionCache},
     },
     surroundings::lit::Lit,
     view::camera::Camera,
@@ -20,13 +22,52 @@ use crate::{
 pub struct Reflections(Vec<Vec<Option<ReflectionCache>>>);
 
 impl Reflections {
-    /// Of `pearls[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
-    pub fn new(pearls: &[Pearl], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
-        let pixel_mm = pixels_mm(surroundings, camera, size_px);
-        let of = |(i, pearl): (usize, &Pearl)| {
-            pearl.model.reflection_caches(surroundings, i, camera, pixel_mm[i])
+    /// Of `models[i]` as the ball `surroundings.balls[i]`, for a picture of `size_px` pixels a side.
+    pub fn new(models: &[Arc<Model>], surroundings: &Lit, camera: &Camera, size_px: usize) -> Self {
+        let plans = plans(models, surroundings, camera, size_px);
+        let made = |plan: Option<CachePlan<'_>>| plan.map(CachePlan::cache);
+        Self(plans.into_iter().map(|plans| plans.into_iter().map(made).collect()).collect())
+    }
+
+    /// A share of the work on them, for the same reflections elsewhere: every `parts`-th knot from number `part` on.
+    pub fn part(
+        models: &[Arc<Model>],
+        surroundings: &Lit,
+        (camera, size_px): (&Camera, usize),
+        (part, parts): (usize, usize),
+    ) -> Vec<f64> {
+        let plans = plans(models, surroundings, camera, size_px);
+        let knots = plans.iter().flatten().flatten().flat_map(|plan| plan.part(part, parts));
+        knots.flat_map(|Around { light, rest }| light.into_iter().chain(rest)).collect()
+    }
+
+    /// Of what [`Reflections::part`] gave of each part; `None` where these are not all of them.
+    pub fn joined(
+        models: &[Arc<Model>],
+        surroundings: &Lit,
+        (camera, size_px): (&Camera, usize),
+        parts: &[&[f64]],
+    ) -> Option<Self> {
+        let mut rest: Vec<_> = parts.iter().map(|part| part.chunks_exact(6)).collect();
+        let count = rest.len();
+        let mut knot = |number: usize| {
+            let &[a, b, c, d, e, f] = rest.get_mut(number % count)?.next()? else { return None };
+            Some(Around { light: [a, b, c], rest: [d, e, f] })
         };
-        Self(pearls.iter().enumerate().map(of).collect())
+        let mut made = Vec::with_capacity(models.len());
+        for plans in plans(models, surroundings, camera, size_px) {
+            let mut caches = Vec::with_capacity(plans.len());
+            for plan in plans {
+                let Some(plan) = plan else {
+                    caches.push(None);
+                    continue;
+                };
+                let knots = (0..plan.knots()).map(&mut knot).collect::<Option<Vec<_>>>()?;
+                caches.push(Some(plan.with(knots)));
+            }
+            made.push(caches);
+        }
+        rest.iter().all(|rest| rest.len() == 0).then_some(Self(made))
     }
 
     /// Of so many pearls, each to be worked out pixel by pixel.
@@ -47,6 +88,20 @@ impl Reflections {
         }
         around
     }
+}
+
+/// The caches of each pearl's lobes.
+fn plans<'a>(
+    models: &'a [Arc<Model>],
+    surroundings: &'a Lit,
+    camera: &'a Camera,
+    size_px: usize,
+) -> Vec<Vec<Option<CachePlan<'a>>>> {
+    let pixel_mm = pixels_mm(surroundings, camera, size_px);
+    let of = |(i, model): (usize, &'a Arc<Model>)| {
+        model.reflection_caches(surroundings, i, camera, pixel_mm[i])
+    };
+    models.iter().enumerate().map(of).collect()
 }
 
 /// Width of a pixel at each ball.

@@ -242,7 +242,7 @@ impl Sampler {
     /// Where a line of sight meets the first ball of a view, by place in it.
     fn front(&self, ray: &Ray, view: &View) -> Option<(usize, Hit)> {
         let met = |(place, &ball): (usize, &usize)| {
-            Some((place, self.surroundings.hit_beyond(ball, ray, view.free_mm[place])?))
+            Some((place, self.surroundings.hit_beside(ball, ray, &view.known[place])?))
         };
         let far_mm = |hit: &Hit| hit.point.distance_squared(ray.from);
         let hits = view.balls.iter().enumerate().filter_map(met);

@@ -6,6 +6,7 @@
 use crate::{
     picture::pixel::Pixel,
     rgb::{self, Rgb},
+    shape::crossing::Beside,
 };
 
 /// What a pixel shows, while it is being made.
@@ -14,8 +15,8 @@ pub(super) struct View {
     pub(super) balls: Vec<usize>,
     /// How far inside each one's silhouette the middle of the pixel lies.
     pub(super) inside_mm: Vec<f64>,
-    /// From where on lines of sight through the pixel may be followed to each one.
-    pub(super) free_mm: Vec<f64>,
+    /// What is known of how lines of sight through the pixel come to each one.
+    pub(super) known: Vec<Beside>,
     /// Where the middle of the pixel comes nearest to each one, along a line of sight.
     pub(super) passes: Vec<f64>,
     /// Light of each of those balls.

@@ -6,7 +6,10 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use crate::shape::form::{Form, FormParameters, even_directions};
+use crate::shape::{
+    directions::even_directions,
+    form::{Form, FormParameters},
+};
 
 /// What a gauge reads of a pearl's form; of a ball all are 0 but the height over the width.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,12 +3,14 @@
 //! An ovoid, lumps and grooves, multiplied; closed forms, smooth to the second derivative everywhere, poles included.
 //! Left out: overhangs, which no such form has.
 
-use glam::DVec3;
-use multiversion::multiversion;
+use glam::{DMat3, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_core::SeedableRng;
 
-use crate::grain::normal::{normal_pair, uniform};
+use crate::{
+    grain::normal::uniform,
+    shape::{bent::Bent, lumps::Lumps, ovoid::Ovoid},
+};
 
 /// What a form is made from; lengths are shares of half the pearl's width. Zeros, with a length of 1, are a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,28 +60,10 @@ impl FormParameters {
 /// A form, over half of the pearl's width; its pole, z, is the axis of growth.
 #[derive(Debug, Clone)]
 pub(crate) struct Form {
-    /// One over the squares of the half axes.
-    squares: DVec3,
-    taper: f64,
-    flattening: f64,
-    /// Makes it as wide as it shall be.
-    scale: f64,
-    lumps: Vec<Lumps>,
-    /// What the lumps add on average.
-    lumps_mean: f64,
+    ovoid: Ovoid,
+    lumps: Option<Lumps>,
     grooves: Vec<Groove>,
 }
-
-/// Rises and hollows about directions, side by side: amount times (1 - (1 - cos) / foot)^4 each.
-#[derive(Debug, Clone, Copy)]
-struct Lumps {
-    middle: [[f64; LANES]; 3],
-    amount: [f64; LANES],
-    per_foot: f64,
-}
-
-/// So many lumps share registers.
-const LANES: usize = 8;
 
 /// A hollow about the axis: depth times (1 - ((z - height) / half width)^2)^3.
 #[derive(Debug, Clone, Copy)]
@@ -89,12 +73,6 @@ struct Groove {
     per_half_width: f64,
 }
 
-/// Lumps overlap so often at each place that they add up to an even landscape **(ours)**.
-const OVERLAP: f64 = 6.0;
-/// More lumps than this are none that one would see apart.
-const MOST_LUMPS: usize = 160;
-/// Directions by which a form's mean, spread and width are taken.
-const POINTS: usize = 2000;
 /// Grooves lie between these heights, as sines of the latitude **(ours)**.
 const GROOVES_WITHIN: f64 = 0.72;
 /// Spacing and depth of grooves vary by this share, to either side **(ours)**.
@@ -103,30 +81,30 @@ const UNEVEN: f64 = 0.25;
 impl Form {
     /// Same parameters, same form, on every machine.
     pub(crate) fn new(from: &FormParameters) -> Self {
-        let axes = [1.0 + 0.5 * from.out_of_round, 1.0 - 0.5 * from.out_of_round, from.length];
+        let across = 0.5 * from.out_of_round;
+        let axes = DVec3::new(1.0 + across, 1.0 - across, from.length);
         let mut random = ChaCha8Rng::from_seed(key(from.seed));
-        let lumps = if from.lumps > 0.0 { lumps(from, &mut random) } else { Vec::new() };
-        let mut form = Self {
-            squares: DVec3::from(axes.map(|axis| 1.0 / (axis * axis))),
-            taper: from.taper,
-            flattening: from.flattening,
-            scale: 1.0,
-            lumps,
-            lumps_mean: 0.0,
+        let is_lumpy = from.lumps > 0.0;
+        Self {
+            ovoid: Ovoid::new(axes, from.taper, from.flattening),
+            lumps: is_lumpy.then(|| Lumps::new(from.lumps, from.lump_rad, &mut random)),
             grooves: grooves(from, &mut random),
-        };
-        form.level_lumps(from.lumps);
-        form.fit(from.length);
-        form
+        }
     }
 
     /// Distance of the surface in a direction, and its gradient along the sphere of directions.
     pub(crate) fn at(&self, towards: DVec3) -> (f64, DVec3) {
-        let (ovoid, along_ovoid) = self.ovoid(towards);
+        self.below(towards, towards)
+    }
+
+    /// The same where a point in that direction is known before the direction is.
+    #[inline]
+    pub(super) fn below(&self, towards: DVec3, point: DVec3) -> (f64, DVec3) {
+        let (ovoid, along_ovoid) = self.ovoid.at(towards);
         let mut rise = 1.0;
         let mut along_rise = DVec3::ZERO;
-        if !self.lumps.is_empty() {
-            let (amount, gradient) = self.lumps_at(towards);
+        if let Some(lumps) = &self.lumps {
+            let (amount, gradient) = lumps.at(towards, point);
             (rise, along_rise) = (rise + amount, along_rise + gradient);
         }
         for groove in &self.grooves {
@@ -141,124 +119,24 @@ impl Form {
         (ovoid * rise, gradient - towards * gradient.dot(towards))
     }
 
-    /// The ovoid: x^2/a^2 W^2 + y^2/b^2 W^2 + z^2/c^2 F^2 = 1, with W = 1 + taper ((1 + z)/2)^2 and
-    /// F = 1 + flattening ((1 - z)/2)^2.
-    fn ovoid(&self, towards: DVec3) -> (f64, DVec3) {
-        let (above, below) = (0.5 * (1.0 + towards.z), 0.5 * (1.0 - towards.z));
-        let narrow = 1.0 + self.taper * above * above;
-        let flat = 1.0 + self.flattening * below * below;
-        let across =
-            self.squares.x * towards.x * towards.x + self.squares.y * towards.y * towards.y;
-        let along = self.squares.z * towards.z * towards.z;
-        let sum = across * narrow * narrow + along * flat * flat;
-        let radius = self.scale / sum.sqrt();
-        let half = DVec3::new(
-            self.squares.x * towards.x * narrow * narrow,
-            self.squares.y * towards.y * narrow * narrow,
-            across * narrow * self.taper * above + self.squares.z * towards.z * flat * flat
-                - along * flat * self.flattening * below,
-        );
-        (radius, half * (-radius / sum))
-    }
-
-    /// What all lumps add, and its gradient.
-    fn lumps_at(&self, towards: DVec3) -> (f64, DVec3) {
-        let [amount, x, y, z] = lumps_at(&self.lumps, towards.to_array());
-        (amount - self.lumps_mean, DVec3::new(x, y, z))
-    }
-
-    /// Makes the lumps' mean 0 and their standard deviation `spread`.
-    fn level_lumps(&mut self, spread: f64) {
-        if self.lumps.is_empty() {
-            return;
-        }
-        let amounts: Vec<f64> = even_directions(POINTS).map(|to| self.lumps_at(to).0).collect();
-        let mean = amounts.iter().sum::<f64>() / POINTS as f64;
-        let square = amounts.iter().map(|amount| (amount - mean).powi(2)).sum::<f64>();
-        let factor = spread / (square / POINTS as f64).sqrt().max(f64::MIN_POSITIVE);
-        for lumps in &mut self.lumps {
-            lumps.amount = lumps.amount.map(|amount| amount * factor);
-        }
-        self.lumps_mean = mean * factor;
-    }
-
-    /// Makes the ovoid's half width 1, on average around the axis, and its half length `length`: taper and flattening move
-    /// both.
-    fn fit(&mut self, length: f64) {
-        const TRIES: usize = 40;
-        for _ in 0..TRIES {
-            let [half_width, half_length] = self.extents();
-            self.scale /= half_width;
-            let short = length * half_width / half_length;
-            if (short - 1.0).abs() < 1e-12 {
-                return;
+    /// The same with second derivatives, by the direction's coordinates.
+    pub(super) fn bent(&self, towards: DVec3) -> Bent {
+        let flat = Bent { height: 0.0, slope: DVec3::ZERO, change: DMat3::ZERO };
+        let mut rise = self.lumps.as_ref().map_or(flat, |lumps| lumps.bent(towards));
+        rise.height += 1.0;
+        for groove in &self.grooves {
+            let from = (towards.z - groove.height) * groove.per_half_width;
+            let left = 1.0 - from * from;
+            if left > 0.0 {
+                let depth = groove.depth * groove.per_half_width;
+                rise.height -= groove.depth * left * left * left;
+                rise.slope.z += 6.0 * depth * left * left * from;
+                rise.change.z_axis.z +=
+                    6.0 * depth * groove.per_half_width * left * (left - 4.0 * from * from);
             }
-            self.squares.z /= short * short;
         }
+        self.ovoid.bent(towards).times(&rise)
     }
-
-    /// Half the width of the ovoid at its widest, on average around the axis, and half its length.
-    fn extents(&self) -> [f64; 2] {
-        const STEPS: usize = 512;
-        let (mut width, mut top, mut bottom) = (0.0_f64, 0.0_f64, 0.0_f64);
-        for step in 0..=STEPS {
-            let (sin, cos) = libm::sincos(std::f64::consts::PI * step as f64 / STEPS as f64);
-            let sides = [DVec3::new(sin, 0.0, cos), DVec3::new(0.0, sin, cos)];
-            let [x, y] = sides.map(|towards| self.ovoid(towards).0);
-            width = width.max(0.5 * sin * (x + y));
-            (top, bottom) = (top.max(x * cos), bottom.max(-x * cos));
-        }
-        [width, 0.5 * (top + bottom)]
-    }
-}
-
-/// What lumps add up to in a direction, and the gradient of that.
-#[multiversion(targets("x86_64+avx2", "x86_64+avx512f+avx512vl"))]
-fn lumps_at(lumps: &[Lumps], [x, y, z]: [f64; 3]) -> [f64; 4] {
-    let mut sums = [[0.0; LANES]; 4];
-    for lumps in lumps {
-        for lane in 0..LANES {
-            let [mx, my, mz] = [0, 1, 2].map(|axis| lumps.middle[axis][lane]);
-            let cosine = x * mx + y * my + z * mz;
-            let left = (1.0 - (1.0 - cosine) * lumps.per_foot).max(0.0);
-            let cube = lumps.amount[lane] * left * left * left;
-            let slope = 4.0 * cube * lumps.per_foot;
-            sums[0][lane] += cube * left;
-            sums[1][lane] += mx * slope;
-            sums[2][lane] += my * slope;
-            sums[3][lane] += mz * slope;
-        }
-    }
-    sums.map(|lanes| {
-        let [a, b, c, d, e, f, g, h] = lanes;
-        ((a + b) + (c + d)) + ((e + f) + (g + h))
-    })
-}
-
-/// Rises and hollows at even directions, turned at random.
-fn lumps(from: &FormParameters, random: &mut ChaCha8Rng) -> Vec<Lumps> {
-    let foot = 1.0 - libm::cos(from.lump_rad);
-    let count = (libm::ceil(2.0 * OVERLAP / foot) as usize).min(MOST_LUMPS);
-    let turn = std::f64::consts::TAU * uniform(random);
-    let axis = DVec3::new(
-        2.0 * uniform(random) - 1.0,
-        2.0 * uniform(random) - 1.0,
-        2.0 * uniform(random) - 1.0,
-    );
-    let turn = glam::DQuat::from_axis_angle(axis.normalize_or(DVec3::X), turn);
-    let middles: Vec<DVec3> = even_directions(count).map(|middle| turn * middle).collect();
-    // Beyond two standard deviations a lump would be a horn.
-    let amounts: Vec<f64> =
-        middles.iter().map(|_| normal_pair(random)[0].clamp(-2.0, 2.0)).collect();
-    let lumps = |(middles, amounts): (&[DVec3], &[f64])| {
-        let lane = |axis: usize| std::array::from_fn(|i| middles.get(i).map_or(0.0, |m| m[axis]));
-        Lumps {
-            middle: [lane(0), lane(1), lane(2)],
-            amount: std::array::from_fn(|i| amounts.get(i).copied().unwrap_or(0.0)),
-            per_foot: 1.0 / foot,
-        }
-    };
-    middles.chunks(LANES).zip(amounts.chunks(LANES)).map(lumps).collect()
 }
 
 /// Grooves from one end to the other.
@@ -276,17 +154,6 @@ fn grooves(from: &FormParameters, random: &mut ChaCha8Rng) -> Vec<Groove> {
     (0..from.circles).map(groove).collect()
 }
 
-/// Directions that share out the sphere evenly (Fibonacci's spiral).
-pub(crate) fn even_directions(count: usize) -> impl Iterator<Item = DVec3> {
-    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    (0..count).map(move |i| {
-        let z = 1.0 - (2 * i + 1) as f64 / count as f64;
-        let (sin, cos) = libm::sincos(golden * i as f64);
-        let aside = (1.0 - z * z).sqrt();
-        DVec3::new(aside * cos, aside * sin, z)
-    })
-}
-
 fn key(seed: u64) -> [u8; 32] {
     let mut key = *b"-------- nacreous form of pearls";
     key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -296,6 +163,7 @@ fn key(seed: u64) -> [u8; 32] {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::shape::directions::even_directions;
 
     /// A form of every kind.
     pub(crate) fn kinds() -> Vec<FormParameters> {
@@ -334,6 +202,28 @@ pub(crate) mod tests {
                     assert!(
                         (slope - numeric).abs() < 1e-7,
                         "{from:?} {towards}: {slope} {numeric}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn second_derivatives_are_those_of_differences() {
+        for from in kinds() {
+            let form = Form::new(&from);
+            for towards in even_directions(200).chain([DVec3::Z, DVec3::NEG_Z, DVec3::X]) {
+                let bent = form.bent(towards);
+                let (radius, gradient) = form.at(towards);
+                let level = bent.slope - towards * bent.slope.dot(towards);
+                assert!((bent.height - radius).abs() < 1e-12 && level.distance(gradient) < 1e-12);
+                for axis in DMat3::IDENTITY.to_cols_array_2d().map(DVec3::from) {
+                    let slope = |step: f64| form.bent(towards + axis * step).slope;
+                    let numeric = (slope(1e-5) - slope(-1e-5)) / 2e-5;
+                    let change = bent.change * axis;
+                    assert!(
+                        change.distance(numeric) < 1e-6 * (1.0 + change.length()),
+                        "{from:?} {towards}: {change} {numeric}"
                     );
                 }
             }

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 
 use crate::{
     coat::pose::Pose,
-    shape::form::{Form, even_directions},
+    shape::{directions::even_directions, form::Form},
 };
 
 /// An ellipsoid about a pearl.

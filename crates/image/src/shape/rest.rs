@@ -7,7 +7,10 @@ use glam::DVec3;
 
 use crate::{
     coat::pose::Pose,
-    shape::form::{Form, FormParameters, even_directions},
+    shape::{
+        directions::even_directions,
+        form::{Form, FormParameters},
+    },
 };
 
 /// A pearl's surface and middle of mass, for weighing one rest against another.

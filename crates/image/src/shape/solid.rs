@@ -9,7 +9,8 @@ use glam::DVec3;
 use crate::{
     coat::pose::Pose,
     shape::{
-        form::{Form, FormParameters, even_directions},
+        directions::even_directions,
+        form::{Form, FormParameters},
         horizon::Horizon,
         hull::Hull,
     },
@@ -37,6 +38,7 @@ pub struct Solid {
 /// Directions by which a form's extremes are taken, and the room left for what lies between them.
 const POINTS: usize = 4000;
 const ROOM: f64 = 1.02;
+
 impl Solid {
     /// The form of `from` in a pose, `radius_mm` half its width.
     pub fn new(from: &FormParameters, pose: Pose, radius_mm: f64) -> Self {
@@ -103,6 +105,11 @@ impl Solid {
         (towards * (radius * self.radius_mm), self.pose.scene(normal))
     }
 
+    /// So many places of the surface, in directions from the middle that share out the sphere; seen from there.
+    pub fn places_mm(&self, count: usize) -> Vec<DVec3> {
+        even_directions(count).map(|towards| self.surface(towards).0).collect()
+    }
+
     /// The area of the surface over the solid angle that it fills from the middle, in units of the square of half its
     /// width.
     pub(crate) fn area_per_angle(&self, towards: DVec3) -> f64 {
@@ -138,20 +145,14 @@ impl Solid {
         let outward = (normal * normal.dot(view) - view).normalize_or_zero();
         let outward =
             if outward == DVec3::ZERO { normal.any_orthonormal_vector() } else { outward };
-        let point = self.surface(towards).0;
-        let along = |direction: DVec3| {
-            let aside = point + direction * (BEND_STEP * self.radius_mm);
-            let (place, turned) = self.surface(aside.normalize());
-            let moved_mm = (place - point).dot(direction);
-            ((turned - normal).dot(direction) * self.radius_mm / moved_mm).abs()
-        };
-        [along(outward), along(normal.cross(outward))].map(|bend| bend.max(LEAST_BEND))
+        let (own, across) = (self.pose.own(towards), normal.cross(outward));
+        let bent = self.form.bent(own);
+        [outward, across]
+            .map(|along| bent.curvature(own, self.pose.own(along)).abs().max(LEAST_BEND))
     }
 }
 
 /// Steps to the farthest place; each finds it to about half of what was left.
 const CLIMBS: usize = 40;
-/// Distance between two normals for a curvature, over half of the pearl's width.
-const BEND_STEP: f64 = 1e-3;
 /// A flat place mirrors as if it were bent by this share of the ball's curvature, so that its pixels still average.
 const LEAST_BEND: f64 = 0.02;

@@ -67,25 +67,81 @@ impl FilmDraft {
         }
         let angle_rad: Vec<f64> =
             sampling.cosines().skip(first).take(angles.max(1)).map(libm::acos).collect();
-        let (first_column, step) = sampling.columns(group, columns);
+        let Some(found) = self.asked(group, &angle_rad, stop)? else { return Ok(None) };
+        self.put(group, first, &found);
+        self.done += angle_rad.len();
+        Ok(Some(self.done == sampling.groups(columns) * sampling.angles()))
+    }
+
+    /// Groups of columns and wavelengths, each of which can be worked out by itself.
+    pub fn groups(&self) -> usize {
+        self.sampling.groups(self.columns.len())
+    }
+
+    /// All angles of one group, for a draft of the same film elsewhere. `None` once `stop` is set.
+    ///
+    /// # Errors
+    /// What [`Ensemble::with`] refuses.
+    pub fn group(&self, group: usize, stop: &AtomicBool) -> Result<Option<Vec<f64>>, OpticsError> {
+        let angle_rad: Vec<f64> = self.sampling.cosines().map(libm::acos).collect();
+        Ok(self.asked(group, &angle_rad, stop)?.map(|tables| tables.concat()))
+    }
+
+    /// How many numbers a group has.
+    pub fn numbers(&self, group: usize) -> usize {
+        let tables = self.together.iter().chain(self.layers.iter().flatten()).count();
+        let samples = self.sampling.samples(group, self.columns.len()).count();
+        tables * self.sampling.angles() * samples
+    }
+
+    /// The same draft, complete, from what [`FilmDraft::group`] gave of each group; `None` where these are not all numbers
+    /// of all groups.
+    #[must_use]
+    pub fn completed(mut self, groups: &[&[f64]]) -> Option<Self> {
+        let (columns, angles) = (self.columns.len(), self.sampling.angles());
+        if groups.len() != self.groups() {
+            return None;
+        }
+        for (group, numbers) in groups.iter().enumerate() {
+            let each = angles * self.sampling.samples(group, columns).count();
+            if numbers.len() != self.numbers(group) {
+                return None;
+            }
+            let found: Vec<Vec<f64>> = numbers.chunks(each).map(<[f64]>::to_vec).collect();
+            self.put(group, 0, &found);
+        }
+        self.done = groups.len() * angles;
+        Some(self)
+    }
+
+    /// Tables of a group of columns at its wavelengths and some angles.
+    fn asked(
+        &self,
+        group: usize,
+        angle_rad: &[f64],
+        stop: &AtomicBool,
+    ) -> Result<Option<Vec<Vec<f64>>>, OpticsError> {
+        let (sampling, columns) = (self.sampling, self.columns.len());
+        let (first, step) = sampling.columns(group, columns);
         let some: Vec<LayerStack> =
-            self.columns.iter().skip(first_column).step_by(step).cloned().collect();
-        let samples: Vec<usize> = sampling.samples(group, columns).collect();
-        let nm: Vec<f64> = samples.iter().map(|&sample| WAVELENGTH_NM[sample]).collect();
-        let Some(found) = mirrored(self.parts, &some, &angle_rad, &nm, stop)? else {
-            return Ok(None);
-        };
+            self.columns.iter().skip(first).step_by(step).cloned().collect();
+        let nm: Vec<f64> =
+            sampling.samples(group, columns).map(|sample| WAVELENGTH_NM[sample]).collect();
+        mirrored(self.parts, &some, angle_rad, &nm, stop)
+    }
+
+    /// Keeps tables of a group, from an angle on.
+    fn put(&mut self, group: usize, first: usize, found: &[Vec<f64>]) {
+        let samples: Vec<usize> = self.sampling.samples(group, self.columns.len()).collect();
         let tables = self.together.iter_mut().chain(self.layers.iter_mut().flatten());
         for (table, found) in tables.zip(found) {
             let rows = table.iter_mut().skip(first);
-            for (row, found) in rows.zip(found.chunks_exact(nm.len())) {
+            for (row, found) in rows.zip(found.chunks_exact(samples.len())) {
                 for (&sample, share) in samples.iter().zip(found) {
                     row[sample] = *share;
                 }
             }
         }
-        self.done += angle_rad.len();
-        Ok(Some(self.done == sampling.groups(columns) * sampling.angles()))
     }
 
     /// The film, once it is complete.
@@ -284,6 +340,22 @@ mod tests {
                 assert_eq!(draft.add(50, &AtomicBool::new(true)), Ok(None));
             }
             assert_eq!(film(&columns, parts), draft.film().unwrap());
+        }
+    }
+
+    #[test]
+    fn a_film_of_groups_worked_out_elsewhere_is_the_same_to_the_bit() {
+        let columns: Vec<LayerStack> = (0..9).map(|i| column(380.0 + f64::from(i))).collect();
+        let never = AtomicBool::new(false);
+        for parts in ALL {
+            let draft = || FilmDraft::new(columns.clone(), parts, FilmSampling::WHOLE);
+            let group = |group| draft().group(group, &never).unwrap().unwrap();
+            let groups: Vec<Vec<f64>> = (0..draft().groups()).map(group).collect();
+            let all: Vec<&[f64]> = groups.iter().map(Vec::as_slice).collect();
+            let together = draft().completed(&all).unwrap().film().unwrap();
+            assert_eq!(film(&columns, parts), together);
+            assert!(draft().completed(&all[1..]).is_none());
+            assert!(draft().completed(&[all[0], all[1], all[2], &all[3][1..]]).is_none());
         }
     }
 

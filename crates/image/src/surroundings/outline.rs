@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::{
-    shape::{ball::Hit, solid::Solid},
+    shape::{ball::Hit, crossing::Beside, solid::Solid},
     surroundings::environment::Surroundings,
     view::ray::Ray,
 };
@@ -20,17 +20,17 @@ impl Surroundings {
     /// Where a line of sight meets a pearl.
     #[inline]
     pub(crate) fn hit(&self, ball: usize, ray: &Ray) -> Option<Hit> {
-        self.hit_beyond(ball, ray, 0.0)
+        self.hit_beside(ball, ray, &Beside::default())
     }
 
-    /// The same where the pearl is known to lie farther off than `near_mm`.
+    /// The same beside a line of sight that was followed.
     #[inline]
-    pub(crate) fn hit_beyond(&self, ball: usize, ray: &Ray, near_mm: f64) -> Option<Hit> {
+    pub(crate) fn hit_beside(&self, ball: usize, ray: &Ray, known: &Beside) -> Option<Hit> {
         let place = &self.balls[ball];
         match self.solid(ball) {
             None => place.hit(ray),
             Some(solid) => {
-                let hit = solid.followed(ray.from - place.centre, ray.along, [near_mm, 0.0]).0?;
+                let hit = solid.hit_beside(ray.from - place.centre, ray.along, known)?;
                 Some(Hit { point: hit.point + place.centre, ..hit })
             }
         }
@@ -72,20 +72,20 @@ impl Surroundings {
     }
 
     /// How far inside a pearl's silhouette a line of sight passes, about; negative beside it, and within `near_mm` of the
-    /// silhouette right. And from where on rays no farther than that from it may be followed.
-    pub(crate) fn inside_mm(&self, ball: usize, ray: &Ray, near_mm: f64) -> (f64, f64) {
+    /// silhouette right. And what is then known of rays no farther than that from it.
+    pub(crate) fn inside_mm(&self, ball: usize, ray: &Ray, near_mm: f64) -> (f64, Beside) {
         let place = &self.balls[ball];
         let Some(solid) = self.solid(ball) else {
-            return (place.radius_mm - place.passing_mm(ray), 0.0);
+            return (place.radius_mm - place.passing_mm(ray), Beside::default());
         };
         let from = ray.from - place.centre;
-        let (hit, free_mm) = solid.followed(from, ray.along, [0.0, near_mm]);
+        let (hit, known) = solid.followed(from, ray.along, [0.0, near_mm]);
         let least_inside_mm = hit.map_or(0.0, |hit| solid.least_inside_mm(hit.cos_view));
         if least_inside_mm > near_mm {
-            return (least_inside_mm, free_mm);
+            return (least_inside_mm, known);
         }
         let passing = (1.0 - solid.square(from, ray.along)).max(0.0).sqrt();
-        (place.radius_mm * (1.0 - passing), free_mm)
+        (place.radius_mm * (1.0 - passing), known)
     }
 
     /// Whether a line of sight surely passes a pearl by more than `aside_mm`.

@@ -58,6 +58,16 @@ impl<K: PartialEq, V> Kept<K, V> {
         Ok(Some(found))
     }
 
+    /// Whether the value of a key is kept.
+    pub(crate) fn has(&self, key: &K) -> bool {
+        self.0.iter().any(|(known, _)| known == key)
+    }
+
+    /// Keeps a value that was made elsewhere.
+    pub(crate) fn put(&mut self, key: K, value: V) {
+        self.0.push((key, Arc::new(value)));
+    }
+
     /// The value of one key.
     pub(crate) fn one<E>(
         &mut self,

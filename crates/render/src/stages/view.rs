@@ -80,7 +80,10 @@ impl View {
 
 /// The light of pixels, three channels each: the sum of the first four parts.
 pub fn light_of(pixels: &[f32]) -> Vec<f32> {
-    let sum =
-        |pixel: &[f32]| [0, 1, 2].map(|i| pixel[i] + pixel[i + 3] + pixel[i + 6] + pixel[i + 9]);
-    pixels.chunks_exact(CHANNELS).flat_map(sum).collect()
+    pixels.chunks_exact(CHANNELS).flat_map(light_of_pixel).collect()
+}
+
+/// The light of one pixel.
+pub fn light_of_pixel(pixel: &[f32]) -> [f32; 3] {
+    [0, 1, 2].map(|i| pixel[i] + pixel[i + 3] + pixel[i + 6] + pixel[i + 9])
 }

@@ -1,0 +1,75 @@
+/** What the page and its workers tell each other. */
+
+import type { Developed, PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
+
+/** A picture that is wanted: each worker makes the stripes of its number. */
+export interface Show {
+  readonly kind: "show";
+  readonly ticket: number;
+  readonly recipe: RecipeJson;
+  readonly resources?: Resources;
+  readonly space: Space;
+  /** Pixels a side of the first picture; 0 where this worker makes none. */
+  readonly firstPx: number;
+  /** Whether the rows of the whole picture are wanted, or its first picture alone. */
+  readonly refine: boolean;
+  /** Which stripes are this worker's: every `parts`th, from `part` on. */
+  readonly part: number;
+  readonly parts: number;
+}
+
+/** The joined pixels of a picture with glare, which needs all of them. */
+export interface Look {
+  readonly kind: "look";
+  readonly ticket: number;
+  readonly pixels: Float32Array<ArrayBuffer>;
+  readonly space: Space;
+}
+
+/** What the keys come to that a pearl leaves open. */
+export interface Resolve {
+  readonly kind: "resolve";
+  readonly question: number;
+  readonly pearl: PearlJson;
+}
+
+export type ToWorker =
+  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Look | Resolve;
+
+export type Codes = Developed["codes"];
+
+export type FromWorker =
+  | {
+      readonly kind: "first";
+      readonly ticket: number;
+      readonly codes: Codes;
+      readonly widthPx: number;
+      readonly tookMs: number;
+    }
+  | {
+      readonly kind: "rows";
+      readonly ticket: number;
+      readonly first: number;
+      readonly size: number;
+      /** Codes for the screen; where there is glare, light before the look. */
+      readonly made: Codes | Float32Array<ArrayBuffer>;
+    }
+  | { readonly kind: "whole"; readonly ticket: number; readonly codes: Codes }
+  | {
+      readonly kind: "resolved";
+      readonly question: number;
+      readonly keys: Readonly<Record<string, number>>;
+    }
+  | { readonly kind: "failed"; readonly ticket: number; readonly text: string };
+
+/** Rows of a stripe: enough to be worth a message, few enough that workers share a picture evenly. */
+export const STRIPE = 8;
+
+/** The stripes of one worker, as rows `[first, end)`. */
+export function stripes(size: number, part: number, parts: number): [number, number][] {
+  const found: [number, number][] = [];
+  for (let first = part * STRIPE; first < size; first += parts * STRIPE) {
+    found.push([first, Math.min(first + STRIPE, size)]);
+  }
+  return found;
+}

@@ -1,0 +1,151 @@
+/** Workers that share a picture by stripes of rows. */
+
+import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
+import type { First } from "./first";
+import type { Codes, FromWorker, Show, ToWorker } from "./messages";
+
+/** A picture, and what is to be done with it; whatever is out of date is never told. */
+export interface Wanted {
+  readonly recipe: RecipeJson;
+  readonly resources?: Resources;
+  readonly size: number;
+  readonly space: Space;
+  /** Pixels a side of the first picture; 0 for none. */
+  readonly firstPx: number;
+  readonly refine: boolean;
+  /** isCurrent: false of a picture that was asked for just before, while things move. */
+  first?(made: First, isCurrent: boolean): void;
+  progress?(share: number): void;
+  refined?(codes: Codes, size: number): void;
+  failed(text: string): void;
+}
+
+/** How many workers a picture gets on a machine with so many processors. */
+export function workersFor(processors: number): number {
+  return Math.max(1, Math.min(4, Number.isFinite(processors) ? Math.floor(processors) : 1));
+}
+
+export class Pool {
+  private readonly workers: Worker[] = [];
+  private readonly ready: Promise<void>;
+  private ticket = 0;
+  /** The ticket of the last picture that was finished. */
+  private whole = 0;
+  private wanted: Wanted | null = null;
+  private codes: Codes | null = null;
+  private pixels: Float32Array<ArrayBuffer> | null = null;
+  private rowsThere = 0;
+  private question = 0;
+  private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
+
+  constructor(count: number, program: Promise<WebAssembly.Module>) {
+    for (let part = 0; part < count; part += 1) {
+      const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+      worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.take(data);
+      worker.onerror = (event) => this.wanted?.failed(event.message || "a worker could not start");
+      this.workers.push(worker);
+    }
+    this.ready = program.then((module) => {
+      for (const part of this.workers.keys()) this.tell(part, { kind: "load", module });
+    });
+    this.ready.catch((error: unknown) => this.wanted?.failed(String(error)));
+  }
+
+  /** Makes this picture, and drops whichever was being made. */
+  show(wanted: Wanted): void {
+    this.ticket += 1;
+    this.wanted = wanted;
+    this.codes = this.pixels = null;
+    this.rowsThere = 0;
+    const { recipe, resources, space, refine } = wanted;
+    const { ticket } = this;
+    this.whenReady(ticket, () => {
+      for (const part of this.workers.keys()) {
+        const show: Show = {
+          kind: "show",
+          ticket,
+          recipe,
+          ...(resources === undefined ? {} : { resources }),
+          space,
+          firstPx: part === 0 ? wanted.firstPx : 0,
+          refine,
+          part,
+          parts: this.workers.length,
+        };
+        this.tell(part, show);
+      }
+    });
+  }
+
+  /** What a pearl's open keys come to. */
+  resolve(pearl: PearlJson): Promise<Readonly<Record<string, number>>> {
+    this.question += 1;
+    const { question } = this;
+    return new Promise((done) => {
+      this.questions.set(question, done);
+      void this.ready.then(() => this.tell(0, { kind: "resolve", question, pearl }));
+    });
+  }
+
+  close(): void {
+    for (const worker of this.workers) worker.terminate();
+    this.wanted = null;
+  }
+
+  private whenReady(ticket: number, then: () => void): void {
+    const go = () => {
+      if (ticket === this.ticket) then();
+    };
+    this.ready.then(go, (error: unknown) => this.wanted?.failed(String(error)));
+  }
+
+  private tell(part: number, message: ToWorker, transfer: Transferable[] = []): void {
+    this.workers[part]?.postMessage(message, transfer);
+  }
+
+  private take(told: FromWorker): void {
+    if (told.kind === "resolved") {
+      this.questions.get(told.question)?.(told.keys);
+      this.questions.delete(told.question);
+      return;
+    }
+    const { wanted } = this;
+    if (wanted === null) return;
+    const isCurrent = told.ticket === this.ticket;
+    if (told.kind === "first" && told.ticket > this.whole) {
+      wanted.first?.(told, isCurrent);
+    }
+    if (!isCurrent || told.kind === "first") return;
+    if (told.kind === "failed") wanted.failed(told.text);
+    else if (told.kind === "whole") this.finish(wanted, told.codes);
+    else this.join(wanted, told);
+  }
+
+  /** Puts rows in their place; with the last of them the picture is whole. */
+  private join(wanted: Wanted, { first, size, made }: Extract<FromWorker, { kind: "rows" }>): void {
+    const glares = made instanceof Float32Array;
+    const channels = glares ? 17 : 4;
+    if (made instanceof Float32Array) {
+      this.pixels ??= new Float32Array(size * size * channels);
+      this.pixels.set(made, first * size * channels);
+    } else {
+      this.codes ??= new Uint8ClampedArray(size * size * channels);
+      this.codes.set(made, first * size * channels);
+    }
+    this.rowsThere += made.length / (size * channels);
+    wanted.progress?.(this.rowsThere / size);
+    if (this.rowsThere < size) return;
+    if (this.pixels !== null) {
+      const { ticket, pixels } = this;
+      this.tell(0, { kind: "look", ticket, pixels, space: wanted.space }, [pixels.buffer]);
+      this.pixels = null;
+    } else if (this.codes !== null) {
+      this.finish(wanted, this.codes);
+    }
+  }
+
+  private finish(wanted: Wanted, codes: Codes): void {
+    this.whole = this.ticket;
+    wanted.refined?.(codes, wanted.size);
+  }
+}

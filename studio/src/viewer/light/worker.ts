@@ -1,0 +1,124 @@
+/** A worker: one job, which makes whatever was asked for last. */
+
+import { Job, develop, initSync, resolvedKeys, tell_panics } from "nacreous-wasm";
+import { firstPicture } from "./first";
+import {
+  type FromWorker,
+  type Look,
+  type Resolve,
+  type Show,
+  type ToWorker,
+  stripes,
+} from "./messages";
+
+/** Rows are made in pieces of some so many ms; between two the worker looks at its messages. */
+const PIECE_MS = 20;
+
+const page = self as unknown as {
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+  postMessage(message: FromWorker, transfer?: Transferable[]): void;
+};
+
+let job: Job | null = null;
+let latest: Show | null = null;
+let running = false;
+let rowsAtOnce = 2;
+
+page.onmessage = ({ data }) => {
+  if (data.kind === "load") {
+    initSync({ module: data.module });
+    tell_panics();
+  } else if (data.kind === "show") {
+    latest = data;
+    if (!running) void work();
+  } else {
+    answer(data);
+  }
+};
+
+/** Goes on until nothing newer is wanted. */
+async function work(): Promise<void> {
+  running = true;
+  while (latest !== null) {
+    const wanted: Show = latest;
+    latest = null;
+    try {
+      await make(wanted);
+    } catch (error) {
+      fail(wanted.ticket, error);
+    }
+  }
+  running = false;
+}
+
+async function make(wanted: Show): Promise<void> {
+  if (!wanted.refine && wanted.firstPx === 0) return;
+  if (job === null) job = new Job(wanted.recipe, wanted.resources);
+  else job.change(wanted.recipe, wanted.resources);
+  if (wanted.firstPx > 0) {
+    const first = firstPicture(job, wanted.firstPx, wanted.space);
+    page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
+  }
+  if (!wanted.refine) return;
+  do {
+    await messages();
+    if (latest !== null) return;
+  } while (!job.step());
+  for (const [first, end] of stripes(job.size, wanted.part, wanted.parts)) {
+    for (let row = first; row < end;) {
+      row = rows(job, wanted, row, end);
+      await messages();
+      if (latest !== null) return;
+    }
+  }
+}
+
+/** Makes some rows, tells them, and gives the next. */
+function rows(job: Job, wanted: Show, first: number, least: number): number {
+  const end = Math.min(first + rowsAtOnce, least);
+  const began = performance.now();
+  const pixels = job.rows(first, end);
+  let made;
+  if (job.hasGlare) {
+    made = new Float32Array(pixels);
+  } else {
+    job.expose(pixels);
+    made = develop(pixels, wanted.space, "soft").codes;
+  }
+  const rowMs = (performance.now() - began) / (end - first);
+  rowsAtOnce = Math.max(1, Math.round(PIECE_MS / rowMs));
+  const { ticket } = wanted;
+  page.postMessage({ kind: "rows", ticket, first, size: job.size, made }, [made.buffer]);
+  return end;
+}
+
+function answer(asked: Look | Resolve): void {
+  try {
+    if (asked.kind === "resolve") {
+      const keys = resolvedKeys(asked.pearl);
+      page.postMessage({ kind: "resolved", question: asked.question, keys });
+    } else if (job !== null) {
+      job.look(asked.pixels);
+      const { codes } = develop(asked.pixels, asked.space, "soft");
+      page.postMessage({ kind: "whole", ticket: asked.ticket, codes }, [codes.buffer]);
+    }
+  } catch (error) {
+    fail(asked.kind === "look" ? asked.ticket : -1, error);
+  }
+}
+
+function fail(ticket: number, error: unknown): void {
+  const text = error instanceof Error ? error.message : String(error);
+  if (text.includes("broken off")) job = null; // a fault of ours: that job is of no use any more
+  page.postMessage({ kind: "failed", ticket, text });
+}
+
+const channel = new MessageChannel();
+
+/** Lets messages come in; a timeout would wait for 4 ms. */
+function messages(): Promise<void> {
+  return new Promise((go) => {
+    channel.port1.onmessage = () => go();
+    channel.port2.postMessage(null);
+  });
+}

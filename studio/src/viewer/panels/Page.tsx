@@ -1,0 +1,172 @@
+/** The page: bar, presets, pictures, knobs. */
+
+import { useEffect, useState } from "preact/hooks";
+import { openFiles } from "../state/files";
+import { board, notice, redo, refused, undo } from "../state/store";
+import { type Tab, tab } from "../state/view";
+import { language, t } from "../words/speech";
+import { Bar } from "./Bar";
+import { Bench } from "./Bench";
+import { Compare, SideSwitch } from "./Compare";
+import { PearlKnobs, SceneKnobs } from "./Knobs";
+import { Presets } from "./Presets";
+
+const TABS = [
+  ["presets", "tabPresets"],
+  ["pearl", "tabPearl"],
+  ["scene", "tabScene"],
+  ["compare", "tabCompare"],
+] as const;
+
+export function Page() {
+  const isOver = useDropping();
+  useKeys();
+  useEffect(() => {
+    document.documentElement.lang = language.value;
+  }, [language.value]);
+  return (
+    <div class="page" data-tab={tab.value}>
+      <Bar />
+      <aside class="left" aria-label={t("tabPresets")}>
+        <Presets />
+      </aside>
+      <main class="middle">
+        <Bench />
+      </main>
+      <Panels />
+      <Messages />
+      {isOver && <div class="drop">{t("dropHere")}</div>}
+    </div>
+  );
+}
+
+const PANELS: Record<Tab, () => preact.JSX.Element | null> = {
+  presets: Presets,
+  pearl: PearlKnobs,
+  scene: SceneKnobs,
+  compare: Compare,
+};
+
+function Panels() {
+  const Shown = PANELS[tab.value];
+  const go = (by: number) => {
+    const at = TABS.findIndex(([name]) => name === tab.value);
+    const next = TABS[(at + by + TABS.length) % TABS.length];
+    if (next === undefined) return;
+    tab.value = next[0];
+    document.getElementById(`tab-${next[0]}`)?.focus();
+  };
+  return (
+    <aside class="right" aria-label={t("panels")}>
+      <div class="tabs" role="tablist" aria-label={t("panels")}>
+        {TABS.map(([name, word]) => (
+          <button
+            type="button"
+            role="tab"
+            key={name}
+            id={`tab-${name}`}
+            class="tab"
+            aria-selected={tab.value === name}
+            aria-controls="panel"
+            tabIndex={tab.value === name ? 0 : -1}
+            onClick={() => (tab.value = name)}
+            onKeyDown={(event) => {
+              if (event.key === "ArrowRight") go(1);
+              if (event.key === "ArrowLeft") go(-1);
+            }}
+          >
+            {t(word)}
+          </button>
+        ))}
+      </div>
+      <div
+        class="panel"
+        id="panel"
+        role="tabpanel"
+        aria-labelledby={`tab-${tab.value}`}
+        tabIndex={-1}
+      >
+        {board.value.b !== null && tab.value !== "compare" && <SideSwitch />}
+        <Shown key={tab.value} />
+      </div>
+    </aside>
+  );
+}
+
+/** What is wrong with a file, and short notices that go by themselves. */
+function Messages() {
+  const said = notice.value;
+  useEffect(() => {
+    if (said === "") return;
+    const gone = setTimeout(() => (notice.value = ""), 7000);
+    return () => clearTimeout(gone);
+  }, [said]);
+  const { complaints, from } = refused.value ?? { complaints: [], from: "file" };
+  return (
+    <div class="messages">
+      {complaints.length > 0 && (
+        <div class="message wrong" role="alert">
+          <strong>{t(from === "file" ? "refusedFile" : "refusedLink")}</strong>
+          <ul lang="en">
+            {complaints.slice(0, 6).map((one) => (
+              <li key={one.text}>{one.text}</li>
+            ))}
+            {complaints.length > 6 && <li>… {complaints.length - 6}</li>}
+          </ul>
+          <button type="button" onClick={() => (refused.value = null)}>
+            {t("close")}
+          </button>
+        </div>
+      )}
+      <div role="status" class={said === "" ? "" : "message"}>
+        {said}
+      </div>
+    </div>
+  );
+}
+
+/** Files dropped anywhere on the page are opened. */
+function useDropping(): boolean {
+  const [isOver, setOver] = useState(false);
+  useEffect(() => {
+    const over = (event: DragEvent) => {
+      if (!event.dataTransfer?.types.includes("Files")) return;
+      event.preventDefault();
+      setOver(true);
+    };
+    const leave = (event: DragEvent) => {
+      if (event.relatedTarget === null) setOver(false);
+    };
+    const drop = (event: DragEvent) => {
+      event.preventDefault();
+      setOver(false);
+      void openFiles([...(event.dataTransfer?.files ?? [])]);
+    };
+    addEventListener("dragover", over);
+    addEventListener("dragleave", leave);
+    addEventListener("drop", drop);
+    return () => {
+      removeEventListener("dragover", over);
+      removeEventListener("dragleave", leave);
+      removeEventListener("drop", drop);
+    };
+  }, []);
+  return isOver;
+}
+
+/** Ctrl-Z and Ctrl-Shift-Z, but where text is being typed. */
+function useKeys(): void {
+  useEffect(() => {
+    const key = (event: KeyboardEvent) => {
+      const isText = event.target instanceof HTMLInputElement && event.target.type === "text";
+      if (!(event.ctrlKey || event.metaKey) || isText) return;
+      const pressed = event.key.toLowerCase();
+      if (pressed !== "z" && pressed !== "y") return;
+      event.preventDefault();
+      if (pressed === "y" || event.shiftKey) redo();
+      else undo();
+    };
+    addEventListener("keydown", key);
+    return () => removeEventListener("keydown", key);
+  }, []);
+}
