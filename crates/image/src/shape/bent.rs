@@ -46,27 +46,3 @@ impl Bent {
         (bulge - rise / (self.height * self.height)) / steep
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::shape::ovoid::Ovoid;
-
-    #[test]
-    fn an_ellipsoid_is_bent_as_its_axes_say() {
-        for length in [0.6, 1.0, 1.7] {
-            let ovoid = Ovoid::new(DVec3::new(1.0, 1.0, length), 0.0, 0.0);
-            let bend = |towards, along| ovoid.bent(towards).curvature(towards, along);
-            let near = |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-9, "{found}");
-            near(bend(DVec3::Z, DVec3::X), length);
-            near(bend(DVec3::X, DVec3::Y), 1.0);
-            near(bend(DVec3::X, DVec3::Z), 1.0 / (length * length));
-            // Halfway, along the meridian: a b / (a^2 sin^2 + b^2 cos^2)^(3/2) of the angle that is even on a circle.
-            let (sin, cos) = 0.7_f64.sin_cos();
-            let place = DVec3::new(cos, 0.0, length * sin);
-            let along = DVec3::new(-sin, 0.0, length * cos).normalize();
-            let wide = sin * sin + length * length * cos * cos;
-            near(bend(place.normalize(), along), length / wide.powf(1.5));
-        }
-    }
-}
