@@ -20,6 +20,22 @@ export interface Wanted {
   failed(text: string): void;
 }
 
+/** Parts of what workers share out, round by round, until all are there. */
+export class Shares {
+  private readonly rounds = new Map<number, Map<number, Float64Array>>();
+
+  constructor(private readonly workers: number) {}
+
+  /** All parts of the round in their order, with the last of them; else null. */
+  take(round: number, part: number, numbers: Float64Array): Float64Array[] | null {
+    const there = this.rounds.get(round) ?? new Map<number, Float64Array>();
+    this.rounds.set(round, there.set(part, numbers));
+    if (there.size < this.workers) return null;
+    this.rounds.delete(round);
+    return [...there].sort(([a], [b]) => a - b).map(([, numbers]) => numbers);
+  }
+}
+
 /** How many workers a picture gets on a machine with so many processors. */
 export function workersFor(processors: number): number {
   return Math.max(1, Math.min(4, Number.isFinite(processors) ? Math.floor(processors) : 1));
@@ -35,6 +51,7 @@ export class Pool {
   private codes: Codes | null = null;
   private pixels: Float32Array<ArrayBuffer> | null = null;
   private rowsThere = 0;
+  private shares = new Shares(0);
   private question = 0;
   private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
 
@@ -57,6 +74,7 @@ export class Pool {
     this.wanted = wanted;
     this.codes = this.pixels = null;
     this.rowsThere = 0;
+    this.shares = new Shares(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
     const { ticket } = this;
     this.whenReady(ticket, () => {
@@ -118,7 +136,17 @@ export class Pool {
     if (!isCurrent || told.kind === "first") return;
     if (told.kind === "failed") wanted.failed(told.text);
     else if (told.kind === "whole") this.finish(wanted, told.codes);
+    else if (told.kind === "part") this.handRound(told);
     else this.join(wanted, told);
+  }
+
+  /** Once all workers have told their part of what is shared out, each gets all of them. */
+  private handRound({ ticket, round, part, numbers }: Extract<FromWorker, { kind: "part" }>): void {
+    const parts = this.shares.take(round, part, numbers);
+    if (parts === null) return;
+    for (const worker of this.workers.keys()) {
+      this.tell(worker, { kind: "parts", ticket, round, parts });
+    }
   }
 
   /** Puts rows in their place; with the last of them the picture is whole. */

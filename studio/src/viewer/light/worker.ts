@@ -5,6 +5,7 @@ import { firstPicture } from "./first";
 import {
   type FromWorker,
   type Look,
+  type Parts,
   type Resolve,
   type Show,
   type ToWorker,
@@ -23,6 +24,7 @@ let job: Job | null = null;
 let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
+let joined: Parts | null = null;
 
 page.onmessage = ({ data }) => {
   if (data.kind === "load") {
@@ -31,6 +33,8 @@ page.onmessage = ({ data }) => {
   } else if (data.kind === "show") {
     latest = data;
     if (!running) void work();
+  } else if (data.kind === "parts") {
+    joined = data;
   } else {
     answer(data);
   }
@@ -60,6 +64,7 @@ async function make(wanted: Show): Promise<void> {
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
   }
   if (!wanted.refine) return;
+  if (wanted.parts > 1 && !(await share(job, wanted))) return;
   do {
     await messages();
     if (latest !== null) return;
@@ -70,6 +75,23 @@ async function make(wanted: Show): Promise<void> {
       await messages();
       if (latest !== null) return;
     }
+  }
+}
+
+/** Works out this worker's part of what comes before the rows, and takes the others'; false where something newer came. */
+async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> {
+  for (let round = 0; ; round += 1) {
+    await messages();
+    if (latest !== null) return false;
+    const numbers = job.part(part, parts) as Float64Array<ArrayBuffer> | undefined;
+    if (numbers === undefined) return true;
+    page.postMessage({ kind: "part", ticket, round, part, numbers }, [numbers.buffer]);
+    while (joined === null || joined.ticket !== ticket || joined.round !== round) {
+      await pause();
+      if (latest !== null) return false;
+    }
+    job.join([...joined.parts]);
+    joined = null;
   }
 }
 
@@ -111,6 +133,11 @@ function fail(ticket: number, error: unknown): void {
   const text = error instanceof Error ? error.message : String(error);
   if (text.includes("broken off")) job = null; // a fault of ours: that job is of no use any more
   page.postMessage({ kind: "failed", ticket, text });
+}
+
+/** Waits for others, who take tens of milliseconds. */
+function pause(): Promise<void> {
+  return new Promise((go) => setTimeout(go, 1));
 }
 
 const channel = new MessageChannel();
