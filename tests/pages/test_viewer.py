@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, FilePayload, Page, expect
 
 import nacreous as nc
 from nacreous.study.design import Design
@@ -140,7 +140,7 @@ def test_a_link_and_files_bring_the_same_pearl_again(
 
 
 def test_what_is_damaged_is_told_once_and_changes_nothing(page: Page, visitor: Guarded) -> None:
-    bad = {"name": "bad.toml", "mimeType": "text/plain", "buffer": b"depth = 3"}
+    bad = FilePayload(name="bad.toml", mimeType="text/plain", buffer=b"depth = 3")
     page.set_input_files("input[type=file]", [bad])
     expect(page.locator(".message.wrong li")).to_have_text(
         ["bad.toml: depth is 3; allowed: 0 to 1"]

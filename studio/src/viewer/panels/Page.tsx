@@ -80,6 +80,7 @@ function Panels() {
         ))}
       </div>
       <div
+        key={tab.value}
         class="panel"
         id="panel"
         role="tabpanel"
@@ -87,7 +88,7 @@ function Panels() {
         tabIndex={-1}
       >
         {board.value.b !== null && tab.value !== "compare" && <SideSwitch />}
-        <Shown key={tab.value} />
+        <Shown />
       </div>
     </aside>
   );

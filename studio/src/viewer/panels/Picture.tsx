@@ -50,6 +50,8 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
       }
       if (seen.whole === recipe && seen.asked === recipe) return; // it is there, and nothing else comes
       seen.asked = recipe;
+      if (seen.stage === "refined") seen.stage = "first"; // what is seen is of before
+      tell({ stage: seen.stage, share: 0, failed: "" });
       const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
         if (canvas.current !== null) put(canvas.current, codes, widthPx, SPACE);
       };

@@ -72,7 +72,7 @@ export const EN = {
   dome: "Light from above",
   domeHint: "Seen from above. The middle is overhead, the rim is the horizon.",
   moveLamp: "Move {name}: {azimuth}° to the side, {elevation}° high",
-  noLamp: "The light of this scene does not move.",
+  noLamp: "This light stays.",
   eye: "Your eye",
   pictureSize: "Size of the picture",
   pixels: "{n} × {n} px",

@@ -73,7 +73,7 @@ export const JA: Record<Word, string> = {
   dome: "光の位置",
   domeHint: "真上から見た図。中心が真上、縁が地平です。",
   moveLamp: "{name}を動かす：横{azimuth}°、高さ{elevation}°",
-  noLamp: "この場面の光は動きません。",
+  noLamp: "この光は動きません。",
   eye: "目の位置",
   pictureSize: "画像の大きさ",
   pixels: "{n} × {n} px",
