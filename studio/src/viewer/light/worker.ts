@@ -24,6 +24,7 @@ let job: Job | null = null;
 let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
+let firstPx = 512;
 let joined: Parts | null = null;
 
 page.onmessage = ({ data }) => {
@@ -60,6 +61,7 @@ async function make(wanted: Show): Promise<void> {
   if (job === null) job = new Job(wanted.recipe, wanted.resources);
   else job.change(wanted.recipe, wanted.resources);
   if (wanted.firstPx > 0) {
+    firstPx = wanted.firstPx;
     const first = firstPicture(job, wanted.firstPx, wanted.space);
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
   }
@@ -76,6 +78,8 @@ async function make(wanted: Show): Promise<void> {
       if (latest !== null) return;
     }
   }
+  // Made once for nothing, the next first picture finds what the whole one has learnt in its place.
+  if (wanted.part === 0) job.preview(firstPx, wanted.space, "soft");
 }
 
 /** Works out this worker's part of what comes before the rows, and takes the others'; false where something newer came. */

@@ -2,7 +2,7 @@
 
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Pool } from "../light/pool";
-import { nextPx } from "../light/first";
+import { FirstSize } from "../light/first";
 import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 import { faultsOf } from "../state/faults";
@@ -30,7 +30,8 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
   const shown = useRef({
     asked: "",
     first: "",
-    firstPx: 256,
+    seen: null as Specs | null,
+    sizes: new FirstSize(),
     whole: "",
     stage: null as Making["stage"],
   });
@@ -52,6 +53,8 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
       seen.asked = recipe;
       if (seen.stage === "refined") seen.stage = "first"; // what is seen is of before
       tell({ stage: seen.stage, share: 0, failed: "" });
+      const firstPx = Math.min(size, seen.sizes.next(changesView(seen.seen, specs)));
+      seen.seen = specs;
       const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
         if (canvas.current !== null) put(canvas.current, codes, widthPx, SPACE);
       };
@@ -59,11 +62,11 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
         recipe,
         size,
         space: SPACE,
-        firstPx: seen.first === recipe ? 0 : Math.min(size, seen.firstPx),
+        firstPx: seen.first === recipe ? 0 : firstPx,
         refine: !moving,
         first(made, isCurrent) {
           draw(made.codes, made.widthPx);
-          seen.firstPx = nextPx(made);
+          seen.sizes.learn(made);
           if (isCurrent) seen.first = recipe;
           seen.whole = "";
           seen.stage = "first";
@@ -80,4 +83,23 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
       });
     }
   }, [specs, moving, size]);
+}
+
+/** Whether pixels look at other places, or at other light, than before; else their colours alone may differ. */
+function changesView(before: Specs | null, now: Specs): boolean {
+  if (before === null) return false;
+  const { camera, ...around } = now.scene;
+  const { camera: cameraBefore, ...aroundBefore } = before.scene;
+  const pearl = ({ diameter_mm, texture, coat, blemishes, shape, pose }: Specs["pearl"]) => [
+    diameter_mm,
+    texture,
+    ...[coat, blemishes, shape, pose],
+  ];
+  const view = [{ ...camera, exposure: 0, glare: 0 }, around, pearl(now.pearl)];
+  const viewBefore = [
+    { ...cameraBefore, exposure: 0, glare: 0 },
+    aroundBefore,
+    pearl(before.pearl),
+  ];
+  return JSON.stringify(view) !== JSON.stringify(viewBefore);
 }

@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
-import { nextPx } from "../../../src/viewer/light/first";
-import { Pool } from "../../../src/viewer/light/pool";
+import { FirstSize } from "../../../src/viewer/light/first";
+import { Pool, Shares } from "../../../src/viewer/light/pool";
 import { stripes } from "../../../src/viewer/light/messages";
 
 test("the stripes of all workers are every row once", () => {
@@ -96,8 +96,23 @@ test("pixels with glare are joined first and looked at as one", async () => {
 });
 
 test("first pictures are large where they keep up with the hand, and small where not", () => {
-  expect(nextPx({ widthPx: 256, tookMs: 8 })).toBe(512);
-  expect(nextPx({ widthPx: 256, tookMs: 25 })).toBe(256);
-  expect(nextPx({ widthPx: 512, tookMs: 30 })).toBe(512);
-  expect(nextPx({ widthPx: 512, tookMs: 80 })).toBe(256);
+  const sizes = new FirstSize();
+  expect(sizes.next(false)).toBe(512);
+  expect(sizes.next(true)).toBe(256); // the camera turns
+  sizes.learn({ widthPx: 256, tookMs: 300 });
+  expect(sizes.next(false)).toBe(512);
+  for (const tookMs of [300, 200, 150]) sizes.learn({ widthPx: 512, tookMs });
+  const next = Array.from({ length: 10 }, () => sizes.next(false));
+  expect(next.filter((px) => px === 512)).toHaveLength(1); // whether the machine is free again
+  sizes.learn({ widthPx: 512, tookMs: 30 });
+  expect(sizes.next(false)).toBe(512);
+});
+
+test("all parts of a round are handed out with the last of them, in their order", () => {
+  const shares = new Shares(3);
+  const [a, b, c] = [1, 2, 3].map((one) => new Float64Array([one]));
+  expect(shares.take(0, 2, c!)).toBeNull();
+  expect(shares.take(1, 0, a!)).toBeNull(); // a worker that is ahead
+  expect(shares.take(0, 0, a!)).toBeNull();
+  expect(shares.take(0, 1, b!)).toEqual([a, b, c]);
 });
