@@ -5,7 +5,16 @@ use nacreous_image::{CHANNELS, Development, Progress};
 use nacreous_render::{Asked, View, spec::Recipe};
 use wasm_bindgen::{Clamped, prelude::*};
 
-use crate::{refused, resources::resources_of};
+use crate::{picture::object, refused, resources::resources_of};
+
+#[wasm_bindgen(typescript_custom_section)]
+const SIGHT: &str = r"/** What a line of sight meets. */
+export interface Sight {
+  /** The pearl's number among those of the recipe. */
+  readonly pearl: number;
+  /** The angle between the surface's normal, relief left out, and the line of sight. */
+  readonly viewRad: number;
+}";
 
 /// A picture in the making, kept and asked again: only what changed is worked out anew.
 #[wasm_bindgen]
@@ -126,6 +135,21 @@ impl Job {
     #[wasm_bindgen(getter = hasGlare)]
     pub fn has_glare(&self) -> bool {
         self.made.recipe().scene.camera.glare > 0.0
+    }
+
+    /// The pearl that is seen in the middle of a pixel; undefined beside all pearls. Nothing else is worked out.
+    #[wasm_bindgen(unchecked_return_type = "Sight | undefined")]
+    pub fn sight(&mut self, row: usize, column: usize) -> Result<JsValue, JsValue> {
+        let Some(sighted) = self.made.sight(row, column) else { return Ok(JsValue::UNDEFINED) };
+        let found =
+            [("pearl", (sighted.pearl as u32).into()), ("viewRad", sighted.view_rad.into())];
+        Ok(object(&found)?.into())
+    }
+
+    /// Millimetres in a pixel, on the plane through the scene's middle.
+    #[wasm_bindgen(getter = mmPerPixel)]
+    pub fn mm_per_pixel(&self) -> f64 {
+        self.made.mm_per_pixel()
     }
 
     /// Pixels a side.

@@ -2,7 +2,7 @@
 
 use js_sys::{Array, Float64Array, Object, Uint32Array};
 use nacreous_render::{
-    diary_of, film_spectra, resolved_of,
+    diary_of, film_spectra, resolved_of, season_of,
     spec::{
         nacre::NacreSpec,
         pearl::{PearlSpec, TransportSpec},
@@ -31,6 +31,8 @@ export interface Growth {
   /** Days since seeding. */
   readonly day: Uint32Array;
   readonly thicknessNm: Float64Array;
+  /** How summery each layer's day was: 1 at the top of the season, towards 0 in winter. */
+  readonly warmth: Float64Array;
 }";
 
 /// What grew on which day; listed layers grew on none and are refused.
@@ -44,7 +46,10 @@ pub fn grow(
     let diary = diary_of(&growth, growth.seed).map_err(refused)?;
     let (days, thickness_nm): (Vec<u32>, Vec<f64>) =
         diary.deposits().iter().map(|deposit| (deposit.day, deposit.thickness_nm)).unzip();
+    let season = season_of(&growth).map_err(refused)?;
+    let warmth: Vec<f64> = days.iter().map(|&day| season.warmth(f64::from(day))).collect();
     object(&[
+        ("warmth", Float64Array::from(warmth.as_slice()).into()),
         ("day", Uint32Array::from(days.as_slice()).into()),
         ("thicknessNm", Float64Array::from(thickness_nm.as_slice()).into()),
     ])
