@@ -1,0 +1,162 @@
+/** Spectra at the point, and the layers of its pearl with their days. */
+
+import { useMemo, useState } from "preact/hooks";
+import type uPlot from "uplot";
+import { WAVELENGTH_NM } from "../../light/instruments";
+import { type Layer, outer } from "../../state/growing";
+import { copyNumbers, layers, reading } from "../../state/instruments";
+import { lines } from "../../state/measured";
+import { say } from "../../words/instruments";
+import { Plot } from "./Plot";
+
+export function copy(text: string): void {
+  void copyNumbers(text, { done: say("copied"), not: say("notCopied") });
+}
+
+/** Wavelengths, R and T at the point, under their angle. */
+export function copySpectra(): void {
+  const read = reading.value;
+  if (read === null || read.film === null) return;
+  const { R, T } = read.film;
+  const rows = Array.from(WAVELENGTH_NM, (nm, i) => [nm, R[i] ?? null, T[i] ?? null]);
+  copy(lines([["angle_deg", (read.angleRad * 180) / Math.PI], ["nm", "R", "T"], ...rows]));
+}
+
+export function degrees(rad: number): string {
+  return ((rad * 180) / Math.PI).toFixed(1);
+}
+
+const percents = (shares: Float64Array) => Array.from(shares, (share) => 100 * share);
+
+export function Point() {
+  const read = reading.value;
+  const [at, setAt] = useState<number | null>(null);
+  const film = read?.film ?? null;
+  const both = useMemo(
+    () => (film === null ? null : { R: percents(film.R), T: percents(film.T) }),
+    [film],
+  );
+  return (
+    <section class="instrument">
+      <Head title={say("point")} {...(film === null ? {} : { copies: copySpectra })} />
+      <p class="says">{say("pointAbout")}</p>
+      {read === null ? (
+        <p class="nothing">{say("beside")}</p>
+      ) : (
+        <p class="readout">
+          {say("viewAngle")} <output data-angle={read.angleRad}>{degrees(read.angleRad)}°</output>
+          {both !== null && at !== null && (
+            <span>
+              {WAVELENGTH_NM[at]} nm · R {both.R[at]?.toFixed(2)} % · T {both.T[at]?.toFixed(2)} %
+            </span>
+          )}
+        </p>
+      )}
+      {read !== null && film === null && (
+        <p class="nothing" lang="en">
+          {read.why}
+        </p>
+      )}
+      {both !== null && (
+        <>
+          <Plot
+            label={say("spectraPlot")}
+            x={WAVELENGTH_NM}
+            xLabel="nm"
+            yLabel="%"
+            lines={[
+              { label: "R", values: both.R },
+              { label: "T", values: both.T, dash: [5, 4] },
+            ]}
+            range={{ x: [380, 780], y: [0, 100] }}
+            heightPx={190}
+            hover={setAt}
+          />
+          <p class="keys">
+            <span class="key solid">{say("reflected")}</span>
+            <span class="key dashed">{say("transmitted")}</span>
+          </p>
+          <p class="says">{say("exact")}</p>
+        </>
+      )}
+    </section>
+  );
+}
+
+export function LayersPlot() {
+  const known = layers.value;
+  const shown = useMemo(() => (known === null ? [] : outer(known)), [known]);
+  const series = useMemo(
+    () => ({ x: shown.map((one) => one.depthUm), nm: shown.map((one) => one.thicknessNm) }),
+    [shown],
+  );
+  const [at, setAt] = useState<number | null>(null);
+  const one = at === null ? undefined : shown[at];
+  if (known === null || shown.length === 0) return null;
+  const all = () =>
+    copy(
+      lines([
+        ["depth_um", "thickness_nm", "date"],
+        ...shown.map(({ depthUm, thicknessNm, date }) => [depthUm, thicknessNm, date]),
+      ]),
+    );
+  return (
+    <section class="instrument">
+      <Head title={say("layers")} copies={all} />
+      <p class="says">{say(known.grown === null ? "layersListed" : "layersAbout")}</p>
+      <p class="readout">
+        {one === undefined ? (
+          say("count", {
+            n: shown.length,
+            least: Math.min(...series.nm).toFixed(0),
+            most: Math.max(...series.nm).toFixed(0),
+          })
+        ) : (
+          <output>
+            {one.date !== "" && <>{one.date} · </>}
+            {one.thicknessNm.toFixed(1)} nm · {one.depthUm.toFixed(2)} µm
+          </output>
+        )}
+      </p>
+      <Plot
+        label={say("layersPlot")}
+        x={series.x}
+        xLabel={`${say("depth")}, µm`}
+        yLabel="nm"
+        lines={[{ label: "nm", values: series.nm, points: true }]}
+        range={{}}
+        heightPx={180}
+        hover={setAt}
+        under={(plot) => shade(plot, shown)}
+      />
+    </section>
+  );
+}
+
+/** Lays a lighter ground under each layer, the more the more summery its day was. */
+function shade(plot: uPlot, shown: readonly Layer[]): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  for (const [i, { depthUm, warmth }] of shown.entries()) {
+    const before = shown[i - 1]?.depthUm ?? depthUm;
+    const after = shown[i + 1]?.depthUm ?? depthUm;
+    const left = plot.valToPos((before + depthUm) / 2, "x", true);
+    const right = plot.valToPos((depthUm + after) / 2, "x", true);
+    ctx.fillStyle = `rgb(255 255 255 / ${14 * warmth}%)`;
+    ctx.fillRect(left, bbox.top, right - left, bbox.height);
+  }
+  ctx.restore();
+}
+
+export function Head({ title, copies }: { title: string; copies?: () => void }) {
+  return (
+    <div class="head">
+      <h2>{title}</h2>
+      {copies !== undefined && (
+        <button type="button" class="link" onClick={copies} aria-label={`${say("copy")}: ${title}`}>
+          {say("copy")}
+        </button>
+      )}
+    </div>
+  );
+}
