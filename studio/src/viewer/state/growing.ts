@@ -27,8 +27,10 @@ export function dayAfter(seeding: string, days: number): string {
 }
 
 /** The layers down to a depth, the surface first. */
-export function outer({ thicknessNm, proteinNm, seeding, filmUm, grown }: Layers): Layer[] {
-  const mostUm = filmUm ?? Infinity;
+export function outer(
+  { thicknessNm, proteinNm, seeding, grown }: Layers,
+  mostUm = Infinity,
+): Layer[] {
   const found: Layer[] = [];
   let top = 0;
   for (const [i, thickness] of thicknessNm.entries()) {

@@ -1,6 +1,6 @@
 /** What the instruments read: the point, its pearl's layers, and the measures of the picture at rest. */
 
-import { computed, effect, signal } from "@preact/signals";
+import { batch, computed, effect, signal } from "@preact/signals";
 import {
   type Chart,
   type Found,
@@ -42,6 +42,8 @@ export const place = computed(() => hovered.value ?? fixed.value);
 
 /** null beside the pearl. */
 export const reading = signal<Reading | null>(null);
+/** Why nothing is read at the point, where something is wrong. */
+export const trouble = signal("");
 export const layers = signal<Layers | null>(null);
 export const chart = signal<Chart | null>(null);
 export const found = signal<Found | null>(null);
@@ -80,20 +82,31 @@ function lastOf<T>(ask: (asked: T) => Promise<void>): (asked: T) => void {
     while (waiting !== null) {
       const { asked } = waiting;
       waiting = null;
-      await ask(asked).catch((why: Error) => (notice.value = why.message));
+      await ask(asked);
     }
     busy = false;
   }
 }
 
 const readPoint = lastOf(async (asked: { recipe: string; row: number; column: number }) => {
-  const read = await instruments().ask("point", asked);
-  reading.value = read;
-  if (read === null) return;
-  const key = `${read.pearl} ${asked.recipe}`;
-  if (key === layersOf) return;
-  layers.value = await instruments().ask("layers", { recipe: asked.recipe, pearl: read.pearl });
-  layersOf = key;
+  const { recipe } = asked;
+  try {
+    const read = await instruments().ask("point", asked);
+    batch(() => {
+      reading.value = read;
+      trouble.value = "";
+    });
+    const key = `${read?.pearl} ${recipe}`;
+    if (read === null || key === layersOf) return;
+    layersOf = key;
+    layers.value = await instruments().ask("layers", { recipe, pearl: read.pearl });
+  } catch (error) {
+    batch(() => {
+      reading.value = layers.value = null;
+      trouble.value = (error as Error).message;
+      layersOf = "";
+    });
+  }
 });
 let layersOf = "";
 

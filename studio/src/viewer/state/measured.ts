@@ -100,7 +100,7 @@ export function shown({ value, error }: Measured, unit: string, least = 0): stri
   if (error === null) {
     return `${value.toFixed(Number.isInteger(value) ? least : Math.max(1, least))}${behind}`;
   }
-  const wanted = error > 0 ? 1 - Math.floor(Math.log10(error)) : 4;
+  const wanted = error > 0 ? 1 - Math.floor(Math.log10(error)) : 1;
   const digits = Math.min(Math.max(wanted, least, 0), 4);
   return `${value.toFixed(digits)} ± ${error.toFixed(digits)}${behind}`;
 }

@@ -32,8 +32,8 @@ const WORDS = {
   copyOne: ["Copy {name}, {value}", "{name}、{value}をコピー"],
   layers: ["Layers and days", "層と日付"],
   layersAbout: [
-    "The layers of the film, the surface on the left; lighter ground is summer.",
-    "膜の層。左が表面、明るい地が夏です。",
+    "The surface is on the left; lighter ground is summer; a line marks where the film ends.",
+    "左が表面、明るい地が夏、縦線が膜の終わりです。",
   ],
   layersPlot: [
     "Thickness of each aragonite layer in nm, over depth in µm",
@@ -46,6 +46,8 @@ const WORDS = {
   depth: ["Depth", "深さ"],
   thickness: ["Thickness", "厚さ"],
   grewOn: ["Grew on", "成長日"],
+  filmAlone: ["Film alone", "膜だけ"],
+  allNacre: ["All nacre", "真珠層全体"],
   count: ["{n} layers, {least} to {most} nm", "{n}層、{least}〜{most} nm"],
   measures: ["Measures", "測定値"],
   measuresAbout: [

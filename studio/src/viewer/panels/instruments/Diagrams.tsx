@@ -59,17 +59,12 @@ function Wheel({ measures }: { measures: Measures }) {
   const spots = rings.map((ring) => spotOf(ring, end)).filter((spot) => spot !== null);
   const [first] = spots;
   return (
-    <svg
-      viewBox="-1.25 -1.25 2.5 2.5"
-      class="diagram wheel"
-      role="img"
-      aria-label={say("hueWheel")}
-    >
+    <svg viewBox="-1.3 -1.3 2.6 2.6" class="diagram wheel" role="img" aria-label={say("hueWheel")}>
       <circle r={1} class="grid" />
       <circle r={0.5} class="grid" />
       <path d="M-1 0H1M0 -1V1" class="grid" />
       {["+a*", "+b*"].map((name, i) => (
-        <text key={name} x={i === 0 ? 1.12 : 0} y={i === 0 ? 0.05 : -1.07}>
+        <text key={name} x={i === 0 ? 1.15 : 0} y={i === 0 ? 0.05 : -1.07}>
           {name}
         </text>
       ))}
@@ -81,6 +76,15 @@ function Wheel({ measures }: { measures: Measures }) {
         <circle key={i} cx={x} cy={-y} r={0.035} class="node" />
       ))}
       {first !== undefined && <circle cx={first.x} cy={-first.y} r={0.065} class="node first" />}
+      {[...new Set([rings[0], rings.at(-1)])].map((ring) => {
+        const spot = ring === undefined ? null : spotOf(ring, end);
+        if (ring === undefined || spot === null) return null;
+        return (
+          <text key={ring.view_deg} x={spot.x} y={-spot.y - 0.11} class="angle">
+            {ring.view_deg.toFixed(0)}°
+          </text>
+        );
+      })}
     </svg>
   );
 }
@@ -118,7 +122,7 @@ function Profile({ measures: { lamp } }: { measures: Measures }) {
       <Plot
         label={say("profilePlot")}
         x={series.x}
-        xLabel="°"
+        xLabel={`${say("angle")}, °`}
         yLabel={say("luminance")}
         lines={[{ label: "Y", values: series.light }]}
         range={{ x: [0, series.x.at(-1) ?? 1], y: [0, 1.05 * Math.max(...series.light)] }}

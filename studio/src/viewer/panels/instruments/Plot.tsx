@@ -37,7 +37,7 @@ export function Plot(given: Given) {
   const now = useRef(given);
   now.current = given;
   const { label, x, xLabel, yLabel, lines, heightPx } = given;
-  const kinds = lines.map((line) => line.label).join();
+  const kinds = lines.map((line) => `${line.label} ${line.points ?? false}`).join();
   useEffect(() => {
     const div = here.current;
     if (div === null) return;

@@ -4,7 +4,7 @@ import { useMemo, useState } from "preact/hooks";
 import type uPlot from "uplot";
 import { WAVELENGTH_NM } from "../../light/instruments";
 import { type Layer, outer } from "../../state/growing";
-import { copyNumbers, layers, reading } from "../../state/instruments";
+import { copyNumbers, layers, reading, trouble } from "../../state/instruments";
 import { lines } from "../../state/measured";
 import { say } from "../../words/instruments";
 import { Plot } from "./Plot";
@@ -40,8 +40,13 @@ export function Point() {
     <section class="instrument">
       <Head title={say("point")} {...(film === null ? {} : { copies: copySpectra })} />
       <p class="says">{say("pointAbout")}</p>
+      {trouble.value !== "" && (
+        <p class="nothing" lang="en">
+          {trouble.value}
+        </p>
+      )}
       {read === null ? (
-        <p class="nothing">{say("beside")}</p>
+        trouble.value === "" && <p class="nothing">{say("beside")}</p>
       ) : (
         <p class="readout">
           {say("viewAngle")} <output data-angle={read.angleRad}>{degrees(read.angleRad)}°</output>
@@ -83,9 +88,15 @@ export function Point() {
   );
 }
 
+/** Each layer's thickness over its depth, with its day where it grew. */
 export function LayersPlot() {
   const known = layers.value;
-  const shown = useMemo(() => (known === null ? [] : outer(known)), [known]);
+  const [isFilm, setFilm] = useState(false);
+  const filmUm = known?.filmUm ?? Infinity;
+  const shown = useMemo(
+    () => (known === null ? [] : outer(known, isFilm ? filmUm : Infinity)),
+    [known, isFilm, filmUm],
+  );
   const series = useMemo(
     () => ({ x: shown.map((one) => one.depthUm), nm: shown.map((one) => one.thicknessNm) }),
     [shown],
@@ -117,24 +128,32 @@ export function LayersPlot() {
             {one.thicknessNm.toFixed(1)} nm · {one.depthUm.toFixed(2)} µm
           </output>
         )}
+        {known.filmUm !== null && (
+          <button type="button" class="link" aria-pressed={isFilm} onClick={() => setFilm(!isFilm)}>
+            {say(isFilm ? "allNacre" : "filmAlone")}
+          </button>
+        )}
       </p>
       <Plot
         label={say("layersPlot")}
         x={series.x}
         xLabel={`${say("depth")}, µm`}
         yLabel="nm"
-        lines={[{ label: "nm", values: series.nm, points: true }]}
+        lines={[{ label: "nm", values: series.nm, points: shown.length <= FEW }]}
         range={{}}
         heightPx={180}
         hover={setAt}
-        under={(plot) => shade(plot, shown)}
+        under={(plot) => shade(plot, shown, filmUm)}
       />
     </section>
   );
 }
 
-/** Lays a lighter ground under each layer, the more the more summery its day was. */
-function shade(plot: uPlot, shown: readonly Layer[]): void {
+/** So many layers are shown as dots too. */
+const FEW = 200;
+
+/** Marks where the film ends, and lays a lighter ground under each layer, the more the more summery its day was. */
+function shade(plot: uPlot, shown: readonly Layer[], filmUm: number): void {
   const { ctx, bbox } = plot;
   ctx.save();
   for (const [i, { depthUm, warmth }] of shown.entries()) {
@@ -144,6 +163,11 @@ function shade(plot: uPlot, shown: readonly Layer[]): void {
     const right = plot.valToPos((depthUm + after) / 2, "x", true);
     ctx.fillStyle = `rgb(255 255 255 / ${14 * warmth}%)`;
     ctx.fillRect(left, bbox.top, right - left, bbox.height);
+  }
+  const last = shown.at(-1)?.depthUm ?? 0;
+  if (filmUm < last) {
+    ctx.fillStyle = "#8a8a8a";
+    ctx.fillRect(plot.valToPos(filmUm, "x", true), bbox.top, 1, bbox.height);
   }
   ctx.restore();
 }
