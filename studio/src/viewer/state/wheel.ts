@@ -32,13 +32,16 @@ export function pairs(flat: ArrayLike<number>): Spot[] {
   }));
 }
 
+/** This share of pixels at either end may lie outside. */
+const OUTLIERS = 0.005;
+
 /** The part of the chart that shows all of a pearl's pixels and the white: a square. */
 export function closeUp(spots: readonly Spot[], white: Spot): Spot & { readonly side: number } {
   const sorted = (values: number[]) => values.filter(Number.isFinite).sort((a, b) => a - b);
   const span = (values: number[], own: number): [number, number] => {
     const all = sorted(values);
-    const at = (share: number) => all[Math.floor(share * (all.length - 1))] ?? own;
-    return [Math.min(own, at(0.005)), Math.max(own, at(0.995))];
+    const far = Math.floor(OUTLIERS * all.length);
+    return [Math.min(own, all[far] ?? own), Math.max(own, all.at(-1 - far) ?? own)];
   };
   const [left, right] = span(
     spots.map((one) => one.x),

@@ -168,7 +168,7 @@ function Chromaticity({ chart, xy }: { chart: Chart; xy: Float32Array }) {
         </button>
       </p>
       <svg
-        viewBox="-0.09 -0.02 1.11 1.12"
+        viewBox="-0.12 -0.02 1.14 1.12"
         class="diagram chart"
         role="img"
         aria-label={say("chromaticity")}

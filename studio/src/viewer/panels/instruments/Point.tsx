@@ -49,7 +49,10 @@ export function Point() {
         trouble.value === "" && <p class="nothing">{say("beside")}</p>
       ) : (
         <p class="readout">
-          {say("viewAngle")} <output data-angle={read.angleRad}>{degrees(read.angleRad)}°</output>
+          {say("viewAngle")}{" "}
+          <output data-column={read.column} data-row={read.row}>
+            {degrees(read.angleRad)}°
+          </output>
           {both !== null && at !== null && (
             <span>
               {WAVELENGTH_NM[at]} nm · R {both.R[at]?.toFixed(2)} % · T {both.T[at]?.toFixed(2)} %
