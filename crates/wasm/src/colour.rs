@@ -1,6 +1,7 @@
 //! The binding of the colour room: chromaticities, and codes for colours that were measured.
 
-use nacreous_colour::{Gamut, Observer, RgbSpace, encode, xy_from_xyz, xyz_from_lab};
+use nacreous_colour::{Observer, RgbSpace, xy_from_xyz, xyz_from_lab};
+use nacreous_image::screen;
 use wasm_bindgen::{Clamped, prelude::*};
 
 use crate::refused;
@@ -32,19 +33,18 @@ pub fn chromaticities(light: &[f32]) -> Vec<f32> {
     light.chunks_exact(3).flat_map(xy).collect()
 }
 
-/// Codes of colours in CIELAB relative to the screen's white: three numbers in, three codes out.
+/// Codes RGBA of colours in CIELAB relative to the screen's white, three numbers each.
 #[wasm_bindgen(js_name = codesOfLab, unchecked_return_type = "Uint8ClampedArray<ArrayBuffer>")]
 pub fn codes_of_lab(
     lab: &[f64],
     #[wasm_bindgen(unchecked_param_type = "Space")] space: &str,
     #[wasm_bindgen(unchecked_param_type = "GamutHandling")] gamut: &str,
 ) -> Result<Clamped<Vec<u8>>, JsError> {
-    let (space, gamut): (RgbSpace, Gamut) =
-        (space.parse().map_err(refused)?, gamut.parse().map_err(refused)?);
-    let codes = |lab: &[f64]| {
-        let xyz = xyz_from_lab([lab[0], lab[1], lab[2]], space.white_xyz());
-        let rgb = gamut.map(space, space.rgb_from_xyz(xyz));
-        rgb.map(|linear| libm::rint(255.0 * encode(linear)).clamp(0.0, 255.0) as u8)
+    let (space, gamut) = (space.parse().map_err(refused)?, gamut.parse().map_err(refused)?);
+    let srgb = RgbSpace::Srgb;
+    let light = |i: usize| {
+        let lab = [0, 1, 2].map(|channel| lab[3 * i + channel]);
+        srgb.rgb_from_xyz(xyz_from_lab(lab, srgb.white_xyz()))
     };
-    Ok(Clamped(lab.chunks_exact(3).flat_map(codes).collect()))
+    Ok(Clamped(screen(lab.len() / 3, light, space, gamut).codes))
 }

@@ -34,7 +34,7 @@ export interface Found {
   readonly why: string;
   /** x, y of pixels of the pearl, flat; none where it was not found. */
   readonly xy: Float32Array;
-  /** Codes of sRGB of each ring's colour, and of one with thrice its chroma; black where it has none. */
+  /** Codes RGBA of sRGB of each ring's colour, and of one with thrice its chroma; black where it has none. */
   readonly ringCodes: Uint8ClampedArray;
 }
 

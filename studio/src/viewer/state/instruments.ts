@@ -50,6 +50,9 @@ export const found = signal<Found | null>(null);
 /** Whether what is found is of the picture that is shown. */
 export const isFresh = signal(false);
 
+/** Whether outline, lamp's image and spots are drawn over the picture. */
+export const isDrawn = signal(false);
+
 let worker: InstrumentWorker | null = null;
 
 function instruments(): InstrumentWorker {

@@ -54,6 +54,7 @@ const WORDS = {
     "Of the picture at rest, with standard errors, as nacreous measure has them.",
     "仕上がった画像の測定値と標準誤差。nacreous measureと同じです。",
   ],
+  drawn: ["Draw what was found over the picture", "見つけたものを画像に描く"],
   measuring: ["Measuring when the picture is finished …", "画像が仕上がると測ります…"],
   refused: ["Not measured", "測れないもの"],
   shape: ["Size and shape", "大きさと形"],

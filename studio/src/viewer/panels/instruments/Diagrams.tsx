@@ -27,7 +27,7 @@ function HueRings({ found, measures }: { found: Found; measures: Measures }) {
   const rings = measures.rings?.rings ?? [];
   if (rings.length === 0) return null;
   const code = (i: number) =>
-    `rgb(${[0, 1, 2].map((channel) => found.ringCodes[3 * i + channel] ?? 0).join(" ")})`;
+    `rgb(${[0, 1, 2].map((channel) => found.ringCodes[4 * i + channel] ?? 0).join(" ")})`;
   return (
     <section class="instrument">
       <Head title={say("hueRings")} />

@@ -1,7 +1,7 @@
 /** What was measured in the picture at rest, as a table. */
 
 import type { MeasuredRing, Measures } from "nacreous-wasm";
-import { found, isFresh } from "../../state/instruments";
+import { found, isDrawn, isFresh } from "../../state/instruments";
 import { type Part, type Row, lines, shown, table } from "../../state/measured";
 import { type InstrumentWord, say } from "../../words/instruments";
 import { Head, copy } from "./Point";
@@ -39,6 +39,14 @@ export function MeasuresTable() {
     <section class="instrument" data-fresh={isFresh.value}>
       <Head title={say("measures")} copies={() => copy(asText(rows, measures))} />
       <p class="says">{say(isFresh.value ? "measuresAbout" : "measuring")}</p>
+      <label class="check drawing">
+        <input
+          type="checkbox"
+          checked={isDrawn.value}
+          onChange={(event) => (isDrawn.value = event.currentTarget.checked)}
+        />
+        {say("drawn")}
+      </label>
       <div class={isFresh.value ? "tables" : "tables stale"}>
         {PARTS.map((part) => (
           <PartTable key={part} part={part} rows={rows.filter((row) => row.part === part)} />

@@ -1,7 +1,8 @@
 /** The cross on the picture: where the instruments look. */
 
 import { useEffect, useRef } from "preact/hooks";
-import { fixed, hovered, place, reading } from "../../state/instruments";
+import { fixed, found, hovered, isDrawn, isFresh, place, reading } from "../../state/instruments";
+import { size } from "../../state/view";
 import { say } from "../../words/instruments";
 import { copySpectra, degrees } from "./Point";
 
@@ -17,32 +18,53 @@ export function Probe() {
   const { x, y } = place.value;
   const angle = reading.value === null ? "" : degrees(reading.value.angleRad);
   return (
-    <button
-      ref={here}
-      type="button"
-      class="probe"
-      style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
-      aria-label={say("probe", {
-        x: Math.round(100 * x),
-        y: Math.round(100 * y),
-        angle: angle === "" ? "" : say("probeAngle", { n: angle }),
-      })}
-      onKeyDown={(event) => {
-        const by = event.shiftKey ? FINE : STEP;
-        const steps: Record<string, [number, number]> = {
-          ArrowLeft: [-by, 0],
-          ArrowRight: [by, 0],
-          ArrowUp: [0, -by],
-          ArrowDown: [0, by],
-        };
-        const step = steps[event.key];
-        if (step === undefined) return;
-        event.preventDefault();
-        hovered.value = null;
-        fixed.value = { x: within(fixed.value.x + step[0]), y: within(fixed.value.y + step[1]) };
-      }}
-      onClick={copySpectra}
-    />
+    <>
+      {isDrawn.value && isFresh.value && <Drawn />}
+      <button
+        ref={here}
+        type="button"
+        class="probe"
+        style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
+        aria-label={say("probe", {
+          x: Math.round(100 * x),
+          y: Math.round(100 * y),
+          angle: angle === "" ? "" : say("probeAngle", { n: angle }),
+        })}
+        onKeyDown={(event) => {
+          const by = event.shiftKey ? FINE : STEP;
+          const steps: Record<string, [number, number]> = {
+            ArrowLeft: [-by, 0],
+            ArrowRight: [by, 0],
+            ArrowUp: [0, -by],
+            ArrowDown: [0, by],
+          };
+          const step = steps[event.key];
+          if (step === undefined) return;
+          event.preventDefault();
+          hovered.value = null;
+          fixed.value = { x: within(fixed.value.x + step[0]), y: within(fixed.value.y + step[1]) };
+        }}
+        onClick={copySpectra}
+      />
+    </>
+  );
+}
+
+/** What was found in the picture: outline, half level of the lamp's image, spots. */
+function Drawn() {
+  const measures = found.value?.measures;
+  if (measures == null) return null;
+  const { place, lamp, blemishes } = measures;
+  const line = (places: readonly (readonly [number, number])[]) =>
+    places.length === 0 ? "" : `M${places.map((one) => one.join(" ")).join("L")}Z`;
+  return (
+    <svg class="drawn" viewBox={`0 0 ${size.value} ${size.value}`} aria-hidden="true">
+      <path d={line(place.line)} />
+      <path d={line(lamp?.line ?? [])} class="lamp" />
+      {blemishes?.spots.map(({ x_px, y_px, radius_px }, i) => (
+        <circle key={i} cx={x_px} cy={y_px} r={radius_px} />
+      ))}
+    </svg>
   );
 }
 
