@@ -158,13 +158,13 @@ impl Job {
     /// What grew on which day of one of the recipe's pearls, as `grow` has it.
     #[wasm_bindgen(unchecked_return_type = "Growth")]
     pub fn grow(&self, pearl: usize) -> Result<Object, JsValue> {
-        grown(&self.pearl(pearl)?.common().nacre)
+        grown(self.pearl(pearl)?.common().nacre)
     }
 
     /// The thickness of each aragonite layer of one of the recipe's pearls in nm, the surface first.
     #[wasm_bindgen(js_name = thicknessNm)]
     pub fn thickness_nm(&self, pearl: usize) -> Result<Vec<f64>, JsError> {
-        let stack = stack_of(&self.pearl(pearl)?.common().nacre).map_err(refused)?;
+        let stack = stack_of(self.pearl(pearl)?.common().nacre).map_err(refused)?;
         Ok(stack.thickness_nm().to_vec())
     }
 

@@ -94,13 +94,16 @@ export function table(found: Measures): Row[] {
   ];
 }
 
+/** Errors below this are rounding's. */
+const NOISE = 1e-9;
+
 /** A number to the second digit of its error, with it: commands/measure_lines.py `shown`. */
 export function shown({ value, error }: Measured, unit: string, least = 0): string {
   const behind = unit === "°" ? "°" : unit === "" ? "" : ` ${unit}`;
   if (error === null) {
     return `${value.toFixed(Number.isInteger(value) ? least : Math.max(1, least))}${behind}`;
   }
-  const wanted = error > 0 ? 1 - Math.floor(Math.log10(error)) : 1;
+  const wanted = error > NOISE ? 1 - Math.floor(Math.log10(error)) : 1;
   const digits = Math.min(Math.max(wanted, least, 0), 4);
   return `${value.toFixed(digits)} ± ${error.toFixed(digits)}${behind}`;
 }

@@ -18,6 +18,7 @@ const WORDS = {
   beside: ["There is no pearl at this point.", "この点に真珠はありません。"],
   reflected: ["R, reflected", "R 反射"],
   transmitted: ["T, into the pearl", "T 透過"],
+  noFilm: ["There is no film to ask here:", "ここには調べる膜がありません："],
   spectraPlot: [
     "Reflectance and transmittance of the film, in percent, over wavelength, 380 to 780 nm",
     "膜の反射率と透過率（%）、波長380〜780 nm",

@@ -61,8 +61,8 @@ export function Point() {
         </p>
       )}
       {read !== null && film === null && (
-        <p class="nothing" lang="en">
-          {read.why}
+        <p class="nothing">
+          {say("noFilm")} <span lang="en">{read.why}</span>
         </p>
       )}
       {both !== null && (
