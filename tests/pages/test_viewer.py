@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
 import json
 import re
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,11 +13,10 @@ from playwright.sync_api import Browser, FilePayload, Page, expect
 
 import nacreous as nc
 from nacreous.study.design import Design
-from nacreous.viewer import FOLDER
 from tests.pages.browser import Guarded, guarded, violations
 
 SIDE_PX = 256
-TABS = ("presets", "pearl", "scene", "compare")
+TABS = ("presets", "pearl", "scene", "compare", "instruments")
 DONE = ".pearl[data-stage=refined]"
 expect.set_options(timeout=60_000)  # machines that test are busy
 
@@ -35,23 +31,6 @@ UNFOLD = """() => {
     folded.forEach(one => one.click());
     return folded.length > 0;
 }"""
-
-
-class _Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass
-
-
-@pytest.fixture(scope="module")
-def host() -> Iterator[str]:
-    """A web host that knows nothing of the page."""
-    if not (FOLDER / "index.html").is_file():
-        pytest.skip("the viewer's page is not built:   ./just viewer   (needs Node.js and npm)")
-    handler = functools.partial(_Quiet, directory=str(FOLDER))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
 
 
 @pytest.fixture(scope="module")

@@ -46,6 +46,9 @@ export type ToWorker =
 
 export type Codes = Developed["codes"];
 
+/** Linear light in the primaries of sRGB, three numbers a pixel. */
+export type Light = Float32Array<ArrayBuffer>;
+
 export type FromWorker =
   | {
       readonly kind: "first";
@@ -61,6 +64,14 @@ export type FromWorker =
       readonly size: number;
       /** Codes for the screen; where there is glare, light before the look. */
       readonly made: Codes | Float32Array<ArrayBuffer>;
+      /** Linear light, three numbers a pixel; none where there is glare. */
+      readonly light: Light | null;
+    }
+  | {
+      readonly kind: "whole";
+      readonly ticket: number;
+      readonly codes: Codes;
+      readonly light: Light;
     }
   | {
       readonly kind: "part";
@@ -70,7 +81,6 @@ export type FromWorker =
       readonly part: number;
       readonly numbers: Float64Array<ArrayBuffer>;
     }
-  | { readonly kind: "whole"; readonly ticket: number; readonly codes: Codes }
   | {
       readonly kind: "resolved";
       readonly question: number;

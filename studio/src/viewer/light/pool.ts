@@ -2,7 +2,7 @@
 
 import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
 import type { First } from "./first";
-import type { Codes, FromWorker, Show, ToWorker } from "./messages";
+import type { Codes, FromWorker, Light, Show, ToWorker } from "./messages";
 
 /** A picture, and what is to be done with it; whatever is out of date is never told. */
 export interface Wanted {
@@ -16,7 +16,8 @@ export interface Wanted {
   /** isCurrent: false of a picture that was asked for just before, while things move. */
   first?(made: First, isCurrent: boolean): void;
   progress?(share: number): void;
-  refined?(codes: Codes, size: number): void;
+  /** light: linear, three numbers a pixel. */
+  refined?(codes: Codes, size: number, light: Light): void;
   failed(text: string): void;
 }
 
@@ -49,6 +50,7 @@ export class Pool {
   private whole = 0;
   private wanted: Wanted | null = null;
   private codes: Codes | null = null;
+  private light: Light | null = null;
   private pixels: Float32Array<ArrayBuffer> | null = null;
   private rowsThere = 0;
   private shares = new Shares(0);
@@ -72,7 +74,7 @@ export class Pool {
   show(wanted: Wanted): void {
     this.ticket += 1;
     this.wanted = wanted;
-    this.codes = this.pixels = null;
+    this.codes = this.light = this.pixels = null;
     this.rowsThere = 0;
     this.shares = new Shares(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
@@ -135,8 +137,8 @@ export class Pool {
     }
     if (!isCurrent || told.kind === "first") return;
     if (told.kind === "failed") wanted.failed(told.text);
-    else if (told.kind === "whole") this.finish(wanted, told.codes);
     else if (told.kind === "part") this.handRound(told);
+    else if (told.kind === "whole") this.finish(wanted, told.codes, told.light);
     else this.join(wanted, told);
   }
 
@@ -150,7 +152,8 @@ export class Pool {
   }
 
   /** Puts rows in their place; with the last of them the picture is whole. */
-  private join(wanted: Wanted, { first, size, made }: Extract<FromWorker, { kind: "rows" }>): void {
+  private join(wanted: Wanted, told: Extract<FromWorker, { kind: "rows" }>): void {
+    const { first, size, made } = told;
     const glares = made instanceof Float32Array;
     const channels = glares ? 17 : 4;
     if (made instanceof Float32Array) {
@@ -159,6 +162,8 @@ export class Pool {
     } else {
       this.codes ??= new Uint8ClampedArray(size * size * channels);
       this.codes.set(made, first * size * channels);
+      this.light ??= new Float32Array(size * size * 3);
+      if (told.light !== null) this.light.set(told.light, first * size * 3);
     }
     this.rowsThere += made.length / (size * channels);
     wanted.progress?.(this.rowsThere / size);
@@ -167,13 +172,13 @@ export class Pool {
       const { ticket, pixels } = this;
       this.tell(0, { kind: "look", ticket, pixels, space: wanted.space }, [pixels.buffer]);
       this.pixels = null;
-    } else if (this.codes !== null) {
-      this.finish(wanted, this.codes);
+    } else if (this.codes !== null && this.light !== null) {
+      this.finish(wanted, this.codes, this.light);
     }
   }
 
-  private finish(wanted: Wanted, codes: Codes): void {
+  private finish(wanted: Wanted, codes: Codes, light: Light): void {
     this.whole = this.ticket;
-    wanted.refined?.(codes, wanted.size);
+    wanted.refined?.(codes, wanted.size, light);
   }
 }

@@ -1,9 +1,10 @@
 /** A worker: one job, which makes whatever was asked for last. */
 
-import { Job, develop, initSync, resolvedKeys, tell_panics } from "nacreous-wasm";
+import { Job, develop, initSync, lightOf, resolvedKeys, tell_panics } from "nacreous-wasm";
 import { firstPicture } from "./first";
 import {
   type FromWorker,
+  type Light,
   type Look,
   type Parts,
   type Resolve,
@@ -105,16 +106,19 @@ function rows(job: Job, wanted: Show, first: number, least: number): number {
   const began = performance.now();
   const pixels = job.rows(first, end);
   let made;
+  let light: Light | null = null;
   if (job.hasGlare) {
     made = new Float32Array(pixels);
   } else {
     job.expose(pixels);
     made = develop(pixels, wanted.space, "soft").codes;
+    light = new Float32Array(lightOf(pixels));
   }
   const rowMs = (performance.now() - began) / (end - first);
   rowsAtOnce = Math.max(1, Math.round(PIECE_MS / rowMs));
   const { ticket } = wanted;
-  page.postMessage({ kind: "rows", ticket, first, size: job.size, made }, [made.buffer]);
+  const buffers = light === null ? [made.buffer] : [made.buffer, light.buffer];
+  page.postMessage({ kind: "rows", ticket, first, size: job.size, made, light }, buffers);
   return end;
 }
 
@@ -126,7 +130,9 @@ function answer(asked: Look | Resolve): void {
     } else if (job !== null) {
       job.look(asked.pixels);
       const { codes } = develop(asked.pixels, asked.space, "soft");
-      page.postMessage({ kind: "whole", ticket: asked.ticket, codes }, [codes.buffer]);
+      const light = new Float32Array(lightOf(asked.pixels));
+      const { ticket } = asked;
+      page.postMessage({ kind: "whole", ticket, codes, light }, [codes.buffer, light.buffer]);
     }
   } catch (error) {
     fail(asked.kind === "look" ? asked.ticket : -1, error);

@@ -9,6 +9,7 @@ import { Bar } from "./Bar";
 import { Bench } from "./Bench";
 import { Compare, SideSwitch } from "./Compare";
 import { PearlKnobs, SceneKnobs } from "./Knobs";
+import { Instruments } from "./instruments/Instruments";
 import { Presets } from "./Presets";
 
 const TABS = [
@@ -16,6 +17,7 @@ const TABS = [
   ["pearl", "tabPearl"],
   ["scene", "tabScene"],
   ["compare", "tabCompare"],
+  ["instruments", "tabInstruments"],
 ] as const;
 
 export function Page() {
@@ -45,6 +47,7 @@ const PANELS: Record<Tab, () => preact.JSX.Element | null> = {
   pearl: PearlKnobs,
   scene: SceneKnobs,
   compare: Compare,
+  instruments: Instruments,
 };
 
 function Panels() {

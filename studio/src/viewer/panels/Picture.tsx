@@ -7,6 +7,7 @@ import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 import { faultsOf } from "../state/faults";
 import { SAMPLES, SPACE } from "../state/engines";
+import type { Finished } from "../state/instruments";
 
 export interface Making {
   /** null before anything is seen. */
@@ -23,10 +24,12 @@ interface Given {
   readonly pool: () => Pool;
   readonly canvas: { current: HTMLCanvasElement | null };
   readonly tell: (making: Making) => void;
+  /** Takes the picture at rest, for the instruments. */
+  readonly keep: (made: Finished) => void;
 }
 
 /** Keeps a canvas showing these specs. */
-export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): void {
+export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Given): void {
   const shown = useRef({
     asked: "",
     first: "",
@@ -73,8 +76,9 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
           tell({ stage: "first", share: 0, failed: "" });
         },
         progress: (share) => tell({ stage: seen.stage, share, failed: "" }),
-        refined(codes, widthPx) {
+        refined(codes, widthPx, light) {
           draw(codes, widthPx);
+          keep({ recipe, size: widthPx, light });
           seen.first = seen.whole = recipe;
           seen.stage = "refined";
           tell({ stage: "refined", share: 1, failed: "" });

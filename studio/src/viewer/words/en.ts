@@ -26,6 +26,7 @@ export const EN = {
   tabPearl: "Pearl",
   tabScene: "Light & camera",
   tabCompare: "Compare",
+  tabInstruments: "Instruments",
   panels: "Panels",
   essentials: "The main knobs",
   luster: "Luster",

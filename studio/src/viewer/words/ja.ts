@@ -27,6 +27,7 @@ export const JA: Record<Word, string> = {
   tabPearl: "真珠",
   tabScene: "光とカメラ",
   tabCompare: "比べる",
+  tabInstruments: "計測",
   panels: "パネル",
   essentials: "主なつまみ",
   luster: "光沢",

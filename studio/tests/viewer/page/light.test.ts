@@ -43,6 +43,7 @@ async function pool(count: number) {
 }
 
 const WANTED = { recipe: "{}", size: 16, space: "srgb" as const, firstPx: 8, refine: true };
+const light = new Float32Array(16 * 16 * 3);
 const settled = () => new Promise((go) => setTimeout(go));
 
 test("rows of two workers become one picture, told once", async () => {
@@ -54,12 +55,14 @@ test("rows of two workers become one picture, told once", async () => {
   expect(one.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 0, firstPx: 8 });
   expect(two.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 1, firstPx: 0 });
   const half = (code: number) => new Uint8ClampedArray(8 * 16 * 4).fill(code);
-  two.says({ kind: "rows", ticket: 1, first: 8, size: 16, made: half(2) });
+  const third = (value: number) => new Float32Array(8 * 16 * 3).fill(value);
+  two.says({ kind: "rows", ticket: 1, first: 8, size: 16, made: half(2), light: third(2) });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: half(1) });
+  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: half(1), light: third(1) });
   expect(refined).toHaveBeenCalledTimes(1);
   const codes = refined.mock.calls[0]?.[0] as Uint8ClampedArray;
-  expect([codes[0], codes.at(-1)]).toEqual([1, 2]);
+  const light = refined.mock.calls[0]?.[2] as Float32Array;
+  expect([codes[0], codes.at(-1), light[0], light.at(-1)]).toEqual([1, 2, 1, 2]);
 });
 
 test("rows out of date are dropped; a first picture is shown though the hand went on", async () => {
@@ -73,9 +76,9 @@ test("rows out of date are dropped; a first picture is shown though the hand wen
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenLastCalledWith(expect.objectContaining({ codes }), false);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes });
+  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes, light });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes });
+  one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes, light });
   expect(refined).toHaveBeenCalledTimes(1);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenCalledTimes(1); // the whole picture is there
@@ -88,11 +91,11 @@ test("pixels with glare are joined first and looked at as one", async () => {
   await settled();
   const [one] = workers as [FakeWorker];
   const pixels = new Float32Array(16 * 16 * 17);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: pixels });
+  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: pixels, light: null });
   expect(one.told.at(-1)).toMatchObject({ kind: "look", ticket: 1 });
   const codes = new Uint8ClampedArray(16 * 16 * 4);
-  one.says({ kind: "whole", ticket: 1, codes });
-  expect(refined).toHaveBeenCalledWith(codes, 16);
+  one.says({ kind: "whole", ticket: 1, codes, light });
+  expect(refined).toHaveBeenCalledWith(codes, 16, light);
 });
 
 test("first pictures are large where they keep up with the hand, and small where not", () => {
