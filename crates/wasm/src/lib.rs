@@ -5,6 +5,7 @@
 //! room's one-line message, and so is a fault of our own.
 #![allow(clippy::needless_pass_by_value)] // arrays from JavaScript are handed over
 
+mod difference;
 mod job;
 mod nacre;
 mod optics;

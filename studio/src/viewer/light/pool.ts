@@ -16,7 +16,8 @@ export interface Wanted {
   /** isCurrent: false of a picture that was asked for just before, while things move. */
   first?(made: First, isCurrent: boolean): void;
   progress?(share: number): void;
-  refined?(codes: Codes, size: number): void;
+  /** covered: 1 of each pixel that is a pearl's. */
+  refined?(codes: Codes, size: number, covered: Uint8Array<ArrayBuffer>): void;
   failed(text: string): void;
 }
 
@@ -34,6 +35,9 @@ export class Pool {
   private wanted: Wanted | null = null;
   private codes: Codes | null = null;
   private pixels: Float32Array<ArrayBuffer> | null = null;
+  private covered: Uint8Array<ArrayBuffer> | null = null;
+  /** What the workers were last told of dropped files. */
+  private told: Resources | undefined;
   private rowsThere = 0;
   private question = 0;
   private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
@@ -55,17 +59,19 @@ export class Pool {
   show(wanted: Wanted): void {
     this.ticket += 1;
     this.wanted = wanted;
-    this.codes = this.pixels = null;
+    this.codes = this.pixels = this.covered = null;
     this.rowsThere = 0;
     const { recipe, resources, space, refine } = wanted;
     const { ticket } = this;
     this.whenReady(ticket, () => {
+      const isNew = resources !== undefined && resources !== this.told;
+      if (isNew) this.told = resources;
       for (const part of this.workers.keys()) {
         const show: Show = {
           kind: "show",
           ticket,
           recipe,
-          ...(resources === undefined ? {} : { resources }),
+          ...(isNew ? { resources } : {}),
           space,
           firstPx: part === 0 ? wanted.firstPx : 0,
           refine,
@@ -122,7 +128,8 @@ export class Pool {
   }
 
   /** Puts rows in their place; with the last of them the picture is whole. */
-  private join(wanted: Wanted, { first, size, made }: Extract<FromWorker, { kind: "rows" }>): void {
+  private join(wanted: Wanted, told: Extract<FromWorker, { kind: "rows" }>): void {
+    const { first, size, made } = told;
     const glares = made instanceof Float32Array;
     const channels = glares ? 17 : 4;
     if (made instanceof Float32Array) {
@@ -132,6 +139,8 @@ export class Pool {
       this.codes ??= new Uint8ClampedArray(size * size * channels);
       this.codes.set(made, first * size * channels);
     }
+    this.covered ??= new Uint8Array(size * size);
+    this.covered.set(told.covered, first * size);
     this.rowsThere += made.length / (size * channels);
     wanted.progress?.(this.rowsThere / size);
     if (this.rowsThere < size) return;
@@ -146,6 +155,6 @@ export class Pool {
 
   private finish(wanted: Wanted, codes: Codes): void {
     this.whole = this.ticket;
-    wanted.refined?.(codes, wanted.size);
+    wanted.refined?.(codes, wanted.size, this.covered ?? new Uint8Array(codes.length / 4));
   }
 }

@@ -1,6 +1,14 @@
 /** A worker: one job, which makes whatever was asked for last. */
 
-import { Job, develop, initSync, resolvedKeys, tell_panics } from "nacreous-wasm";
+import {
+  Job,
+  develop,
+  initSync,
+  layers,
+  resolvedKeys,
+  tell_panics,
+  type Resources,
+} from "nacreous-wasm";
 import { firstPicture } from "./first";
 import {
   type FromWorker,
@@ -20,6 +28,9 @@ const page = self as unknown as {
 };
 
 let job: Job | null = null;
+/** What was dropped onto the page, as it was last told, and as the job has it. */
+let told: Resources | undefined;
+let given: Resources | undefined;
 let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
@@ -29,6 +40,7 @@ page.onmessage = ({ data }) => {
     initSync({ module: data.module });
     tell_panics();
   } else if (data.kind === "show") {
+    if (data.resources !== undefined) told = data.resources;
     latest = data;
     if (!running) void work();
   } else {
@@ -53,8 +65,10 @@ async function work(): Promise<void> {
 
 async function make(wanted: Show): Promise<void> {
   if (!wanted.refine && wanted.firstPx === 0) return;
-  if (job === null) job = new Job(wanted.recipe, wanted.resources);
-  else job.change(wanted.recipe, wanted.resources);
+  const resources = told;
+  if (job === null) job = new Job(wanted.recipe, resources);
+  else job.change(wanted.recipe, resources === given ? undefined : resources);
+  given = resources;
   if (wanted.firstPx > 0) {
     const first = firstPicture(job, wanted.firstPx, wanted.space);
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
@@ -78,6 +92,7 @@ function rows(job: Job, wanted: Show, first: number, least: number): number {
   const end = Math.min(first + rowsAtOnce, least);
   const began = performance.now();
   const pixels = job.rows(first, end);
+  const covered = coveredIn(pixels);
   let made;
   if (job.hasGlare) {
     made = new Float32Array(pixels);
@@ -88,8 +103,21 @@ function rows(job: Job, wanted: Show, first: number, least: number): number {
   const rowMs = (performance.now() - began) / (end - first);
   rowsAtOnce = Math.max(1, Math.round(PIECE_MS / rowMs));
   const { ticket } = wanted;
-  page.postMessage({ kind: "rows", ticket, first, size: job.size, made }, [made.buffer]);
+  page.postMessage({ kind: "rows", ticket, first, size: job.size, made, covered }, [
+    made.buffer,
+    covered.buffer,
+  ]);
   return end;
+}
+
+/** Which pixels are a pearl's. */
+function coveredIn(pixels: Float32Array): Uint8Array<ArrayBuffer> {
+  const parts = layers();
+  const step = parts.at(-1)?.end ?? 1;
+  const at = parts.find((one) => one.name === "coverage")?.first ?? 0;
+  return Uint8Array.from({ length: pixels.length / step }, (_, i) =>
+    (pixels[i * step + at] ?? 0) >= 0.5 ? 1 : 0,
+  );
 }
 
 function answer(asked: Look | Resolve): void {

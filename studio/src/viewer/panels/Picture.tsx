@@ -2,11 +2,14 @@
 
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Pool } from "../light/pool";
+import type { Resources } from "nacreous-wasm";
 import { nextPx } from "../light/first";
 import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 import { faultsOf } from "../state/faults";
+import { resourcesOf } from "../state/dropped";
 import { SAMPLES, SPACE } from "../state/engines";
+import type { Finished } from "../state/finished";
 
 export interface Making {
   /** null before anything is seen. */
@@ -23,17 +26,21 @@ interface Given {
   readonly pool: () => Pool;
   readonly canvas: { current: HTMLCanvasElement | null };
   readonly tell: (making: Making) => void;
+  /** Hears of the whole picture, and that there is none any more. */
+  readonly finish: (finished: Finished | null) => void;
 }
 
 /** Keeps a canvas showing these specs. */
-export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): void {
+export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: Given): void {
   const shown = useRef({
     asked: "",
     first: "",
     firstPx: 256,
     whole: "",
     stage: null as Making["stage"],
+    resources: undefined as Resources | undefined,
   });
+  const { resources, waits, failed } = resourcesOf(specs);
   // Not an effect that waits for a frame: the hand would feel it.
   useLayoutEffect(() => {
     show();
@@ -48,6 +55,10 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
       } catch (error) {
         return tell({ stage: seen.stage, share: 1, failed: (error as Error).message });
       }
+      if (failed !== "") return tell({ stage: seen.stage, share: 1, failed });
+      if (waits) return tell({ stage: seen.stage, share: 0, failed: "" });
+      if (seen.resources !== resources) seen.whole = seen.first = "";
+      seen.resources = resources;
       if (seen.whole === recipe && seen.asked === recipe) return; // it is there, and nothing else comes
       seen.asked = recipe;
       const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
@@ -55,6 +66,7 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
       };
       pool().show({
         recipe,
+        ...(resources === undefined ? {} : { resources }),
         size,
         space: SPACE,
         firstPx: seen.first === recipe ? 0 : Math.min(size, seen.firstPx),
@@ -65,11 +77,13 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
           if (isCurrent) seen.first = recipe;
           seen.whole = "";
           seen.stage = "first";
+          finish(null);
           tell({ stage: "first", share: 0, failed: "" });
         },
         progress: (share) => tell({ stage: seen.stage, share, failed: "" }),
-        refined(codes, widthPx) {
+        refined(codes, widthPx, covered) {
           draw(codes, widthPx);
+          finish({ codes, covered, widthPx });
           seen.first = seen.whole = recipe;
           seen.stage = "refined";
           tell({ stage: "refined", share: 1, failed: "" });
@@ -77,5 +91,5 @@ export function usePicture({ specs, moving, size, pool, canvas, tell }: Given): 
         failed: (text) => tell({ stage: seen.stage, share: 1, failed: text }),
       });
     }
-  }, [specs, moving, size]);
+  }, [specs, moving, size, resources, waits, failed]);
 }

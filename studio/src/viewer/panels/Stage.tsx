@@ -4,6 +4,7 @@ import { useRef } from "preact/hooks";
 import type { Signal } from "@preact/signals";
 import type { Pool } from "../light/pool";
 import { turned, zoomed } from "../state/camera";
+import { finished } from "../state/finished";
 import { type Which, active, board, editScene, moving, touch } from "../state/store";
 import { t } from "../words/speech";
 import { type Making, usePicture } from "./Picture";
@@ -29,6 +30,7 @@ export function Stage({ which, pool, size, canvas, making }: Given) {
     pool,
     canvas,
     tell: (now) => (making.value = now),
+    finish: (whole) => (finished[which].value = whole),
   });
   const hand = useHand(which);
   return (
