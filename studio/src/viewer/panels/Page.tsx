@@ -3,12 +3,15 @@
 import { useEffect, useState } from "preact/hooks";
 import { openFiles } from "../state/files";
 import { board, notice, redo, refused, undo } from "../state/store";
+import { reading } from "../state/opened";
 import { type Tab, tab } from "../state/view";
+import { fileWord } from "../words/files";
 import { language, t } from "../words/speech";
 import { Bar } from "./Bar";
 import { Bench } from "./Bench";
 import { Compare, SideSwitch } from "./Compare";
 import { PearlKnobs, SceneKnobs } from "./Knobs";
+import { Opened } from "./Opened";
 import { Presets } from "./Presets";
 
 const TABS = [
@@ -35,6 +38,7 @@ export function Page() {
       </main>
       <Panels />
       <Messages />
+      <Opened />
       {isOver && <div class="drop">{t("dropHere")}</div>}
     </div>
   );
@@ -95,7 +99,7 @@ function Panels() {
 
 /** What is wrong with a file, and short notices that go by themselves. */
 function Messages() {
-  const said = notice.value;
+  const said = reading.value === "" ? notice.value : fileWord("reading", { name: reading.value });
   useEffect(() => {
     if (said === "") return;
     const gone = setTimeout(() => (notice.value = ""), 7000);

@@ -12,7 +12,13 @@ import { type Pearl, type Specs, label, recipeJson } from "../specs/spec";
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
-export type Dropped = { readonly name: string; readonly sha256: string } & (
+export type Dropped = {
+  readonly name: string;
+  /** Another number for each file that was dropped, also of the same name. */
+  readonly serial: number;
+  /** null where the browser makes none: on pages from other machines without https. */
+  readonly sha256: string | null;
+} & (
   | { readonly kind: "panorama"; readonly panorama: Panorama }
   | { readonly kind: "light"; readonly values: Float64Array }
   | { readonly kind: "photograph"; readonly bytes: Bytes }
@@ -60,7 +66,7 @@ export function resourcesOf(specs: Specs): Needed {
   if (photograph !== undefined && grain === undefined) return { waits: true, failed: "" };
   if (typeof grain === "string") return { waits: false, failed: grain };
   const place = grain === undefined ? [] : placesOf(specs);
-  const keys = named.map((one) => `${one.name} ${one.sha256}`);
+  const keys = named.map((one) => `${one.serial} ${one.name}`);
   const key = [...keys, grain && grainKey(photograph, specs.pearl), place].join("\n");
   const found = made.find((one) => one.key === key);
   if (found !== undefined) return { ...NOTHING, resources: found.resources };
@@ -81,7 +87,7 @@ function grainKeys({ texture }: Pearl): GrainKeys {
 }
 
 function grainKey(photograph: Dropped | undefined, pearl: Pearl): string {
-  return `${photograph?.sha256} ${JSON.stringify(grainKeys(pearl))}`;
+  return `${photograph?.serial} ${JSON.stringify(grainKeys(pearl))}`;
 }
 
 /** A photograph's grain as this pearl measures it; asked for once, and undefined until it is there. */
