@@ -3,7 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { openFiles } from "../state/files";
 import { board, notice, redo, refused, undo } from "../state/store";
-import { reading } from "../state/opened";
+import { openings, reading } from "../state/opened";
 import { type Tab, tab } from "../state/view";
 import { fileWord } from "../words/files";
 import { language, t } from "../words/speech";
@@ -28,7 +28,12 @@ export function Page() {
     document.documentElement.lang = language.value;
   }, [language.value]);
   return (
-    <div class="page" data-tab={tab.value}>
+    <div
+      class="page"
+      data-tab={tab.value}
+      data-openings={openings.value}
+      aria-busy={reading.value !== ""}
+    >
       <Bar />
       <aside class="left" aria-label={t("tabPresets")}>
         <Presets />

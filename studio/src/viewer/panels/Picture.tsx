@@ -7,7 +7,7 @@ import { nextPx } from "../light/first";
 import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 import { faultsOf } from "../state/faults";
-import { resourcesOf } from "../state/dropped";
+import { resourcesOf } from "../state/resources";
 import { SAMPLES, SPACE } from "../state/engines";
 import type { Finished } from "../state/finished";
 

@@ -6,7 +6,7 @@ import { Pool, workersFor } from "../light/pool";
 import { program } from "../light/program";
 import { screenSpace } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
-import { resourcesOf } from "./dropped";
+import { resourcesOf } from "./resources";
 
 /** Codes of this screen, fixed while the page is open. */
 export const SPACE = screenSpace();

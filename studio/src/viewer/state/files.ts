@@ -11,9 +11,10 @@ import {
   toToml,
 } from "../specs/spec";
 import { fileWord } from "../words/files";
-import { droppedNames, namedBy, resourcesOf } from "./dropped";
-import { reading } from "./opened";
+import { droppedNames, namedBy } from "./dropped";
+import { openings, reading } from "./opened";
 import { openFile } from "./opening";
+import { resourcesOf } from "./resources";
 import { beginWith, notice, refused, specs } from "./store";
 
 /** Offers a file to be saved. */
@@ -59,6 +60,7 @@ export async function openFiles(files: readonly File[]): Promise<void> {
     complaints.push(...(await openFile(file)));
   }
   reading.value = "";
+  openings.value += 1;
   if (complaints.length > 0) refused.value = { from: "file", complaints };
   else if (isFromLink && droppedNames.value !== before) await openLink(); // which may name one
 }
@@ -113,4 +115,5 @@ export async function openLink(): Promise<void> {
   const read = await fromFragment(fragment, droppedNames.value);
   if (read.ok) beginWith(read.value);
   else refused.value = { from: "link", complaints: read.complaints };
+  openings.value += 1;
 }

@@ -18,3 +18,5 @@ export interface Opened {
 export const opened = signal<Opened | null>(null);
 /** Whether a file is being read. */
 export const reading = signal("");
+/** How many times files or a link were opened, whatever became of them. */
+export const openings = signal(0);

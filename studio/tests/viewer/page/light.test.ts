@@ -43,6 +43,7 @@ async function pool(count: number) {
 }
 
 const WANTED = { recipe: "{}", size: 16, space: "srgb" as const, firstPx: 8, refine: true };
+const covers = (rows: number) => new Uint8Array(rows * 16).fill(1);
 const settled = () => new Promise((go) => setTimeout(go));
 
 test("rows of two workers become one picture, told once", async () => {
@@ -54,9 +55,9 @@ test("rows of two workers become one picture, told once", async () => {
   expect(one.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 0, firstPx: 8 });
   expect(two.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 1, firstPx: 0 });
   const half = (code: number) => new Uint8ClampedArray(8 * 16 * 4).fill(code);
-  two.says({ kind: "rows", ticket: 1, first: 8, size: 16, made: half(2) });
+  two.says({ kind: "rows", ticket: 1, first: 8, size: 16, made: half(2), covered: covers(8) });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: half(1) });
+  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: half(1), covered: covers(8) });
   expect(refined).toHaveBeenCalledTimes(1);
   const codes = refined.mock.calls[0]?.[0] as Uint8ClampedArray;
   expect([codes[0], codes.at(-1)]).toEqual([1, 2]);
@@ -73,9 +74,9 @@ test("rows out of date are dropped; a first picture is shown though the hand wen
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenLastCalledWith(expect.objectContaining({ codes }), false);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes });
+  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes, covered: covers(16) });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes });
+  one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes, covered: covers(16) });
   expect(refined).toHaveBeenCalledTimes(1);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenCalledTimes(1); // the whole picture is there
@@ -88,11 +89,25 @@ test("pixels with glare are joined first and looked at as one", async () => {
   await settled();
   const [one] = workers as [FakeWorker];
   const pixels = new Float32Array(16 * 16 * 17);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: pixels });
+  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: pixels, covered: covers(16) });
   expect(one.told.at(-1)).toMatchObject({ kind: "look", ticket: 1 });
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "whole", ticket: 1, codes });
-  expect(refined).toHaveBeenCalledWith(codes, 16);
+  expect(refined).toHaveBeenCalledWith(codes, 16, covers(16));
+});
+
+test("dropped files go to the workers once, and again when they are others", async () => {
+  const { made, workers } = await pool(1);
+  const [one] = workers as [FakeWorker];
+  const shown = async (resources: object) => {
+    made.show({ ...WANTED, resources, failed: vi.fn() });
+    await settled();
+    return one.told.at(-1);
+  };
+  const [sky, other] = [{ panoramas: [] }, { panoramas: [] }];
+  expect(await shown(sky)).toHaveProperty("resources", sky);
+  expect(await shown(sky)).not.toHaveProperty("resources");
+  expect((await shown(other)) as object).toHaveProperty("resources");
 });
 
 test("first pictures are large where they keep up with the hand, and small where not", () => {
