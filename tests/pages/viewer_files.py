@@ -127,7 +127,7 @@ def damaged(seed: int) -> Dropped:
 def link() -> str:
     """A whole fragment of an address, of a pearl with a knob turned."""
     pearl = nc.Pearl.load("akoya-g")
-    return fragment(pearl.model_copy(update={"depth": 0.31}), nc.Scene.load("booth"))
+    return fragment(pearl.replace(depth=0.31), nc.Scene.load("booth"))
 
 
 def damaged_link(seed: int, whole_link: str) -> str:

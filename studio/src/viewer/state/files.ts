@@ -61,8 +61,10 @@ export async function openFiles(files: readonly File[]): Promise<void> {
   }
   reading.value = "";
   openings.value += 1;
-  if (complaints.length > 0) refused.value = { from: "file", complaints };
-  else if (isFromLink && droppedNames.value !== before) await openLink(); // which may name one
+  if (complaints.length > 0) {
+    refused.value = { from: "file", complaints };
+    notice.value = ""; // of a file before it
+  } else if (isFromLink && droppedNames.value !== before) await openLink(); // which may name one
 }
 
 /** Saves the active side's picture with its layers, as `nacreous render` makes it. */
