@@ -158,7 +158,8 @@ def test_saved_layers_are_the_command_lines_and_open_again(page: Page, tmp_path:
     light = made.layers["mirror"][row, column]
     values = page.locator(".probe-values").inner_text()
     assert " ".join(f"{value:.3g}"[:4] for value in light[:1]) in values
-    assert str(row) in values and str(column) in values
+    assert str(row) in values
+    assert str(column) in values
 
 
 def test_a_picture_of_ours_gives_back_its_pearl_and_scene(page: Page) -> None:

@@ -11,6 +11,8 @@ import { refused } from "../state/store";
 import { fileWord, layerName } from "../words/files";
 import { Probe, type Place } from "./Probe";
 
+const MOST_LINES = 6;
+
 export function Opened() {
   const found = opened.value;
   const dialog = useRef<HTMLDialogElement>(null);
@@ -30,6 +32,16 @@ export function Opened() {
             scene: found.specs.scene.name,
           })}
         </p>
+      )}
+      {found.complaints.length > 0 && (
+        <div class="message wrong" role="alert">
+          <strong>{fileWord("noRecipe")}</strong>
+          <ul lang="en">
+            {found.complaints.slice(0, MOST_LINES).map((one) => (
+              <li key={one.text}>{one.text}</li>
+            ))}
+          </ul>
+        </div>
       )}
       <div class="row">
         {found.specs !== null && (

@@ -12,7 +12,7 @@ import {
 } from "../specs/spec";
 import { fileWord } from "../words/files";
 import { droppedNames, namedBy } from "./dropped";
-import { openings, reading } from "./opened";
+import { opened, openings, reading } from "./opened";
 import { openFile } from "./opening";
 import { resourcesOf } from "./resources";
 import { beginWith, notice, refused, specs } from "./store";
@@ -52,6 +52,7 @@ const MOST_FILES = 8;
 export async function openFiles(files: readonly File[]): Promise<void> {
   const isToml = (file: File) => (/\.(csv|exr|hdr|jpe?g|png|tiff?)$/i.test(file.name) ? 0 : 1);
   const sorted = [...files.slice(0, MOST_FILES)].sort((a, b) => isToml(a) - isToml(b));
+  opened.value = null;
   const isFromLink = refused.value?.from === "link";
   const before = droppedNames.value;
   const complaints: Complaint[] = [];

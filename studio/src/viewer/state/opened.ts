@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals";
 import type { Layered } from "nacreous-files";
-import type { Specs } from "../specs/spec";
+import type { Complaint, Specs } from "../specs/spec";
 
 /** A picture of ours that holds its recipe, or an OpenEXR file with layers. */
 export interface Opened {
@@ -11,6 +11,8 @@ export interface Opened {
   readonly layers: Layered | null;
   /** What it was made from; null where it does not say, or cannot be used here. */
   readonly specs: Specs | null;
+  /** Why its recipe cannot be used here. */
+  readonly complaints: readonly Complaint[];
   /** Of a PNG: the file, which may be taken as a photograph of grain. */
   readonly photograph: Uint8Array<ArrayBuffer> | null;
 }

@@ -149,7 +149,13 @@ async function openPhotograph(bytes: Bytes, name: string): Promise<readonly Comp
     const texts = await ask("pngTexts", { bytes }).catch(() => []);
     const embedded = embeddedSpecs(texts, name);
     if (embedded?.ok) {
-      opened.value = { name, layers: null, specs: embedded.value, photograph: bytes };
+      opened.value = {
+        name,
+        layers: null,
+        specs: embedded.value,
+        complaints: [],
+        photograph: bytes,
+      };
       return [];
     }
     if (embedded !== null) return embedded.complaints;
@@ -184,15 +190,16 @@ async function openExr(bytes: Bytes, name: string): Promise<readonly Complaint[]
   const isOurs = layers?.texts.some(([keyword]) => keyword.startsWith("nacreous:")) === true;
   if (layers !== null && isOurs) {
     const specs = embedded?.ok ? embedded.value : null;
-    opened.value = { name, layers, specs, photograph: null };
-    return embedded?.ok === false ? embedded.complaints : [];
+    const complaints = embedded?.ok === false ? embedded.complaints : [];
+    opened.value = { name, layers, specs, complaints, photograph: null };
+    return [];
   }
   if (why.startsWith("holds spectra")) throw new Error(why);
   try {
     return await openPanorama(bytes, name);
   } catch (error) {
     if (layers === null) throw error;
-    opened.value = { name, layers, specs: null, photograph: null };
+    opened.value = { name, layers, specs: null, complaints: [], photograph: null };
     return [];
   }
 }
