@@ -2,5 +2,7 @@
 
 pub(crate) mod level;
 pub(crate) mod normal;
+mod crop;
+pub mod photograph;
 pub mod spectrum;
 pub mod texture;

@@ -6,6 +6,7 @@
 #![allow(clippy::needless_pass_by_value)] // arrays from JavaScript are handed over
 
 mod colour;
+mod difference;
 mod job;
 mod measure;
 mod nacre;

@@ -64,6 +64,8 @@ export type FromWorker =
       readonly size: number;
       /** Codes for the screen; where there is glare, light before the look. */
       readonly made: Codes | Float32Array<ArrayBuffer>;
+      /** 1 of each pixel that is a pearl's by half or more. */
+      readonly covered: Uint8Array<ArrayBuffer>;
       /** Linear light, three numbers a pixel; none where there is glare. */
       readonly light: Light | null;
     }

@@ -4,6 +4,16 @@ import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
 import type { First } from "./first";
 import type { Codes, FromWorker, Light, Show, ToWorker } from "./messages";
 
+/** A whole picture. */
+export interface Whole {
+  readonly codes: Codes;
+  readonly size: number;
+  /** Linear, three numbers a pixel. */
+  readonly light: Light;
+  /** 1 of each pixel that is a pearl's. */
+  readonly covered: Uint8Array<ArrayBuffer>;
+}
+
 /** A picture, and what is to be done with it; whatever is out of date is never told. */
 export interface Wanted {
   readonly recipe: RecipeJson;
@@ -16,8 +26,7 @@ export interface Wanted {
   /** isCurrent: false of a picture that was asked for just before, while things move. */
   first?(made: First, isCurrent: boolean): void;
   progress?(share: number): void;
-  /** light: linear, three numbers a pixel. */
-  refined?(codes: Codes, size: number, light: Light): void;
+  refined?(whole: Whole): void;
   failed(text: string): void;
 }
 
@@ -52,6 +61,9 @@ export class Pool {
   private codes: Codes | null = null;
   private light: Light | null = null;
   private pixels: Float32Array<ArrayBuffer> | null = null;
+  private covered: Uint8Array<ArrayBuffer> | null = null;
+  /** What the workers were last told of dropped files. */
+  private told: Resources | undefined;
   private rowsThere = 0;
   private shares = new Shares(0);
   private question = 0;
@@ -74,18 +86,20 @@ export class Pool {
   show(wanted: Wanted): void {
     this.ticket += 1;
     this.wanted = wanted;
-    this.codes = this.light = this.pixels = null;
+    this.codes = this.light = this.pixels = this.covered = null;
     this.rowsThere = 0;
     this.shares = new Shares(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
     const { ticket } = this;
     this.whenReady(ticket, () => {
+      const isNew = resources !== undefined && resources !== this.told;
+      if (isNew) this.told = resources;
       for (const part of this.workers.keys()) {
         const show: Show = {
           kind: "show",
           ticket,
           recipe,
-          ...(resources === undefined ? {} : { resources }),
+          ...(isNew ? { resources } : {}),
           space,
           firstPx: part === 0 ? wanted.firstPx : 0,
           refine,
@@ -165,6 +179,8 @@ export class Pool {
       this.light ??= new Float32Array(size * size * 3);
       if (told.light !== null) this.light.set(told.light, first * size * 3);
     }
+    this.covered ??= new Uint8Array(size * size);
+    this.covered.set(told.covered, first * size);
     this.rowsThere += made.length / (size * channels);
     wanted.progress?.(this.rowsThere / size);
     if (this.rowsThere < size) return;
@@ -179,6 +195,7 @@ export class Pool {
 
   private finish(wanted: Wanted, codes: Codes, light: Light): void {
     this.whole = this.ticket;
-    wanted.refined?.(codes, wanted.size, light);
+    const covered = this.covered ?? new Uint8Array(codes.length / 4);
+    wanted.refined?.({ codes, size: wanted.size, light, covered });
   }
 }

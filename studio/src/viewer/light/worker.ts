@@ -1,6 +1,15 @@
 /** A worker: one job, which makes whatever was asked for last. */
 
-import { Job, develop, initSync, lightOf, resolvedKeys, tell_panics } from "nacreous-wasm";
+import {
+  Job,
+  develop,
+  initSync,
+  layers,
+  lightOf,
+  resolvedKeys,
+  tell_panics,
+  type Resources,
+} from "nacreous-wasm";
 import { firstPicture } from "./first";
 import {
   type FromWorker,
@@ -22,6 +31,9 @@ const page = self as unknown as {
 };
 
 let job: Job | null = null;
+/** What was dropped onto the page, as it was last told, and as the job has it. */
+let told: Resources | undefined;
+let given: Resources | undefined;
 let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
@@ -33,6 +45,7 @@ page.onmessage = ({ data }) => {
     initSync({ module: data.module });
     tell_panics();
   } else if (data.kind === "show") {
+    if (data.resources !== undefined) told = data.resources;
     latest = data;
     if (!running) void work();
   } else if (data.kind === "parts") {
@@ -59,8 +72,10 @@ async function work(): Promise<void> {
 
 async function make(wanted: Show): Promise<void> {
   if (!wanted.refine && wanted.firstPx === 0) return;
-  if (job === null) job = new Job(wanted.recipe, wanted.resources);
-  else job.change(wanted.recipe, wanted.resources);
+  const resources = told;
+  if (job === null) job = new Job(wanted.recipe, resources);
+  else job.change(wanted.recipe, resources === given ? undefined : resources);
+  given = resources;
   if (wanted.firstPx > 0) {
     firstPx = wanted.firstPx;
     const first = firstPicture(job, wanted.firstPx, wanted.space);
@@ -105,6 +120,7 @@ function rows(job: Job, wanted: Show, first: number, least: number): number {
   const end = Math.min(first + rowsAtOnce, least);
   const began = performance.now();
   const pixels = job.rows(first, end);
+  const covered = coveredIn(pixels);
   let made;
   let light: Light | null = null;
   if (job.hasGlare) {
@@ -117,9 +133,20 @@ function rows(job: Job, wanted: Show, first: number, least: number): number {
   const rowMs = (performance.now() - began) / (end - first);
   rowsAtOnce = Math.max(1, Math.round(PIECE_MS / rowMs));
   const { ticket } = wanted;
-  const buffers = light === null ? [made.buffer] : [made.buffer, light.buffer];
-  page.postMessage({ kind: "rows", ticket, first, size: job.size, made, light }, buffers);
+  const buffers = [made.buffer, covered.buffer, ...(light === null ? [] : [light.buffer])];
+  const told = { kind: "rows", ticket, first, size: job.size, made, covered, light } as const;
+  page.postMessage(told, buffers);
   return end;
+}
+
+/** Which pixels are a pearl's. */
+function coveredIn(pixels: Float32Array): Uint8Array<ArrayBuffer> {
+  const parts = layers();
+  const step = parts.at(-1)?.end ?? 1;
+  const at = parts.find((one) => one.name === "coverage")?.first ?? 0;
+  return Uint8Array.from({ length: pixels.length / step }, (_, i) =>
+    (pixels[i * step + at] ?? 0) >= 0.5 ? 1 : 0,
+  );
 }
 
 function answer(asked: Look | Resolve): void {

@@ -2,12 +2,14 @@
 
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Pool } from "../light/pool";
+import type { Resources } from "nacreous-wasm";
 import { FirstSize } from "../light/first";
 import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
 import { faultsOf } from "../state/faults";
+import { resourcesOf } from "../state/resources";
 import { SAMPLES, SPACE } from "../state/engines";
-import type { Finished } from "../state/instruments";
+import type { Finished } from "../state/finished";
 
 export interface Making {
   /** null before anything is seen. */
@@ -24,12 +26,12 @@ interface Given {
   readonly pool: () => Pool;
   readonly canvas: { current: HTMLCanvasElement | null };
   readonly tell: (making: Making) => void;
-  /** Takes the picture at rest, for the instruments. */
-  readonly keep: (made: Finished) => void;
+  /** Hears of the whole picture, and that there is none any more. */
+  readonly finish: (finished: Finished | null) => void;
 }
 
 /** Keeps a canvas showing these specs. */
-export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Given): void {
+export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: Given): void {
   const shown = useRef({
     asked: "",
     first: "",
@@ -37,7 +39,9 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Gi
     sizes: new FirstSize(),
     whole: "",
     stage: null as Making["stage"],
+    resources: undefined as Resources | undefined,
   });
+  const { resources, waits, failed } = resourcesOf(specs);
   // Not an effect that waits for a frame: the hand would feel it.
   useLayoutEffect(() => {
     show();
@@ -52,6 +56,10 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Gi
       } catch (error) {
         return tell({ stage: seen.stage, share: 1, failed: (error as Error).message });
       }
+      if (failed !== "") return tell({ stage: seen.stage, share: 1, failed });
+      if (waits) return tell({ stage: seen.stage, share: 0, failed: "" });
+      if (seen.resources !== resources) seen.whole = seen.first = "";
+      seen.resources = resources;
       if (seen.whole === recipe && seen.asked === recipe) return; // it is there, and nothing else comes
       seen.asked = recipe;
       if (seen.stage === "refined") seen.stage = "first"; // what is seen is of before
@@ -63,6 +71,7 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Gi
       };
       pool().show({
         recipe,
+        ...(resources === undefined ? {} : { resources }),
         size,
         space: SPACE,
         firstPx: seen.first === recipe ? 0 : firstPx,
@@ -73,12 +82,13 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Gi
           if (isCurrent) seen.first = recipe;
           seen.whole = "";
           seen.stage = "first";
+          finish(null);
           tell({ stage: "first", share: 0, failed: "" });
         },
         progress: (share) => tell({ stage: seen.stage, share, failed: "" }),
-        refined(codes, widthPx, light) {
-          draw(codes, widthPx);
-          keep({ recipe, size: widthPx, light });
+        refined(whole) {
+          draw(whole.codes, whole.size);
+          finish({ recipe, ...whole });
           seen.first = seen.whole = recipe;
           seen.stage = "refined";
           tell({ stage: "refined", share: 1, failed: "" });
@@ -86,7 +96,7 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, keep }: Gi
         failed: (text) => tell({ stage: seen.stage, share: 1, failed: text }),
       });
     }
-  }, [specs, moving, size]);
+  }, [specs, moving, size, resources, waits, failed]);
 }
 
 /** Whether pixels look at other places, or at other light, than before; else their colours alone may differ. */

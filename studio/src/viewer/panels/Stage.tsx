@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import type { Signal } from "@preact/signals";
 import type { Pool } from "../light/pool";
 import { turned, zoomed } from "../state/camera";
-import { keepFinished } from "../state/instruments";
+import { finished } from "../state/finished";
 import { type Which, active, board, editScene, moving, touch } from "../state/store";
 import { tab } from "../state/view";
 import { t } from "../words/speech";
@@ -32,7 +32,7 @@ export function Stage({ which, pool, size, canvas, making }: Given) {
     pool,
     canvas,
     tell: (now) => (making.value = now),
-    keep: (made) => keepFinished(which, made),
+    finish: (whole) => (finished[which].value = whole),
   });
   const hand = useHand(which);
   const isActive = board.value.b === null || active.value === which;

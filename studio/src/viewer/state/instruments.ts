@@ -8,30 +8,17 @@ import {
   type Layers,
   type Reading,
 } from "../light/instruments";
-import type { Light } from "../light/messages";
 import { program } from "../light/program";
 import { recipeJson } from "../specs/spec";
 import { SAMPLES } from "./engines";
+import { type Finished, finished } from "./finished";
 import { type Which, active, board, notice, specs } from "./store";
 import { size, tab } from "./view";
-
-/** A picture at rest. */
-export interface Finished {
-  readonly recipe: string;
-  readonly size: number;
-  readonly light: Light;
-}
 
 /** A place in the picture: shares of its width and height. */
 export interface Place {
   readonly x: number;
   readonly y: number;
-}
-
-const finished = signal<Readonly<Partial<Record<Which, Finished>>>>({});
-
-export function keepFinished(which: Which, made: Finished): void {
-  finished.value = { ...finished.value, [which]: made };
 }
 
 /** Where the instruments look while nothing is pointed at. */
@@ -116,7 +103,7 @@ let layersOf = "";
 const measurePicture = lastOf(async (made: Finished) => {
   found.value = await instruments().ask("found", made);
   measured = made;
-  isFresh.value = finished.peek()[shownSide.peek()] === made;
+  isFresh.value = finished[shownSide.peek()].peek() === made;
 });
 let measured: Finished | null = null;
 
@@ -132,9 +119,9 @@ effect(() => {
 });
 
 effect(() => {
-  const made = finished.value[shownSide.value];
-  isFresh.value = made !== undefined && made === measured && made.recipe === recipe.value;
-  if (isOn.value && made !== undefined && made !== measured && made.recipe === recipe.value) {
+  const made = finished[shownSide.value].value;
+  isFresh.value = made !== null && made === measured && made.recipe === recipe.value;
+  if (isOn.value && made !== null && made !== measured && made.recipe === recipe.value) {
     measurePicture(made);
   }
 });

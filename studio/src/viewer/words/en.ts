@@ -16,7 +16,7 @@ export const EN = {
   savePng: "Picture (PNG)",
   reset: "Start over",
   language: "Language",
-  dropHere: "Drop a pearl or scene file",
+  dropHere: "Drop a pearl, scene, picture, panorama or spectrum",
   pearls: "Pearls",
   scenes: "Scenes",
   more: "More",

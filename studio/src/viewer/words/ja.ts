@@ -17,7 +17,7 @@ export const JA: Record<Word, string> = {
   savePng: "画像（PNG）",
   reset: "最初に戻す",
   language: "言語",
-  dropHere: "真珠または場面のファイルをここへ",
+  dropHere: "真珠・場面・画像・パノラマ・スペクトルのファイルをここへ",
   pearls: "真珠",
   scenes: "場面",
   more: "もっと",

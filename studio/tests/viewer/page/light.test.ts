@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
 import { FirstSize } from "../../../src/viewer/light/first";
-import { Pool, Shares } from "../../../src/viewer/light/pool";
+import { Pool, Shares, type Whole } from "../../../src/viewer/light/pool";
 import { stripes } from "../../../src/viewer/light/messages";
 
 test("the stripes of all workers are every row once", () => {
@@ -44,6 +44,7 @@ async function pool(count: number) {
 
 const WANTED = { recipe: "{}", size: 16, space: "srgb" as const, firstPx: 8, refine: true };
 const light = new Float32Array(16 * 16 * 3);
+const covers = (rows: number) => new Uint8Array(rows * 16).fill(1);
 const settled = () => new Promise((go) => setTimeout(go));
 
 test("rows of two workers become one picture, told once", async () => {
@@ -56,12 +57,12 @@ test("rows of two workers become one picture, told once", async () => {
   expect(two.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 1, firstPx: 0 });
   const half = (code: number) => new Uint8ClampedArray(8 * 16 * 4).fill(code);
   const third = (value: number) => new Float32Array(8 * 16 * 3).fill(value);
-  two.says({ kind: "rows", ticket: 1, first: 8, size: 16, made: half(2), light: third(2) });
+  const rows = { kind: "rows" as const, ticket: 1, size: 16, covered: covers(8) };
+  two.says({ ...rows, first: 8, made: half(2), light: third(2) });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: half(1), light: third(1) });
+  one.says({ ...rows, first: 0, made: half(1), light: third(1) });
   expect(refined).toHaveBeenCalledTimes(1);
-  const codes = refined.mock.calls[0]?.[0] as Uint8ClampedArray;
-  const light = refined.mock.calls[0]?.[2] as Float32Array;
+  const { codes, light } = refined.mock.calls[0]?.[0] as Whole;
   expect([codes[0], codes.at(-1), light[0], light.at(-1)]).toEqual([1, 2, 1, 2]);
 });
 
@@ -76,9 +77,10 @@ test("rows out of date are dropped; a first picture is shown though the hand wen
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenLastCalledWith(expect.objectContaining({ codes }), false);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes, light });
+  const rows = { kind: "rows" as const, first: 0, size: 16, made: codes, covered: covers(16) };
+  one.says({ ...rows, ticket: 1, light });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes, light });
+  one.says({ ...rows, ticket: 2, light });
   expect(refined).toHaveBeenCalledTimes(1);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenCalledTimes(1); // the whole picture is there
@@ -91,11 +93,33 @@ test("pixels with glare are joined first and looked at as one", async () => {
   await settled();
   const [one] = workers as [FakeWorker];
   const pixels = new Float32Array(16 * 16 * 17);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: pixels, light: null });
+  one.says({
+    kind: "rows",
+    ticket: 1,
+    first: 0,
+    size: 16,
+    made: pixels,
+    covered: covers(16),
+    light: null,
+  });
   expect(one.told.at(-1)).toMatchObject({ kind: "look", ticket: 1 });
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "whole", ticket: 1, codes, light });
-  expect(refined).toHaveBeenCalledWith(codes, 16, light);
+  expect(refined).toHaveBeenCalledWith({ codes, size: 16, light, covered: covers(16) });
+});
+
+test("dropped files go to the workers once, and again when they are others", async () => {
+  const { made, workers } = await pool(1);
+  const [one] = workers as [FakeWorker];
+  const shown = async (resources: object) => {
+    made.show({ ...WANTED, resources, failed: vi.fn() });
+    await settled();
+    return one.told.at(-1);
+  };
+  const [sky, other] = [{ panoramas: [] }, { panoramas: [] }];
+  expect(await shown(sky)).toHaveProperty("resources", sky);
+  expect(await shown(sky)).not.toHaveProperty("resources");
+  expect((await shown(other)) as object).toHaveProperty("resources");
 });
 
 test("first pictures are large where they keep up with the hand, and small where not", () => {
