@@ -1,6 +1,7 @@
 //! Which pearl lies where, and what that leaves room for.
 
 mod neck;
+mod sight;
 
 use std::sync::Arc;
 
@@ -8,6 +9,7 @@ use glam::DVec3;
 use nacreous_image::{Ball, Camera, Hull, Projection, Solid};
 
 use self::neck::{Bead, neck};
+pub use self::sight::Sighted;
 use crate::{
     RenderError,
     frame::Frame,
@@ -44,15 +46,6 @@ pub struct Place {
     pub reach_mm: f64,
     /// What stands for it where it is not round and others see it.
     pub hull: Option<Hull>,
-}
-
-/// What a line of sight meets, relief left out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sighted {
-    /// The pearl's number among those given.
-    pub pearl: usize,
-    /// The angle between the surface's normal and the line of sight.
-    pub view_rad: f64,
 }
 
 /// The forms of the pearls given that are not round, by their number.
@@ -145,21 +138,6 @@ impl Arrangement {
         let reach = |place: &Place| place.centre_mm.length() + place.reach_mm;
         let reach_mm = self.places.iter().map(reach).fold(0.0, f64::max);
         camera(&self.camera, self.field_mm).in_front_of(reach_mm)
-    }
-
-    /// The pearl that is met through (x, y) of the view, both from -1 (left, bottom) to 1 (right, top).
-    pub(crate) fn sight(&self, (x, y): (f64, f64), solids: &Solids) -> Option<Sighted> {
-        let ray = self.camera().ray(x, y);
-        let met = self.places.iter().zip(self.balls()).filter_map(|(place, ball)| {
-            let (middle, hit) = match &solids[place.pearl] {
-                Some(solid) => (ball.centre, solid.hit(ray.from - ball.centre, ray.along)?),
-                None => (DVec3::ZERO, ball.hit(&ray)?),
-            };
-            let far_mm = (middle + hit.point - ray.from).dot(ray.along);
-            let view_rad = libm::acos(hit.cos_view.clamp(0.0, 1.0));
-            Some((far_mm, Sighted { pearl: place.pearl, view_rad }))
-        });
-        met.min_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, sighted)| sighted)
     }
 
     /// The least width on a pearl that a pixel has, `size_px` of them a side.
