@@ -44,11 +44,13 @@ def panorama(width: int = 16, height: int = 8) -> bytes:
     return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + b"-Y %d +X %d\n" % (height, width) + pixels
 
 
-def photograph(side_px: int = 96) -> bytes:
-    """A photograph of grain: a pearl's crop with waves of some frequencies."""
+def photograph(side_px: int = 240) -> bytes:
+    """A photograph of grain: a pearl with waves of some frequencies, on black."""
     step = np.arange(side_px)
     waves = 0.03 * np.sin(step[None] * 0.9) + 0.02 * np.cos(step[:, None] * 0.7 + step[None] * 0.3)
     light = (0.6 + waves)[..., None] * np.array([0.95, 0.85, 0.8])
+    middle = (side_px - 1) / 2
+    light[np.hypot(step - middle, step[:, None] - middle) > 0.46 * side_px] = 0.02
     codes, _ = _core.develop(light.astype(np.float32), "srgb", "clip", 8)
     return _core.png_bytes(codes, "srgb", [])
 

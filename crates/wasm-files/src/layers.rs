@@ -71,7 +71,8 @@ pub fn write_layers(
     let plane = |name: &str, samples: Vec<f32>| {
         let count = samples.len() / size_px.pow(2).max(1);
         let channels = Channels::of_count(count);
-        let channels = channels.ok_or_else(|| refused(format!("layer {name:?} has no channels")))?;
+        let channels =
+            channels.ok_or_else(|| refused(format!("layer {name:?} has no channels")))?;
         Ok(Plane { name: name.to_owned(), channels, samples: Cow::Owned(samples) })
     };
     let whole = || pixels.chunks_exact(CHANNELS);

@@ -9,7 +9,8 @@ use wasm_bindgen::prelude::*;
 use crate::{check_bytes, object, refused};
 
 #[wasm_bindgen(typescript_custom_section)]
-const LIGHT: &str = "/** A picture of linear light in the primaries of sRGB, three numbers a pixel, row by row. */
+const LIGHT: &str =
+    "/** A picture of linear light in the primaries of sRGB, three numbers a pixel, row by row. */
 export interface LinearPicture {
   readonly width: number;
   readonly height: number;

@@ -31,7 +31,9 @@ pub fn difference(
     let lengths = (first.len(), second.len(), 4 * covered.len());
     if lengths.0 != lengths.1 || lengths.0 != lengths.2 {
         let (a, b, c) = (first.len(), second.len(), covered.len());
-        let message = format!("the pictures have {a} and {b} codes and {c} pixels; allowed: four codes a pixel");
+        let message = format!(
+            "the pictures have {a} and {b} codes and {c} pixels; allowed: four codes a pixel"
+        );
         return Err(refused(message).into());
     }
     let map = differences(first, second, space);

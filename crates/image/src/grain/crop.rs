@@ -2,7 +2,7 @@
 //!
 //! The same as `nacreous/patch.py`, which also takes patches that are given; a test compares the two.
 
-use super::photograph::PhotographError;
+use thiserror::Error;
 
 /// Linear light from which a pixel counts as clipped by a highlight.
 const HIGHLIGHT: f64 = 0.99;
@@ -10,6 +10,19 @@ const HIGHLIGHT: f64 = 0.99;
 const SAFE_RADIUS: f64 = 0.85;
 /// Steps of the histogram that parts pearl and border.
 const BINS: usize = 256;
+
+/// No patch in the pearl that was found.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error(
+    "texture: no patch of {side_px} px without highlight in the pearl seen (radius {radius_px:.0} px); allowed: a larger \
+     pearl, a smaller side_px, or corners given"
+)]
+pub struct NoPatch {
+    /// A patch's side.
+    pub side_px: usize,
+    /// The radius in which patches are taken.
+    pub radius_px: f64,
+}
 
 /// A photograph in linear light, RGB row by row.
 #[derive(Clone, Copy, Debug)]
@@ -35,30 +48,28 @@ impl Photograph<'_> {
 pub(super) fn corners(
     photograph: &Photograph<'_>,
     side: usize,
-) -> Result<Vec<(usize, usize)>, PhotographError> {
+) -> Result<Vec<(usize, usize)>, NoPatch> {
     let (rows, columns) = (photograph.height, photograph.width);
     if rows.min(columns) < 2 * side {
         return Ok(vec![((rows - side) / 2, (columns - side) / 2)]);
     }
     let disc = pearl(photograph);
-    let most = (disc.radius / side as f64) as i64 + 1;
+    let most = (disc.radius / side as f64) as usize + 1;
+    let places = |middle: f64, count: usize| -> Vec<usize> {
+        let place = |i: usize| (middle as usize + i * side).checked_sub(most * side);
+        (0..2 * most).filter_map(place).filter(|first| first + side <= count).collect()
+    };
     let mut found = Vec::new();
-    for i in -most..most {
-        for j in -most..most {
-            let top = disc.row as i64 + i * side as i64;
-            let left = disc.column as i64 + j * side as i64;
-            let is_within = top >= 0
-                && left >= 0
-                && top + side as i64 <= rows as i64
-                && left + side as i64 <= columns as i64;
-            let corner = (top.max(0) as usize, left.max(0) as usize);
-            if is_within && disc.holds(corner, side) && !is_clipped(photograph, corner, side) {
+    for top in places(disc.row, rows) {
+        for &left in &places(disc.column, columns) {
+            let corner = (top, left);
+            if disc.holds(corner, side) && !is_clipped(photograph, corner, side) {
                 found.push(corner);
             }
         }
     }
     if found.is_empty() {
-        return Err(PhotographError::NoPatch { side_px: side, radius_px: disc.radius });
+        return Err(NoPatch { side_px: side, radius_px: disc.radius });
     }
     Ok(found)
 }
@@ -91,7 +102,8 @@ fn pearl(photograph: &Photograph<'_>) -> Disc {
     let shade = |row, column| photograph.at(row, column).map(|light: f64| light.max(0.0).sqrt());
     let across = (0..columns).flat_map(|column| [(0, column), (rows - 1, column)]);
     let down = (0..rows).flat_map(|row| [(row, 0), (row, columns - 1)]);
-    let border: Vec<[f64; 3]> = across.chain(down).map(|(row, column)| shade(row, column)).collect();
+    let border: Vec<[f64; 3]> =
+        across.chain(down).map(|(row, column)| shade(row, column)).collect();
     let ground = [0, 1, 2].map(|channel| median(border.iter().map(|one| one[channel]).collect()));
     let distance: Vec<f64> = (0..rows * columns)
         .map(|i| {
@@ -145,5 +157,9 @@ fn otsu(distance: &[f64]) -> f64 {
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
-    if values.len() % 2 == 1 { values[middle] } else { f64::midpoint(values[middle - 1], values[middle]) }
+    if values.len() % 2 == 1 {
+        values[middle]
+    } else {
+        f64::midpoint(values[middle - 1], values[middle])
+    }
 }

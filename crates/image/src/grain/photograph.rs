@@ -9,9 +9,11 @@ use std::f64::consts::{PI, TAU};
 use nacreous_colour::hvc_from_rgb;
 use thiserror::Error;
 
-use super::crop::corners;
-pub use super::crop::Photograph;
-use super::spectrum::{GrainError, GrainSpectrum};
+pub use crate::grain::crop::Photograph;
+use crate::grain::{
+    crop::{NoPatch, corners},
+    spectrum::{GrainError, GrainSpectrum},
+};
 
 /// Below this mean chroma a patch counts as grey **(ours)**: relative deviations would be noise.
 const GREY_CHROMA: f64 = 0.2;
@@ -66,16 +68,8 @@ pub enum PhotographError {
         unit: &'static str,
     },
     /// No patch in the pearl that was found.
-    #[error(
-        "texture: no patch of {side_px} px without highlight in the pearl seen (radius {radius_px:.0} px); allowed: a \
-         larger pearl, a smaller side_px, or corners given"
-    )]
-    NoPatch {
-        /// A patch's side.
-        side_px: usize,
-        /// The radius in which patches are taken.
-        radius_px: f64,
-    },
+    #[error(transparent)]
+    Patch(#[from] NoPatch),
     /// Numbers that are no spectrum.
     #[error(transparent)]
     Spectrum(#[from] GrainError),
@@ -138,7 +132,11 @@ fn band(how: &Measuring, patch_mm: f64) -> Result<(f64, f64), PhotographError> {
 }
 
 /// Deviations from the patch's mean: hue in rad by chroma, value and chroma relative.
-fn deviations(photograph: &Photograph<'_>, (top, left): (usize, usize), side: usize) -> Vec<[f64; 3]> {
+fn deviations(
+    photograph: &Photograph<'_>,
+    (top, left): (usize, usize),
+    side: usize,
+) -> Vec<[f64; 3]> {
     let pixel = |i: usize| hvc_from_rgb(photograph.at(top + i / side, left + i % side));
     let seen: Vec<_> = (0..side * side).map(pixel).collect();
     let mean = |of: &dyn Fn(usize) -> f64| (0..seen.len()).map(of).sum::<f64>() / seen.len() as f64;
@@ -312,7 +310,12 @@ mod tests {
                 [0.9, 0.8, 0.75].map(|channel| (channel * wave) as f32)
             })
             .collect();
-        let how = Measuring { side_px: 64, mm_per_pixel: Some(0.02), low_per_mm: None, high_per_mm: None };
+        let how = Measuring {
+            side_px: 64,
+            mm_per_pixel: Some(0.02),
+            low_per_mm: None,
+            high_per_mm: None,
+        };
         let grain = measured(&Photograph { width: 64, height: 64, rgb: &rgb }, &how).unwrap();
         let value = &grain.density()[1];
         let peak = (0..value.len()).max_by(|&a, &b| value[a].total_cmp(&value[b])).unwrap();
