@@ -227,7 +227,7 @@ wasm: _rust-tools _wasm-tools setup
     nacreous presets --json > target/wasm-native/presets.json
     tests/own-temporary-folder node --test --test-reporter=spec tests/wasm/*.test.mjs
     cargo fmt --manifest-path xtask/Cargo.toml --check
-    cargo clippy --package nacreous-wasm --target wasm32-unknown-unknown -- -D warnings
+    cargo clippy --package nacreous-wasm --package nacreous-wasm-files --target wasm32-unknown-unknown -- -D warnings
     cargo clippy --manifest-path xtask/Cargo.toml --target-dir target/xtask -- -D warnings
 
 # Put all code into the house format, and mend what ruff can mend

@@ -29,6 +29,11 @@ export default defineConfig({
   resolve: {
     alias: [
       { find: /^nacreous-wasm$/, replacement: here("../target/wasm/nacreous.js") },
+      { find: /^nacreous-files$/, replacement: here("../target/wasm/nacreous_files.js") },
+      {
+        find: /^nacreous-files-file(?=\?|$)/,
+        replacement: here("../target/wasm/nacreous_files_bg.wasm"),
+      },
       { find: /^nacreous-wasm-file(?=\?|$)/, replacement: here("../target/wasm/nacreous_bg.wasm") },
     ],
   },

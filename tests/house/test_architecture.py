@@ -76,6 +76,7 @@ def test_every_path_on_the_page_is_there() -> None:
     built = {"nacreous/server/pages/", "nacreous/viewer/page/"}  # by ./just, and not in git
     inside = {"data/", "fit/", "check/", "compare/", "planning/", "figure/", "report/"}
     inside |= {"task/", "design/", "plan/", "store/", "running/", "results/", "specs/"}
+    inside |= {"light/", "words/", "state/", "panels/"}
     missing = {path for path in paths - built - inside if not (ROOT / path).exists()}
     assert missing == set()
     assert len(paths) > 150

@@ -44,6 +44,12 @@ MAY_KNOW = {
         "nacreous-render",
         "nacreous-measure",
     },
+    "nacreous-wasm-files": {
+        "nacreous-colour",
+        "nacreous-image",
+        "nacreous-render",
+        "nacreous-file",
+    },
 }
 
 

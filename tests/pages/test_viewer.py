@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
 import json
 import re
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, FilePayload, Page, expect
 
 import nacreous as nc
 from nacreous.study.design import Design
-from nacreous.viewer import FOLDER
 from tests.pages.browser import Guarded, guarded, violations
 
 SIDE_PX = 256
-TABS = ("presets", "pearl", "scene", "compare")
+TABS = ("presets", "pearl", "scene", "compare", "instruments")
 DONE = ".pearl[data-stage=refined]"
 expect.set_options(timeout=60_000)  # machines that test are busy
 
@@ -35,23 +31,6 @@ UNFOLD = """() => {
     folded.forEach(one => one.click());
     return folded.length > 0;
 }"""
-
-
-class _Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass
-
-
-@pytest.fixture(scope="module")
-def host() -> Iterator[str]:
-    """A web host that knows nothing of the page."""
-    if not (FOLDER / "index.html").is_file():
-        pytest.skip("the viewer's page is not built:   ./just viewer   (needs Node.js and npm)")
-    handler = functools.partial(_Quiet, directory=str(FOLDER))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
 
 
 @pytest.fixture(scope="module")
@@ -140,7 +119,7 @@ def test_a_link_and_files_bring_the_same_pearl_again(
 
 
 def test_what_is_damaged_is_told_once_and_changes_nothing(page: Page, visitor: Guarded) -> None:
-    bad = {"name": "bad.toml", "mimeType": "text/plain", "buffer": b"depth = 3"}
+    bad = FilePayload(name="bad.toml", mimeType="text/plain", buffer=b"depth = 3")
     page.set_input_files("input[type=file]", [bad])
     expect(page.locator(".message.wrong li")).to_have_text(
         ["bad.toml: depth is 3; allowed: 0 to 1"]

@@ -1,5 +1,6 @@
 //! `cargo xtask wasm` builds `target/wasm/`: `nacreous.js`, an ES module for browsers and Node.js,
-//! `nacreous_bg.wasm` beside it, and its TypeScript declarations.
+//! `nacreous_bg.wasm` beside it, and its TypeScript declarations; and the same of `nacreous_files`, the codecs
+//! of pictures, which a page fetches when it first opens or saves one.
 //!
 //! It installs nothing. Where Rust's WebAssembly target is missing it prints the line that installs
 //! it and ends with status 2.
@@ -8,6 +9,10 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use wasm_bindgen_cli_support::Bindgen;
+
+/// Crates, and what their bundles are called.
+const BUNDLES: [(&str, &str); 2] =
+    [("nacreous-wasm", "nacreous"), ("nacreous-wasm-files", "nacreous_files")];
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -41,7 +46,8 @@ fn build() -> Result<(), String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let target = root.join("target");
     let built = Command::new("cargo")
-        .args(["build", "--quiet", "--release", "--package=nacreous-wasm", "--target", TARGET])
+        .args(["build", "--quiet", "--release", "--target", TARGET])
+        .args(BUNDLES.map(|(package, _)| format!("--package={package}")))
         .arg("--target-dir")
         .arg(&target)
         .current_dir(&root)
@@ -51,14 +57,19 @@ fn build() -> Result<(), String> {
         .status()
         .map_err(|error| format!("cargo does not start: {error}"))?;
     if !built.success() {
-        return Err("nacreous-wasm did not build".to_owned());
+        return Err("the crates for browsers did not build".to_owned());
     }
+    BUNDLES.iter().try_for_each(|(package, name)| bundle(&target, package, name))
+}
+
+fn bundle(target: &Path, package: &str, name: &str) -> Result<(), String> {
+    let program = format!("release/{}.wasm", package.replace('-', "_"));
     Bindgen::new()
-        .input_path(target.join(TARGET).join("release/nacreous_wasm.wasm"))
-        .out_name("nacreous")
+        .input_path(target.join(TARGET).join(program))
+        .out_name(name)
         // Without an address, init() takes the file beside the module.
         .omit_default_module_path(false)
         .web(true)
         .and_then(|bindgen| bindgen.typescript(true).generate(target.join("wasm")))
-        .map_err(|error| format!("no bundle: {error:#}"))
+        .map_err(|error| format!("no bundle {name}: {error:#}"))
 }

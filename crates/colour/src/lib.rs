@@ -50,4 +50,4 @@ pub use observer::Observer;
 pub use reflectance::reflectance_from_rgb;
 pub use rgb::{RgbSpace, decode, encode};
 pub use spectrum::{FIRST_NM, LAST_NM, SAMPLES, Spectrum, WAVELENGTH_NM};
-pub use xyz::{WHITE_C, xyz, xyz_from_spectrum, xyz_from_xy};
+pub use xyz::{WHITE_C, xy_from_xyz, xyz, xyz_from_spectrum, xyz_from_xy};

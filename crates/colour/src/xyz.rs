@@ -17,6 +17,18 @@ pub const fn xyz_from_xy([x, y]: [f64; 2]) -> [f64; 3] {
     [x / y, 1.0, (1.0 - x - y) / y]
 }
 
+/// The chromaticity x, y of XYZ; NaN of black.
+///
+/// ```
+/// use nacreous_colour::{xy_from_xyz, xyz_from_xy};
+/// let [x, y] = xy_from_xyz(xyz_from_xy([0.31, 0.33]));
+/// assert!((x - 0.31).abs() < 1e-15 && (y - 0.33).abs() < 1e-15);
+/// ```
+pub fn xy_from_xyz(xyz: [f64; 3]) -> [f64; 2] {
+    let sum: f64 = xyz.iter().sum();
+    [xyz[0] / sum, xyz[1] / sum]
+}
+
 /// The plain integral of a spectrum over the matching functions, in steps of 1 nm, unscaled.
 ///
 /// For colours relative to a light, where white has Y = 1, see [`xyz_from_spectrum`].

@@ -188,17 +188,32 @@ fn sort_attributes(file: &mut [u8]) {
     file[START..start].copy_from_slice(&attributes.concat());
 }
 
+/// Refuses spectra by name: channels such as `S0.550,0nm` (Fichet et al. 2021) are no colours.
+fn check_not_spectral(header: &Header) -> Result<(), PictureFileError> {
+    let names = header.channels.list.iter().map(|channel| channel.name.to_string());
+    match names.into_iter().find(|name| name.ends_with("nm")) {
+        Some(name) => Err(PictureFileError::Unsupported(format!(
+            "holds spectra (channel {name}), which are not read here; allowed: layers of Y, RGB or RGBA"
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// Reads what [`write_exr`] wrote: the first part's channels, grouped into planes by their names,
 /// and its text attributes.
 ///
 /// # Errors
-/// Something that is not EXR, a damaged file, a size beyond the limits, and layers whose
+/// Something that is not EXR, a damaged file, a size beyond the limits, spectra, and layers whose
 /// channels are not Y, RGB or RGBA.
 pub fn read_exr(bytes: &[u8]) -> Result<Layers, PictureFileError> {
+    if !bytes.starts_with(&exr::meta::magic_number::BYTES) {
+        return Err(PictureFileError::Format { allowed: "OpenEXR (.exr)" });
+    }
     let damaged = |problem: exr::error::Error| PictureFileError::exr(&problem);
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(damaged)?;
     for header in reader.headers() {
         check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
+        check_not_spectral(header)?;
     }
     let image = exr::prelude::read()
         .no_deep_data()
@@ -206,6 +221,7 @@ pub fn read_exr(bytes: &[u8]) -> Result<Layers, PictureFileError> {
         .all_channels()
         .first_valid_layer()
         .all_attributes()
+        .non_parallel() // a panic in a worker thread could not be caught
         .from_chunks(reader)
         .map_err(damaged)?;
     let Vec2(width, height) = image.layer_data.size;

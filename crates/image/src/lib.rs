@@ -52,6 +52,7 @@ pub use pearl::subsurface::Subsurface;
 pub use pearl::transport::Transport;
 pub use picture::channels::{CHANNELS, MAX_SIZE_PX, PARTS};
 pub use picture::develop::{Developed, develop, eight_bit};
+pub use picture::difference::{DifferenceSummary, differences, summary};
 pub use picture::glare::spread as spread_glare;
 pub use picture::reflections::Reflections;
 pub use picture::sampler::Sampler;

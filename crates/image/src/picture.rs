@@ -4,6 +4,7 @@ pub(crate) mod channels;
 pub(crate) mod chord;
 pub(crate) mod detail;
 pub(crate) mod develop;
+pub(crate) mod difference;
 pub(crate) mod finding;
 pub(crate) mod glare;
 pub(crate) mod pixel;

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::circle::angle;
 use crate::disc::{Disc, Pixel};
 use crate::highlight::{FARTHEST, Highlight};
-use crate::profile::{AZIMUTHS, HAZE, Profile, place_of, profiles};
+use crate::profile::{AZIMUTHS, HAZE, Profile, mean_profile, place_of, profiles};
 use crate::value::{jackknife, median};
 use crate::white::White;
 use crate::{Circle, Picture, Value};
@@ -47,6 +47,8 @@ pub struct LampImage {
     pub distinctness: Option<Value>,
     /// Places of the half-level line, in pixels.
     pub line: Vec<[f64; 2]>,
+    /// From its middle outwards: degrees, and the mean luminance over directions; as far as the pearl goes in half of them.
+    pub profile: Vec<[f64; 2]>,
 }
 
 /// What the search for the image finds, measured or not.
@@ -203,6 +205,7 @@ fn measured(
         // Less than a pixel to both sides would measure the camera.
         distinctness: if pixel <= DISTINCT { percent(&read.falls) } else { None },
         line: read.half_level.iter().map(on_line).collect(),
+        profile: mean_profile(&profiles),
     })
 }
 

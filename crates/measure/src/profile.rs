@@ -70,6 +70,18 @@ pub fn profiles(
         .collect()
 }
 
+/// Degrees from the middle, and the mean light over directions, while half of all have some.
+pub fn mean_profile(profiles: &[Profile]) -> Vec<[f64; 2]> {
+    let mean = |count: usize| {
+        let held: Vec<f64> =
+            profiles.iter().filter_map(|one| one.light.get(count).copied()).collect();
+        let light = held.iter().sum::<f64>() / held.len() as f64;
+        (2 * held.len() >= profiles.len())
+            .then(|| [profiles[0].step.to_degrees() * count as f64, light])
+    };
+    (0..).map_while(mean).collect()
+}
+
 /// Two directions across a normal; which way they turn does not matter.
 fn across(normal: [f64; 3]) -> [[f64; 3]; 2] {
     let flat = sqrt(normal[1] * normal[1] + normal[2] * normal[2]);

@@ -1,6 +1,7 @@
 //! Which pearl lies where, and what that leaves room for.
 
 mod neck;
+mod sight;
 
 use std::sync::Arc;
 
@@ -8,6 +9,7 @@ use glam::DVec3;
 use nacreous_image::{Ball, Camera, Hull, Projection, Solid};
 
 use self::neck::{Bead, neck};
+pub use self::sight::Sighted;
 use crate::{
     RenderError,
     frame::Frame,

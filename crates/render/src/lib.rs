@@ -17,7 +17,7 @@ mod resources;
 pub mod spec;
 mod stages;
 
-pub use arrangement::{Arrangement, MOST_PEARLS, Place};
+pub use arrangement::{Arrangement, MOST_PEARLS, Place, Sighted};
 pub use error::RenderError;
 pub use frame::Frame;
 pub use lights::Lights;
@@ -27,7 +27,7 @@ pub use pearl::{
     columns::columns_of,
     grain::GrainKey,
     knobs::{outer_um_of, resolved_of, texture_seed_of},
-    nacre::{Core, core_under, diary_of, stack_of},
+    nacre::{Core, core_under, diary_of, season_of, stack_of},
     shape::dimensions_of,
     spectra::film_spectra,
 };

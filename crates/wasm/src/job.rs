@@ -1,11 +1,29 @@
 //! The binding of the render room's job: a recipe in JSON in, rows of light out.
 
-use js_sys::Float64Array;
+use js_sys::{Array, Float64Array, Object};
 use nacreous_image::{CHANNELS, Development, Progress};
-use nacreous_render::{Asked, View, spec::Recipe};
+use nacreous_render::{
+    Asked, View,
+    spec::{Recipe, pearl::PearlSpec},
+    stack_of,
+};
 use wasm_bindgen::{Clamped, prelude::*};
 
-use crate::{refused, resources::resources_of};
+use crate::{
+    pearl::{grown, spectra_of},
+    picture::object,
+    refused,
+    resources::resources_of,
+};
+
+#[wasm_bindgen(typescript_custom_section)]
+const SIGHT: &str = r"/** What a line of sight meets. */
+export interface Sight {
+  /** The pearl's number among those of the recipe. */
+  readonly pearl: number;
+  /** The angle between the surface's normal, relief left out, and the line of sight. */
+  readonly viewRad: number;
+}";
 
 /// A picture in the making, kept and asked again: only what changed is worked out anew.
 #[wasm_bindgen]
@@ -128,10 +146,56 @@ impl Job {
         self.made.recipe().scene.camera.glare > 0.0
     }
 
+    /// The pearl that is seen in the middle of a pixel; undefined beside all pearls. Nothing else is worked out.
+    #[wasm_bindgen(unchecked_return_type = "Sight | undefined")]
+    pub fn sight(&mut self, row: usize, column: usize) -> Result<JsValue, JsValue> {
+        let Some(sighted) = self.made.sight(row, column) else { return Ok(JsValue::UNDEFINED) };
+        let found =
+            [("pearl", (sighted.pearl as u32).into()), ("viewRad", sighted.view_rad.into())];
+        Ok(object(&found)?.into())
+    }
+
+    /// What grew on which day of one of the recipe's pearls, as `grow` has it.
+    #[wasm_bindgen(unchecked_return_type = "Growth")]
+    pub fn grow(&self, pearl: usize) -> Result<Object, JsValue> {
+        grown(self.pearl(pearl)?.common().nacre)
+    }
+
+    /// The thickness of each aragonite layer of one of the recipe's pearls in nm, the surface first.
+    #[wasm_bindgen(js_name = thicknessNm)]
+    pub fn thickness_nm(&self, pearl: usize) -> Result<Vec<f64>, JsError> {
+        let stack = stack_of(self.pearl(pearl)?.common().nacre).map_err(refused)?;
+        Ok(stack.thickness_nm().to_vec())
+    }
+
+    /// R and T of the film of one of the recipe's pearls, as `filmSpectra` has them.
+    #[wasm_bindgen(js_name = filmSpectra, unchecked_return_type = "[Float64Array, Float64Array]")]
+    pub fn film_spectra(
+        &self,
+        pearl: usize,
+        angle_rad: &[f64],
+        wavelength_nm: &[f64],
+    ) -> Result<Array, JsError> {
+        spectra_of(self.pearl(pearl)?, angle_rad, wavelength_nm)
+    }
+
+    /// Millimetres in a pixel, on the plane through the scene's middle.
+    #[wasm_bindgen(getter = mmPerPixel)]
+    pub fn mm_per_pixel(&self) -> f64 {
+        self.made.mm_per_pixel()
+    }
+
     /// Pixels a side.
     #[wasm_bindgen(getter)]
     pub fn size(&self) -> usize {
         self.made.recipe().size
+    }
+
+    fn pearl(&self, number: usize) -> Result<&PearlSpec, JsError> {
+        let pearls = &self.made.recipe().pearls;
+        let last = pearls.len() - 1;
+        let message = || refused(format!("pearl is {number}; allowed: 0 to {last}"));
+        pearls.get(number).ok_or_else(message)
     }
 
     fn view(&mut self) -> Result<&View, JsError> {

@@ -5,7 +5,10 @@
 //! room's one-line message, and so is a fault of our own.
 #![allow(clippy::needless_pass_by_value)] // arrays from JavaScript are handed over
 
+mod colour;
+mod difference;
 mod job;
+mod measure;
 mod nacre;
 mod optics;
 mod pearl;

@@ -2,11 +2,8 @@
 
 use js_sys::{Array, Float64Array, Object, Uint32Array};
 use nacreous_render::{
-    diary_of, film_spectra, resolved_of,
-    spec::{
-        nacre::NacreSpec,
-        pearl::{PearlSpec, TransportSpec},
-    },
+    diary_of, film_spectra, resolved_of, season_of,
+    spec::{nacre::NacreSpec, pearl::PearlSpec},
 };
 use wasm_bindgen::prelude::*;
 
@@ -31,6 +28,8 @@ export interface Growth {
   /** Days since seeding. */
   readonly day: Uint32Array;
   readonly thicknessNm: Float64Array;
+  /** How summery each layer's day was: 1 at the top of the season, towards 0 in winter. */
+  readonly warmth: Float64Array;
 }";
 
 /// What grew on which day; listed layers grew on none and are refused.
@@ -38,13 +37,21 @@ export interface Growth {
 pub fn grow(
     #[wasm_bindgen(unchecked_param_type = "NacreJson")] nacre: &str,
 ) -> Result<Object, JsValue> {
-    let NacreSpec::Growth(growth) = NacreSpec::from_json(nacre).map_err(refused)? else {
+    grown(&NacreSpec::from_json(nacre).map_err(refused)?)
+}
+
+/// What grew on which day, as JavaScript has it.
+pub fn grown(nacre: &NacreSpec) -> Result<Object, JsValue> {
+    let NacreSpec::Growth(growth) = nacre else {
         return Err(refused("nacre.thickness_nm lists the layers; allowed here: growth").into());
     };
-    let diary = diary_of(&growth, growth.seed).map_err(refused)?;
+    let diary = diary_of(growth, growth.seed).map_err(refused)?;
     let (days, thickness_nm): (Vec<u32>, Vec<f64>) =
         diary.deposits().iter().map(|deposit| (deposit.day, deposit.thickness_nm)).unzip();
+    let season = season_of(growth).map_err(refused)?;
+    let warmth: Vec<f64> = days.iter().map(|&day| season.warmth(f64::from(day))).collect();
     object(&[
+        ("warmth", Float64Array::from(warmth.as_slice()).into()),
         ("day", Uint32Array::from(days.as_slice()).into()),
         ("thicknessNm", Float64Array::from(thickness_nm.as_slice()).into()),
     ])
@@ -61,8 +68,20 @@ pub fn film_spectra_of(
     angle_rad: &[f64],
     wavelength_nm: &[f64],
 ) -> Result<Array, JsError> {
+    spectra_of(&PearlSpec::from_json(pearl).map_err(refused)?, angle_rad, wavelength_nm)
+}
+
+/// R and T of a pearl's film, as JavaScript has them.
+pub fn spectra_of(
+    pearl: &PearlSpec,
+    angle_rad: &[f64],
+    wavelength_nm: &[f64],
+) -> Result<Array, JsError> {
     fits(angle_rad, wavelength_nm)?;
-    let film = film_spectra(&transport(pearl)?, angle_rad, wavelength_nm).map_err(refused)?;
+    let PearlSpec::Transport(pearl) = pearl else {
+        return Err(refused("model is \"illuminant\"; allowed here: \"transport\""));
+    };
+    let film = film_spectra(pearl, angle_rad, wavelength_nm).map_err(refused)?;
     Ok([film.reflectance(), film.transmittance()].map(Float64Array::from).iter().collect())
 }
 
@@ -74,13 +93,4 @@ pub fn resolved_keys(
     let pearl = PearlSpec::from_json(pearl).map_err(refused)?;
     let keys = resolved_of(&pearl);
     object(&keys.iter().map(|(key, value)| (*key, (*value).into())).collect::<Vec<_>>())
-}
-
-fn transport(pearl: &str) -> Result<TransportSpec, JsError> {
-    match PearlSpec::from_json(pearl).map_err(refused)? {
-        PearlSpec::Transport(pearl) => Ok(*pearl),
-        PearlSpec::Illuminant(_) => {
-            Err(refused("model is \"illuminant\"; allowed here: \"transport\""))
-        }
-    }
 }

@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals";
 import { render } from "preact";
+import "./files.css";
 import "./viewer.css";
 import { Page } from "./panels/Page";
 import { keepAddress, openLink } from "./state/files";

@@ -7,7 +7,7 @@ use crate::{
     light::bands::{BANDS, Bands},
     surface::{
         film::{self, Film, STEPS},
-        lobe::{Lobe, lobes},
+        lobe::{FACETS, FEW_FACETS, Lobe, lobes},
         microfacets::Microfacets,
         waviness::Waviness,
     },
@@ -34,7 +34,15 @@ const FINE_STEPS: usize = 1024;
 impl Surface {
     /// Puts the film on the facets, its layers waving against them.
     pub fn new(film: &Film, microfacets: Microfacets, waviness: Waviness) -> Self {
-        let lobes = lobes(film, microfacets, waviness);
+        Self::of_lobes(film, lobes(film, microfacets, waviness, FACETS))
+    }
+
+    /// The same by fewer facets: for previews.
+    pub fn quick(film: &Film, microfacets: Microfacets, waviness: Waviness) -> Self {
+        Self::of_lobes(film, lobes(film, microfacets, waviness, FEW_FACETS))
+    }
+
+    fn of_lobes(film: &Film, lobes: Vec<Lobe>) -> Self {
         let mut entering = vec![[1.0; BANDS]; STEPS + 1];
         for lobe in &lobes {
             for (left, albedo) in entering.iter_mut().zip(lobe.albedo_rows()) {

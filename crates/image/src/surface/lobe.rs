@@ -27,12 +27,19 @@ pub struct Lobe {
 }
 
 /// Facets to average over, at every angle **(ours)**; 4096 agree with the integral to 0.01 (test in `sampling.rs`).
-const FACETS: usize = 512;
+pub(crate) const FACETS: usize = 512;
+/// For a preview **(ours)**.
+pub(crate) const FEW_FACETS: usize = 96;
 
 impl Lobe {
-    fn new(microfacets: Microfacets, below: Option<Clear>, mirrored: Vec<Bands>) -> Self {
+    fn new(
+        microfacets: Microfacets,
+        below: Option<Clear>,
+        mirrored: Vec<Bands>,
+        count: usize,
+    ) -> Self {
         let mut lobe = Self { microfacets, below, mirrored, albedo: Vec::new() };
-        let samples = microfacets.samples(FACETS);
+        let samples = microfacets.samples(count);
         lobe.albedo = cosines().map(|cosine| lobe.mirrored_by_all(&samples, cosine)).collect();
         lobe
     }
@@ -70,14 +77,19 @@ impl Lobe {
     }
 }
 
-/// The lobes of a film on microfacets whose layers wave: one where they do not.
-pub(crate) fn lobes(film: &Film, microfacets: Microfacets, waviness: Waviness) -> Vec<Lobe> {
+/// The lobes of a film on microfacets whose layers wave, by so many facets at an angle: one where they do not.
+pub(crate) fn lobes(
+    film: &Film,
+    microfacets: Microfacets,
+    waviness: Waviness,
+    count: usize,
+) -> Vec<Lobe> {
     let mirrored = film.mirrored(waviness);
-    let sharp = Lobe::new(microfacets, None, mirrored.sharp);
+    let sharp = Lobe::new(microfacets, None, mirrored.sharp, count);
     let Some(LayersMirrored { passing, through }) = mirrored.layers else { return vec![sharp] };
     // Layers follow the surface and wave against it; seen from outside, their lean counts n times.
     let followed_rad = microfacets.spread_rad() / film.index();
     let slope_rad = (waviness.slope_rad().powi(2) + followed_rad.powi(2)).sqrt();
     let clear = Clear::new(film.index(), passing);
-    vec![sharp, Lobe::new(Microfacets::grooves(slope_rad), Some(clear), through)]
+    vec![sharp, Lobe::new(Microfacets::grooves(slope_rad), Some(clear), through, count)]
 }

@@ -54,10 +54,9 @@ pub(crate) fn stack_by_seed(nacre: &NacreSpec, seed: u64) -> Result<LayerStack, 
 /// # Errors
 /// As [`stack_of`].
 pub fn diary_of(growth: &GrowthSpec, seed: u64) -> Result<Diary, RenderError> {
-    let Calendar { days, peak_day } = Calendar::of(growth)?;
     let grown = Growth {
-        days,
-        season: Season { peak_day: f64::from(peak_day), width_days: growth.season_days },
+        days: Calendar::of(growth)?.days,
+        season: season_of(growth)?,
         thickness_winter_nm: growth.thickness_winter_nm,
         thickness_summer_nm: growth.thickness_summer_nm,
         layers_winter: growth.layers_winter,
@@ -66,6 +65,15 @@ pub fn diary_of(growth: &GrowthSpec, seed: u64) -> Result<Diary, RenderError> {
         layers_noise: growth.layers_noise,
     };
     Ok(grown.grow(seed)?)
+}
+
+/// The season that nacre grows by, in days since seeding.
+///
+/// # Errors
+/// Days that cannot be.
+pub fn season_of(growth: &GrowthSpec) -> Result<Season, RenderError> {
+    let peak_day = f64::from(Calendar::of(growth)?.peak_day);
+    Ok(Season { peak_day, width_days: growth.season_days })
 }
 
 /// What lies under layers of this aragonite: the crystal itself where a name or two indices tell it, else

@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     RenderError, Resources,
-    arrangement::{Arrangement, Place},
+    arrangement::{Arrangement, Place, Sighted},
     lights::{Lights, LightsKey},
     pearl::shape::{SolidKey, solid_key},
     spec::{
@@ -102,6 +102,18 @@ impl Job {
     /// The recipe as it is now.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
+    }
+
+    /// The pearl that is seen in the middle of a pixel, if any; nothing of it is worked out.
+    pub fn sight(&mut self, row: usize, column: usize) -> Option<Sighted> {
+        let solids = solids_of(&self.recipe.pearls, &mut self.solids);
+        let place = |at: usize| 2.0 * (at as f64 + 0.5) / self.recipe.size as f64 - 1.0;
+        self.arrangement.sight((place(column), -place(row)), &solids)
+    }
+
+    /// Millimetres in a pixel, on the plane through the scene's middle.
+    pub fn mm_per_pixel(&self) -> f64 {
+        self.arrangement.field_mm() / self.recipe.size as f64
     }
 
     /// The scene before the camera; `None` once `progress` says to stop.
@@ -363,6 +375,19 @@ mod tests {
         }
         assert_eq!(kept(&[("/scene/camera/azimuth_deg", json!(9.0))]), (true, false));
         assert_eq!(kept(&[("/size", json!(32))]), (true, false));
+    }
+
+    #[test]
+    fn the_sine_of_the_view_angle_is_the_distance_from_the_middle() {
+        let mut job = Job::new(recipe(&[("/size", json!(101))]), Resources::default()).unwrap();
+        let (mm, middle) = (job.mm_per_pixel(), 50);
+        for aside in [0, 10, 25] {
+            let sighted = job.sight(middle, middle + aside).expect("the pearl");
+            let radius_mm = 0.5 * job.recipe().pearls[0].common().diameter_mm;
+            let sine = aside as f64 * mm / radius_mm;
+            assert!((libm::sin(sighted.view_rad) - sine).abs() < 0.05 * sine + 1e-9, "{aside}");
+        }
+        assert_eq!(job.sight(0, 0), None);
     }
 
     #[test]

@@ -346,13 +346,15 @@ impl OpticsStage {
         };
         let film_keys = keys.iter().map(|key| key.film.clone()).collect();
         let Some(films) = self.films.all(film_keys, film)? else { return Ok(None) };
+        let is_whole = sampling == FilmSampling::WHOLE;
         let film_of = |wanted: &SurfaceKey| {
             let place = keys.iter().position(|key| key.film == wanted.film);
             place.map(|place| &films[place])
         };
         let surface = |key: &SurfaceKey| {
             let microfacets = microfacets(key.facets, key.spread_rad);
-            let surface = |film: &Film| Surface::new(film, microfacets, key.waviness);
+            let new = if is_whole { Surface::new } else { Surface::quick };
+            let surface = |film: &Film| new(film, microfacets, key.waviness);
             Ok(film_of(key).map(|films| parallel::map(films.len(), |i| surface(&films[i]))))
         };
         self.surfaces.all(keys.to_vec(), surface)

@@ -56,14 +56,21 @@ pub(crate) struct PreviewStage {
     optics: OpticsStage,
     glows: Kept<GlowKey, Vec<Glow>>,
     lit: Kept<LitKey, Lit>,
+    dyes: Kept<Same<Response>, Dyes>,
+    inside: Kept<InsideKey, Subsurface>,
+    /// Of small previews, and of large ones: whoever turns knobs goes from one to the other.
+    sized: [Sized; 2],
+    /// For pearls that no table shows.
+    scene: Kept<SceneKey, LitScene>,
+}
+
+/// What previews of a size keep.
+#[derive(Debug, Default)]
+struct Sized {
     glimpses: Kept<GlimpsesKey, Glimpses>,
     canvas: Kept<CanvasKey, Canvas>,
     backdrop: Kept<BackdropKey, Backdrop>,
-    dyes: Kept<Same<Response>, Dyes>,
-    inside: Kept<InsideKey, Subsurface>,
     veils: Kept<VeilKey, Veil>,
-    /// For pearls that no table shows.
-    scene: Kept<SceneKey, LitScene>,
 }
 
 /// Where light that pearls sent out before stands for what they send out now.
@@ -146,12 +153,9 @@ impl Default for PreviewStage {
             optics: OpticsStage::new(FilmSampling::QUICK),
             glows: Kept::default(),
             lit: Kept::default(),
-            glimpses: Kept::default(),
-            canvas: Kept::default(),
-            backdrop: Kept::default(),
             dyes: Kept::default(),
             inside: Kept::default(),
-            veils: Kept::default(),
+            sized: [Sized::default(), Sized::default()],
             scene: Kept::default(),
         }
     }
@@ -187,10 +191,12 @@ impl PreviewStage {
     ) -> Result<Option<Vec<u8>>, RenderError> {
         let Some(lit) = self.lit(before, optics, work)? else { return Ok(None) };
         let seen = Seen { before, responses, lit: &lit, asked };
-        let Some(glimpses) = self.glimpses(&seen) else { return Ok(None) };
-        let Some(canvas) = self.canvas(&seen, &glimpses) else { return Ok(None) };
-        let Some(backdrop) = self.backdrop(&seen) else { return Ok(None) };
-        let Some(veils) = self.veils(&seen, &glimpses) else { return Ok(None) };
+        let Some(inside) = self.inside(&seen) else { return Ok(None) };
+        let sized = &mut self.sized[usize::from(asked.size_px > SMALL_PX)];
+        let Some(glimpses) = sized.glimpses(&seen) else { return Ok(None) };
+        let Some(canvas) = sized.canvas(&seen, &glimpses) else { return Ok(None) };
+        let Some(backdrop) = sized.backdrop(&seen) else { return Ok(None) };
+        let Some(veils) = sized.veils(&seen, &glimpses, &inside) else { return Ok(None) };
         let dyes = |key: &Same<Response>| Ok::<_, Infallible>(Some(Dyes::new(&key.0)));
         let Ok(dyes) = self.dyes.all(seen.balls().map(|ball| seen.response(ball)).collect(), dyes);
         let Some(dyes) = dyes else { return Ok(None) };
@@ -311,6 +317,21 @@ impl Seen<'_> {
 }
 
 impl PreviewStage {
+    /// Light inside each pearl.
+    fn inside(&mut self, seen: &Seen<'_>) -> Option<Vec<Arc<Subsurface>>> {
+        let key = |ball| {
+            let lit = Same(Arc::clone(seen.lit));
+            InsideKey { response: seen.response(ball), lit, ball }
+        };
+        let make = |key: &InsideKey| {
+            Ok::<_, Infallible>(Some(Subsurface::of(&key.response.0, &key.lit.0, key.ball)))
+        };
+        let Ok(made) = self.inside.all(seen.balls().map(key).collect(), make);
+        made
+    }
+}
+
+impl Sized {
     /// What each pearl's lobes see of it; `None` for a camera within a pearl.
     fn glimpses(&mut self, seen: &Seen<'_>) -> Option<Vec<Arc<Glimpses>>> {
         let camera = seen.before.arrangement.camera();
@@ -362,9 +383,7 @@ impl PreviewStage {
         let Ok(made) = self.canvas.one(key, make);
         made
     }
-}
 
-impl PreviewStage {
     /// What lies behind.
     fn backdrop(&mut self, seen: &Seen<'_>) -> Option<Arc<Backdrop>> {
         let (camera, size_px) = (seen.before.arrangement.camera(), seen.asked.size_px);
@@ -376,16 +395,12 @@ impl PreviewStage {
     }
 
     /// The light in and around each pearl, by its net.
-    fn veils(&mut self, seen: &Seen<'_>, glimpses: &[Arc<Glimpses>]) -> Option<Vec<Arc<Veil>>> {
-        let key = |ball| {
-            let lit = Same(Arc::clone(seen.lit));
-            InsideKey { response: seen.response(ball), lit, ball }
-        };
-        let make = |key: &InsideKey| {
-            Ok::<_, Infallible>(Some(Subsurface::of(&key.response.0, &key.lit.0, key.ball)))
-        };
-        let Ok(inside) = self.inside.all(seen.balls().map(key).collect(), make);
-        let inside = inside?;
+    fn veils(
+        &mut self,
+        seen: &Seen<'_>,
+        glimpses: &[Arc<Glimpses>],
+        inside: &[Arc<Subsurface>],
+    ) -> Option<Vec<Arc<Veil>>> {
         let key = |ball: usize| VeilKey {
             glimpses: Same(Arc::clone(&glimpses[ball])),
             inside: Same(Arc::clone(&inside[ball])),

@@ -15,15 +15,27 @@ export function firstPicture(job: Job, widthPx: number, space: Space): First {
   return { codes, widthPx, tookMs: performance.now() - began };
 }
 
-/** While things move, pictures of this size or that are shown, whichever keeps up with the hand. */
-const LARGE_PX = 512;
-const SMALL_PX = 256;
-/** A large picture may take this long; one of a fourth of the pixels, this long before a large is tried. */
-const SLOW_MS = 45;
-const QUICK_MS = 14;
+/** A change of what is seen shows small pictures while it lasts; one of light's colours alone large ones. */
+export const LARGE_PX = 512;
+export const SMALL_PX = 256;
+/** Where so many large pictures on end take longer, small ones follow the hand; one in some tries a large one again. */
+const SLOW_MS = 90;
+const ON_END = 3; // the first ones work out much that stays
+const TRY_AGAIN = 10;
 
-/** Pixels a side of the next first picture, by how long the last one took. */
-export function nextPx({ widthPx, tookMs }: Pick<First, "widthPx" | "tookMs">): number {
-  if (widthPx <= SMALL_PX) return tookMs < QUICK_MS ? LARGE_PX : SMALL_PX;
-  return tookMs > SLOW_MS ? SMALL_PX : LARGE_PX;
+/** Pixels a side of first pictures, by what has changed and how long large ones took. */
+export class FirstSize {
+  private slow = 0;
+  private since = 0;
+
+  next(changesView: boolean): number {
+    if (changesView) return SMALL_PX;
+    if (this.slow < ON_END) return LARGE_PX;
+    this.since = (this.since + 1) % TRY_AGAIN;
+    return this.since === 0 ? LARGE_PX : SMALL_PX;
+  }
+
+  learn({ widthPx, tookMs }: Pick<First, "widthPx" | "tookMs">): void {
+    if (widthPx > SMALL_PX) this.slow = tookMs > SLOW_MS ? this.slow + 1 : 0;
+  }
 }

@@ -18,6 +18,14 @@ export interface Show {
   readonly parts: number;
 }
 
+/** What all workers found in the work that they share out before the rows. */
+export interface Parts {
+  readonly kind: "parts";
+  readonly ticket: number;
+  readonly round: number;
+  readonly parts: readonly Float64Array[];
+}
+
 /** The joined pixels of a picture with glare, which needs all of them. */
 export interface Look {
   readonly kind: "look";
@@ -34,9 +42,12 @@ export interface Resolve {
 }
 
 export type ToWorker =
-  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Look | Resolve;
+  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Parts | Look | Resolve;
 
 export type Codes = Developed["codes"];
+
+/** Linear light in the primaries of sRGB, three numbers a pixel. */
+export type Light = Float32Array<ArrayBuffer>;
 
 export type FromWorker =
   | {
@@ -53,8 +64,25 @@ export type FromWorker =
       readonly size: number;
       /** Codes for the screen; where there is glare, light before the look. */
       readonly made: Codes | Float32Array<ArrayBuffer>;
+      /** 1 of each pixel that is a pearl's by half or more. */
+      readonly covered: Uint8Array<ArrayBuffer>;
+      /** Linear light, three numbers a pixel; none where there is glare. */
+      readonly light: Light | null;
     }
-  | { readonly kind: "whole"; readonly ticket: number; readonly codes: Codes }
+  | {
+      readonly kind: "whole";
+      readonly ticket: number;
+      readonly codes: Codes;
+      readonly light: Light;
+    }
+  | {
+      readonly kind: "part";
+      readonly ticket: number;
+      /** Counts what is shared out: films, then what pearls mirror. */
+      readonly round: number;
+      readonly part: number;
+      readonly numbers: Float64Array<ArrayBuffer>;
+    }
   | {
       readonly kind: "resolved";
       readonly question: number;

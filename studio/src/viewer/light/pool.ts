@@ -2,7 +2,17 @@
 
 import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
 import type { First } from "./first";
-import type { Codes, FromWorker, Show, ToWorker } from "./messages";
+import type { Codes, FromWorker, Light, Show, ToWorker } from "./messages";
+
+/** A whole picture. */
+export interface Whole {
+  readonly codes: Codes;
+  readonly size: number;
+  /** Linear, three numbers a pixel. */
+  readonly light: Light;
+  /** 1 of each pixel that is a pearl's. */
+  readonly covered: Uint8Array<ArrayBuffer>;
+}
 
 /** A picture, and what is to be done with it; whatever is out of date is never told. */
 export interface Wanted {
@@ -16,8 +26,24 @@ export interface Wanted {
   /** isCurrent: false of a picture that was asked for just before, while things move. */
   first?(made: First, isCurrent: boolean): void;
   progress?(share: number): void;
-  refined?(codes: Codes, size: number): void;
+  refined?(whole: Whole): void;
   failed(text: string): void;
+}
+
+/** Parts of what workers share out, round by round, until all are there. */
+export class Shares {
+  private readonly rounds = new Map<number, Map<number, Float64Array>>();
+
+  constructor(private readonly workers: number) {}
+
+  /** All parts of the round in their order, with the last of them; else null. */
+  take(round: number, part: number, numbers: Float64Array): Float64Array[] | null {
+    const there = this.rounds.get(round) ?? new Map<number, Float64Array>();
+    this.rounds.set(round, there.set(part, numbers));
+    if (there.size < this.workers) return null;
+    this.rounds.delete(round);
+    return [...there].sort(([a], [b]) => a - b).map(([, numbers]) => numbers);
+  }
 }
 
 /** How many workers a picture gets on a machine with so many processors. */
@@ -33,8 +59,13 @@ export class Pool {
   private whole = 0;
   private wanted: Wanted | null = null;
   private codes: Codes | null = null;
+  private light: Light | null = null;
   private pixels: Float32Array<ArrayBuffer> | null = null;
+  private covered: Uint8Array<ArrayBuffer> | null = null;
+  /** What the workers were last told of dropped files. */
+  private told: Resources | undefined;
   private rowsThere = 0;
+  private shares = new Shares(0);
   private question = 0;
   private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
 
@@ -55,17 +86,20 @@ export class Pool {
   show(wanted: Wanted): void {
     this.ticket += 1;
     this.wanted = wanted;
-    this.codes = this.pixels = null;
+    this.codes = this.light = this.pixels = this.covered = null;
     this.rowsThere = 0;
+    this.shares = new Shares(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
     const { ticket } = this;
     this.whenReady(ticket, () => {
+      const isNew = resources !== undefined && resources !== this.told;
+      if (isNew) this.told = resources;
       for (const part of this.workers.keys()) {
         const show: Show = {
           kind: "show",
           ticket,
           recipe,
-          ...(resources === undefined ? {} : { resources }),
+          ...(isNew ? { resources } : {}),
           space,
           firstPx: part === 0 ? wanted.firstPx : 0,
           refine,
@@ -117,12 +151,23 @@ export class Pool {
     }
     if (!isCurrent || told.kind === "first") return;
     if (told.kind === "failed") wanted.failed(told.text);
-    else if (told.kind === "whole") this.finish(wanted, told.codes);
+    else if (told.kind === "part") this.handRound(told);
+    else if (told.kind === "whole") this.finish(wanted, told.codes, told.light);
     else this.join(wanted, told);
   }
 
+  /** Once all workers have told their part of what is shared out, each gets all of them. */
+  private handRound({ ticket, round, part, numbers }: Extract<FromWorker, { kind: "part" }>): void {
+    const parts = this.shares.take(round, part, numbers);
+    if (parts === null) return;
+    for (const worker of this.workers.keys()) {
+      this.tell(worker, { kind: "parts", ticket, round, parts });
+    }
+  }
+
   /** Puts rows in their place; with the last of them the picture is whole. */
-  private join(wanted: Wanted, { first, size, made }: Extract<FromWorker, { kind: "rows" }>): void {
+  private join(wanted: Wanted, told: Extract<FromWorker, { kind: "rows" }>): void {
+    const { first, size, made } = told;
     const glares = made instanceof Float32Array;
     const channels = glares ? 17 : 4;
     if (made instanceof Float32Array) {
@@ -131,7 +176,11 @@ export class Pool {
     } else {
       this.codes ??= new Uint8ClampedArray(size * size * channels);
       this.codes.set(made, first * size * channels);
+      this.light ??= new Float32Array(size * size * 3);
+      if (told.light !== null) this.light.set(told.light, first * size * 3);
     }
+    this.covered ??= new Uint8Array(size * size);
+    this.covered.set(told.covered, first * size);
     this.rowsThere += made.length / (size * channels);
     wanted.progress?.(this.rowsThere / size);
     if (this.rowsThere < size) return;
@@ -139,13 +188,14 @@ export class Pool {
       const { ticket, pixels } = this;
       this.tell(0, { kind: "look", ticket, pixels, space: wanted.space }, [pixels.buffer]);
       this.pixels = null;
-    } else if (this.codes !== null) {
-      this.finish(wanted, this.codes);
+    } else if (this.codes !== null && this.light !== null) {
+      this.finish(wanted, this.codes, this.light);
     }
   }
 
-  private finish(wanted: Wanted, codes: Codes): void {
+  private finish(wanted: Wanted, codes: Codes, light: Light): void {
     this.whole = this.ticket;
-    wanted.refined?.(codes, wanted.size);
+    const covered = this.covered ?? new Uint8Array(codes.length / 4);
+    wanted.refined?.({ codes, size: wanted.size, light, covered });
   }
 }

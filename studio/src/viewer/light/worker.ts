@@ -1,10 +1,21 @@
 /** A worker: one job, which makes whatever was asked for last. */
 
-import { Job, develop, initSync, resolvedKeys, tell_panics } from "nacreous-wasm";
+import {
+  Job,
+  develop,
+  initSync,
+  layers,
+  lightOf,
+  resolvedKeys,
+  tell_panics,
+  type Resources,
+} from "nacreous-wasm";
 import { firstPicture } from "./first";
 import {
   type FromWorker,
+  type Light,
   type Look,
+  type Parts,
   type Resolve,
   type Show,
   type ToWorker,
@@ -20,17 +31,25 @@ const page = self as unknown as {
 };
 
 let job: Job | null = null;
+/** What was dropped onto the page, as it was last told, and as the job has it. */
+let told: Resources | undefined;
+let given: Resources | undefined;
 let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
+let firstPx = 512;
+let joined: Parts | null = null;
 
 page.onmessage = ({ data }) => {
   if (data.kind === "load") {
     initSync({ module: data.module });
     tell_panics();
   } else if (data.kind === "show") {
+    if (data.resources !== undefined) told = data.resources;
     latest = data;
     if (!running) void work();
+  } else if (data.kind === "parts") {
+    joined = data;
   } else {
     answer(data);
   }
@@ -53,13 +72,17 @@ async function work(): Promise<void> {
 
 async function make(wanted: Show): Promise<void> {
   if (!wanted.refine && wanted.firstPx === 0) return;
-  if (job === null) job = new Job(wanted.recipe, wanted.resources);
-  else job.change(wanted.recipe, wanted.resources);
+  const resources = told;
+  if (job === null) job = new Job(wanted.recipe, resources);
+  else job.change(wanted.recipe, resources === given ? undefined : resources);
+  given = resources;
   if (wanted.firstPx > 0) {
+    firstPx = wanted.firstPx;
     const first = firstPicture(job, wanted.firstPx, wanted.space);
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
   }
   if (!wanted.refine) return;
+  if (wanted.parts > 1 && !(await share(job, wanted))) return;
   do {
     await messages();
     if (latest !== null) return;
@@ -71,6 +94,25 @@ async function make(wanted: Show): Promise<void> {
       if (latest !== null) return;
     }
   }
+  // Made once for nothing, the next first picture finds what the whole one has learnt in its place.
+  if (wanted.part === 0) job.preview(firstPx, wanted.space, "soft");
+}
+
+/** Works out this worker's part of what comes before the rows, and takes the others'; false where something newer came. */
+async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> {
+  for (let round = 0; ; round += 1) {
+    await messages();
+    if (latest !== null) return false;
+    const numbers = job.part(part, parts) as Float64Array<ArrayBuffer> | undefined;
+    if (numbers === undefined) return true;
+    page.postMessage({ kind: "part", ticket, round, part, numbers }, [numbers.buffer]);
+    while (joined === null || joined.ticket !== ticket || joined.round !== round) {
+      await pause();
+      if (latest !== null) return false;
+    }
+    job.join([...joined.parts]);
+    joined = null;
+  }
 }
 
 /** Makes some rows, tells them, and gives the next. */
@@ -78,18 +120,33 @@ function rows(job: Job, wanted: Show, first: number, least: number): number {
   const end = Math.min(first + rowsAtOnce, least);
   const began = performance.now();
   const pixels = job.rows(first, end);
+  const covered = coveredIn(pixels);
   let made;
+  let light: Light | null = null;
   if (job.hasGlare) {
     made = new Float32Array(pixels);
   } else {
     job.expose(pixels);
     made = develop(pixels, wanted.space, "soft").codes;
+    light = new Float32Array(lightOf(pixels));
   }
   const rowMs = (performance.now() - began) / (end - first);
   rowsAtOnce = Math.max(1, Math.round(PIECE_MS / rowMs));
   const { ticket } = wanted;
-  page.postMessage({ kind: "rows", ticket, first, size: job.size, made }, [made.buffer]);
+  const buffers = [made.buffer, covered.buffer, ...(light === null ? [] : [light.buffer])];
+  const told = { kind: "rows", ticket, first, size: job.size, made, covered, light } as const;
+  page.postMessage(told, buffers);
   return end;
+}
+
+/** Which pixels are a pearl's. */
+function coveredIn(pixels: Float32Array): Uint8Array<ArrayBuffer> {
+  const parts = layers();
+  const step = parts.at(-1)?.end ?? 1;
+  const at = parts.find((one) => one.name === "coverage")?.first ?? 0;
+  return Uint8Array.from({ length: pixels.length / step }, (_, i) =>
+    (pixels[i * step + at] ?? 0) >= 0.5 ? 1 : 0,
+  );
 }
 
 function answer(asked: Look | Resolve): void {
@@ -100,7 +157,9 @@ function answer(asked: Look | Resolve): void {
     } else if (job !== null) {
       job.look(asked.pixels);
       const { codes } = develop(asked.pixels, asked.space, "soft");
-      page.postMessage({ kind: "whole", ticket: asked.ticket, codes }, [codes.buffer]);
+      const light = new Float32Array(lightOf(asked.pixels));
+      const { ticket } = asked;
+      page.postMessage({ kind: "whole", ticket, codes, light }, [codes.buffer, light.buffer]);
     }
   } catch (error) {
     fail(asked.kind === "look" ? asked.ticket : -1, error);
@@ -111,6 +170,11 @@ function fail(ticket: number, error: unknown): void {
   const text = error instanceof Error ? error.message : String(error);
   if (text.includes("broken off")) job = null; // a fault of ours: that job is of no use any more
   page.postMessage({ kind: "failed", ticket, text });
+}
+
+/** Waits for others, who take tens of milliseconds. */
+function pause(): Promise<void> {
+  return new Promise((go) => setTimeout(go, 1));
 }
 
 const channel = new MessageChannel();

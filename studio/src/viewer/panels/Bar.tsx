@@ -5,7 +5,8 @@ import { NAMES } from "../../shared/language";
 import { copyLink, openFiles, saveToml } from "../state/files";
 import { canRedo, canUndo, redo, resetAll, undo } from "../state/store";
 import { language, speak, t } from "../words/speech";
-import { saveActivePng } from "./Bench";
+import { fileWord } from "../words/files";
+import { saveActiveExr, saveActivePng } from "./Bench";
 import { Icon } from "./Icon";
 
 export function Bar() {
@@ -33,7 +34,7 @@ export function Bar() {
       <input
         ref={picker}
         type="file"
-        accept=".toml"
+        accept=".toml,.hdr,.exr,.png,.jpg,.jpeg,.tif,.tiff,.csv"
         multiple
         hidden
         aria-label={t("open")}
@@ -115,6 +116,7 @@ function Save() {
       {isOpen && (
         <div class="items">
           {item(t("savePng"), saveActivePng)}
+          {item(fileWord("saveExr"), saveActiveExr)}
           {item(t("savePearl"), () => saveToml("pearl"))}
           {item(t("saveScene"), () => saveToml("scene"))}
         </div>

@@ -2,8 +2,8 @@
 
 import { useEffect, useRef } from "preact/hooks";
 import { type Signal, useSignal } from "@preact/signals";
-import { isIdle, mainPool, otherPool, SPACE } from "../state/engines";
-import { savePng } from "../state/files";
+import { isIdle, mainPool, otherPool, SAMPLES, SPACE } from "../state/engines";
+import { saveExr, savePng } from "../state/files";
 import { active, board, compare, moving, resolved, specs } from "../state/store";
 import { SIZES, size, wipe, wiping } from "../state/view";
 import { t } from "../words/speech";
@@ -128,4 +128,8 @@ function plain(_key: string, value: unknown): unknown {
 
 export function saveActivePng(): void {
   if (activeCanvas.current !== null) savePng(activeCanvas.current, specs.value.pearl.name);
+}
+
+export function saveActiveExr(): void {
+  void saveExr(size.value, SAMPLES);
 }

@@ -24,12 +24,14 @@ import { choose, chosen, leaveOut } from "../state/tray";
 import { wiping } from "../state/view";
 import { PEARL_NAMES } from "../words/presets";
 import { language, nameOf, t, unitName } from "../words/speech";
+import { Difference } from "./Difference";
 import { SmallPicture } from "./Presets";
 
 export function Compare() {
   return (
     <div class="compare">
       <Sides />
+      {board.value.b !== null && <Difference />}
       <Strip />
       <StudyTray />
     </div>

@@ -3,12 +3,16 @@
 import { useEffect, useState } from "preact/hooks";
 import { openFiles } from "../state/files";
 import { board, notice, redo, refused, undo } from "../state/store";
+import { openings, reading } from "../state/opened";
 import { type Tab, tab } from "../state/view";
+import { fileWord } from "../words/files";
 import { language, t } from "../words/speech";
 import { Bar } from "./Bar";
 import { Bench } from "./Bench";
 import { Compare, SideSwitch } from "./Compare";
 import { PearlKnobs, SceneKnobs } from "./Knobs";
+import { Instruments } from "./instruments/Instruments";
+import { Opened } from "./Opened";
 import { Presets } from "./Presets";
 
 const TABS = [
@@ -16,6 +20,7 @@ const TABS = [
   ["pearl", "tabPearl"],
   ["scene", "tabScene"],
   ["compare", "tabCompare"],
+  ["instruments", "tabInstruments"],
 ] as const;
 
 export function Page() {
@@ -25,7 +30,12 @@ export function Page() {
     document.documentElement.lang = language.value;
   }, [language.value]);
   return (
-    <div class="page" data-tab={tab.value}>
+    <div
+      class="page"
+      data-tab={tab.value}
+      data-openings={openings.value}
+      aria-busy={reading.value !== ""}
+    >
       <Bar />
       <aside class="left" aria-label={t("tabPresets")}>
         <Presets />
@@ -35,6 +45,7 @@ export function Page() {
       </main>
       <Panels />
       <Messages />
+      <Opened />
       {isOver && <div class="drop">{t("dropHere")}</div>}
     </div>
   );
@@ -45,6 +56,7 @@ const PANELS: Record<Tab, () => preact.JSX.Element | null> = {
   pearl: PearlKnobs,
   scene: SceneKnobs,
   compare: Compare,
+  instruments: Instruments,
 };
 
 function Panels() {
@@ -80,6 +92,7 @@ function Panels() {
         ))}
       </div>
       <div
+        key={tab.value}
         class="panel"
         id="panel"
         role="tabpanel"
@@ -87,7 +100,7 @@ function Panels() {
         tabIndex={-1}
       >
         {board.value.b !== null && tab.value !== "compare" && <SideSwitch />}
-        <Shown key={tab.value} />
+        <Shown />
       </div>
     </aside>
   );
@@ -95,7 +108,7 @@ function Panels() {
 
 /** What is wrong with a file, and short notices that go by themselves. */
 function Messages() {
-  const said = notice.value;
+  const said = reading.value === "" ? notice.value : fileWord("reading", { name: reading.value });
   useEffect(() => {
     if (said === "") return;
     const gone = setTimeout(() => (notice.value = ""), 7000);

@@ -4,8 +4,11 @@ import { useRef } from "preact/hooks";
 import type { Signal } from "@preact/signals";
 import type { Pool } from "../light/pool";
 import { turned, zoomed } from "../state/camera";
+import { finished } from "../state/finished";
 import { type Which, active, board, editScene, moving, touch } from "../state/store";
+import { tab } from "../state/view";
 import { t } from "../words/speech";
+import { Probe } from "./instruments/Probe";
 import { type Making, usePicture } from "./Picture";
 
 /** Degrees of a press of an arrow key, over degrees of a dragged pixel. */
@@ -29,8 +32,10 @@ export function Stage({ which, pool, size, canvas, making }: Given) {
     pool,
     canvas,
     tell: (now) => (making.value = now),
+    finish: (whole) => (finished[which].value = whole),
   });
   const hand = useHand(which);
+  const isActive = board.value.b === null || active.value === which;
   return (
     <div class="stage">
       <canvas
@@ -44,6 +49,7 @@ export function Stage({ which, pool, size, canvas, making }: Given) {
         data-stage={making.value.stage ?? "none"}
         {...hand}
       />
+      {tab.value === "instruments" && isActive && <Probe />}
       <Hairline making={making.value} />
       {making.value.stage === null && making.value.failed === "" && (
         <p class="waiting">{t("working")}</p>

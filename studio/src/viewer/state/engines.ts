@@ -6,6 +6,7 @@ import { Pool, workersFor } from "../light/pool";
 import { program } from "../light/program";
 import { screenSpace } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
+import { resourcesOf } from "./resources";
 
 /** Codes of this screen, fixed while the page is open. */
 export const SPACE = screenSpace();
@@ -78,6 +79,7 @@ function next(): void {
   small ??= new Pool(1, program());
   small.show({
     recipe: recipeJson(job.specs, SMALL_PX, 1),
+    ...withResources(job.specs),
     size: SMALL_PX,
     space: SPACE,
     firstPx: SMALL_PX,
@@ -85,4 +87,10 @@ function next(): void {
     first: end,
     failed: () => end(null),
   });
+}
+
+/** What the specs need of dropped files, if anything. */
+function withResources(specs: Specs) {
+  const { resources } = resourcesOf(specs);
+  return resources === undefined ? {} : { resources };
 }

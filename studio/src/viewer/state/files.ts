@@ -1,7 +1,21 @@
 /** Files and links, in and out. */
 
-import { fromFragment, open, toFragment, toToml, type Specs } from "../specs/spec";
-import { beginWith, notice, refused, specs, take } from "./store";
+import { ask } from "../light/desk";
+import {
+  type Complaint,
+  type Specs,
+  fromFragment,
+  recipeJson,
+  recipeTexts,
+  toFragment,
+  toToml,
+} from "../specs/spec";
+import { fileWord } from "../words/files";
+import { droppedNames, namedBy } from "./dropped";
+import { opened, openings, reading } from "./opened";
+import { openFile } from "./opening";
+import { resourcesOf } from "./resources";
+import { beginWith, notice, refused, specs } from "./store";
 
 /** Offers a file to be saved. */
 export function saveAs(name: string, contents: Blob): void {
@@ -28,17 +42,47 @@ export function savePng(canvas: HTMLCanvasElement, name: string): void {
   }, "image/png");
 }
 
-/** Files beyond this are none of ours. */
-const MOST_BYTES = 2_000_000;
+/** So many files are taken at once. */
+const MOST_FILES = 8;
 
-/** Takes pearl and scene files; what is wrong with one is told and nothing is changed by it. */
+/**
+ * Takes files, those first that others may name; what is wrong with one is told and nothing is changed
+ * by it.
+ */
 export async function openFiles(files: readonly File[]): Promise<void> {
-  for (const file of files.slice(0, 8)) {
-    const bytes = new Uint8Array(await file.slice(0, MOST_BYTES).arrayBuffer());
-    const read = open(bytes, file.name);
-    if (!read.ok) refused.value = { from: "file", complaints: read.complaints };
-    else if (read.value.kind === "pearl") take("pearl", read.value.spec);
-    else take("scene", read.value.spec);
+  const isToml = (file: File) => (/\.(csv|exr|hdr|jpe?g|png|tiff?)$/i.test(file.name) ? 0 : 1);
+  const sorted = [...files.slice(0, MOST_FILES)].sort((a, b) => isToml(a) - isToml(b));
+  opened.value = null;
+  const isFromLink = refused.value?.from === "link";
+  const before = droppedNames.value;
+  const complaints: Complaint[] = [];
+  for (const file of sorted) {
+    reading.value = file.name;
+    complaints.push(...(await openFile(file)));
+  }
+  reading.value = "";
+  openings.value += 1;
+  if (complaints.length > 0) {
+    refused.value = { from: "file", complaints };
+    notice.value = ""; // of a file before it
+  } else if (isFromLink && droppedNames.value !== before) await openLink(); // which may name one
+}
+
+/** Saves the active side's picture with its layers, as `nacreous render` makes it. */
+export async function saveExr(sizePx: number, samples: number): Promise<void> {
+  const now = specs.value;
+  const files = new Map(
+    namedBy(now).flatMap((one) => (one.sha256 === null ? [] : [[one.name, one.sha256]])),
+  );
+  const { resources } = resourcesOf(now);
+  notice.value = fileWord("saving");
+  try {
+    const recipe = recipeJson(now, sizePx, samples);
+    const bytes = await ask("save", { recipe, resources, samples, ...recipeTexts(now, files) });
+    saveAs(`${now.pearl.name}.exr`, new Blob([bytes], { type: "image/x-exr" }));
+    notice.value = "";
+  } catch (error) {
+    notice.value = (error as Error).message;
   }
 }
 
@@ -59,7 +103,9 @@ export async function copyLink(said: { copied: string; shown: string }): Promise
   await keepAddress();
   try {
     await navigator.clipboard.writeText(location.href);
-    notice.value = said.copied;
+    const names = namedBy(specs.value).map((one) => one.name);
+    notice.value =
+      names.length > 0 ? fileWord("linkWithout", { names: names.join(", ") }) : said.copied;
   } catch {
     notice.value = said.shown;
   }
@@ -69,7 +115,8 @@ export async function copyLink(said: { copied: string; shown: string }): Promise
 export async function openLink(): Promise<void> {
   const fragment = location.hash.replace(/^#/, "");
   if (fragment === "") return;
-  const read = await fromFragment(fragment);
+  const read = await fromFragment(fragment, droppedNames.value);
   if (read.ok) beginWith(read.value);
   else refused.value = { from: "link", complaints: read.complaints };
+  openings.value += 1;
 }

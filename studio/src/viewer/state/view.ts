@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals";
 
-export type Tab = "presets" | "pearl" | "scene" | "compare";
+export type Tab = "presets" | "pearl" | "scene" | "compare" | "instruments";
 
 export const tab = signal<Tab>("pearl");
 

@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
-import { nextPx } from "../../../src/viewer/light/first";
-import { Pool } from "../../../src/viewer/light/pool";
+import { FirstSize } from "../../../src/viewer/light/first";
+import { Pool, Shares, type Whole } from "../../../src/viewer/light/pool";
 import { stripes } from "../../../src/viewer/light/messages";
 
 test("the stripes of all workers are every row once", () => {
@@ -43,6 +43,8 @@ async function pool(count: number) {
 }
 
 const WANTED = { recipe: "{}", size: 16, space: "srgb" as const, firstPx: 8, refine: true };
+const light = new Float32Array(16 * 16 * 3);
+const covers = (rows: number) => new Uint8Array(rows * 16).fill(1);
 const settled = () => new Promise((go) => setTimeout(go));
 
 test("rows of two workers become one picture, told once", async () => {
@@ -54,12 +56,14 @@ test("rows of two workers become one picture, told once", async () => {
   expect(one.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 0, firstPx: 8 });
   expect(two.told.at(-1)).toMatchObject({ kind: "show", ticket: 1, part: 1, firstPx: 0 });
   const half = (code: number) => new Uint8ClampedArray(8 * 16 * 4).fill(code);
-  two.says({ kind: "rows", ticket: 1, first: 8, size: 16, made: half(2) });
+  const third = (value: number) => new Float32Array(8 * 16 * 3).fill(value);
+  const rows = { kind: "rows" as const, ticket: 1, size: 16, covered: covers(8) };
+  two.says({ ...rows, first: 8, made: half(2), light: third(2) });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: half(1) });
+  one.says({ ...rows, first: 0, made: half(1), light: third(1) });
   expect(refined).toHaveBeenCalledTimes(1);
-  const codes = refined.mock.calls[0]?.[0] as Uint8ClampedArray;
-  expect([codes[0], codes.at(-1)]).toEqual([1, 2]);
+  const { codes, light } = refined.mock.calls[0]?.[0] as Whole;
+  expect([codes[0], codes.at(-1), light[0], light.at(-1)]).toEqual([1, 2, 1, 2]);
 });
 
 test("rows out of date are dropped; a first picture is shown though the hand went on", async () => {
@@ -73,9 +77,10 @@ test("rows out of date are dropped; a first picture is shown though the hand wen
   const codes = new Uint8ClampedArray(16 * 16 * 4);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenLastCalledWith(expect.objectContaining({ codes }), false);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: codes });
+  const rows = { kind: "rows" as const, first: 0, size: 16, made: codes, covered: covers(16) };
+  one.says({ ...rows, ticket: 1, light });
   expect(refined).not.toHaveBeenCalled();
-  one.says({ kind: "rows", ticket: 2, first: 0, size: 16, made: codes });
+  one.says({ ...rows, ticket: 2, light });
   expect(refined).toHaveBeenCalledTimes(1);
   one.says({ kind: "first", ticket: 1, codes, widthPx: 8, tookMs: 5 });
   expect(first).toHaveBeenCalledTimes(1); // the whole picture is there
@@ -88,16 +93,53 @@ test("pixels with glare are joined first and looked at as one", async () => {
   await settled();
   const [one] = workers as [FakeWorker];
   const pixels = new Float32Array(16 * 16 * 17);
-  one.says({ kind: "rows", ticket: 1, first: 0, size: 16, made: pixels });
+  one.says({
+    kind: "rows",
+    ticket: 1,
+    first: 0,
+    size: 16,
+    made: pixels,
+    covered: covers(16),
+    light: null,
+  });
   expect(one.told.at(-1)).toMatchObject({ kind: "look", ticket: 1 });
   const codes = new Uint8ClampedArray(16 * 16 * 4);
-  one.says({ kind: "whole", ticket: 1, codes });
-  expect(refined).toHaveBeenCalledWith(codes, 16);
+  one.says({ kind: "whole", ticket: 1, codes, light });
+  expect(refined).toHaveBeenCalledWith({ codes, size: 16, light, covered: covers(16) });
+});
+
+test("dropped files go to the workers once, and again when they are others", async () => {
+  const { made, workers } = await pool(1);
+  const [one] = workers as [FakeWorker];
+  const shown = async (resources: object) => {
+    made.show({ ...WANTED, resources, failed: vi.fn() });
+    await settled();
+    return one.told.at(-1);
+  };
+  const [sky, other] = [{ panoramas: [] }, { panoramas: [] }];
+  expect(await shown(sky)).toHaveProperty("resources", sky);
+  expect(await shown(sky)).not.toHaveProperty("resources");
+  expect((await shown(other)) as object).toHaveProperty("resources");
 });
 
 test("first pictures are large where they keep up with the hand, and small where not", () => {
-  expect(nextPx({ widthPx: 256, tookMs: 8 })).toBe(512);
-  expect(nextPx({ widthPx: 256, tookMs: 25 })).toBe(256);
-  expect(nextPx({ widthPx: 512, tookMs: 30 })).toBe(512);
-  expect(nextPx({ widthPx: 512, tookMs: 80 })).toBe(256);
+  const sizes = new FirstSize();
+  expect(sizes.next(false)).toBe(512);
+  expect(sizes.next(true)).toBe(256); // the camera turns
+  sizes.learn({ widthPx: 256, tookMs: 300 });
+  expect(sizes.next(false)).toBe(512);
+  for (const tookMs of [300, 200, 150]) sizes.learn({ widthPx: 512, tookMs });
+  const next = Array.from({ length: 10 }, () => sizes.next(false));
+  expect(next.filter((px) => px === 512)).toHaveLength(1); // whether the machine is free again
+  sizes.learn({ widthPx: 512, tookMs: 30 });
+  expect(sizes.next(false)).toBe(512);
+});
+
+test("all parts of a round are handed out with the last of them, in their order", () => {
+  const shares = new Shares(3);
+  const [a, b, c] = [1, 2, 3].map((one) => new Float64Array([one]));
+  expect(shares.take(0, 2, c!)).toBeNull();
+  expect(shares.take(1, 0, a!)).toBeNull(); // a worker that is ahead
+  expect(shares.take(0, 0, a!)).toBeNull();
+  expect(shares.take(0, 1, b!)).toEqual([a, b, c]);
 });
