@@ -1,4 +1,5 @@
-// What a knob costs until its new picture, in WebAssembly, beside the native figures; ms of one thread.
+// What a knob costs until its new picture, in WebAssembly, beside the native figures, and until its first picture of 512
+// and of 256 pixels a side; ms of one thread.
 //
 //     ./just bench-wasm
 //
@@ -36,12 +37,13 @@ function prepare(job) {
   return longest;
 }
 
-function row(name, wasm, beside, piece) {
-  console.log(`${name.padEnd(16)}${wasm.padStart(9)}${beside.padStart(9)}${piece.padStart(15)}`);
+function row(name, ...columns) {
+  const widths = [9, 9, 15, 11, 11];
+  console.log(name.padEnd(16) + columns.map((text, i) => text.padStart(widths[i])).join(""));
 }
 
-/** Prints the least of some runs. */
-function report(name, work) {
+/** Prints the least of some runs, and of first pictures. */
+function report(name, work, first) {
   let [least, longest] = [Infinity, undefined];
   for (let run = 0; run < RUNS; run++) {
     let piece;
@@ -49,10 +51,17 @@ function report(name, work) {
     if (ms < least) [least, longest] = [ms, piece];
   }
   const beside = Number(native.get(name)).toFixed(1);
-  row(name, least.toFixed(1), beside, longest?.toFixed(1) ?? "");
+  const previews = first === undefined ? [] : [512, 256].map((px) => leastOf(first, px).toFixed(1));
+  row(name, least.toFixed(1), beside, longest?.toFixed(1) ?? "", ...previews);
 }
 
-row("", "wasm", "native", "longest piece");
+/** The least of some runs after one that fills what is kept. */
+function leastOf(work, px) {
+  work(0, px);
+  return Math.min(...Array.from({ length: RUNS }, (_, run) => timed(() => work(run + 1, px))));
+}
+
+row("", "wasm", "native", "longest piece", "first, 512", "first, 256");
 report("first", () => {
   const job = new Job(text());
   const longest = prepare(job);
@@ -68,9 +77,10 @@ report("codes", () => void develop(pixels, "srgb", "soft"));
 for (const [name, path, values] of await read("knobs.json")) {
   const [last, ...keys] = path.split("/").slice(1).reverse();
   const section = keys.reduceRight((inner, key) => inner[key], recipe);
-  report(name, (run) => {
+  const turn = (run) => {
     section[last] = values[run % 2];
     job.change(text());
-    return prepare(job);
-  });
+  };
+  const refine = (run) => (turn(run), prepare(job));
+  report(name, refine, (run, px) => (turn(run), job.preview(px, "srgb", "soft")));
 }

@@ -14,11 +14,8 @@ percentile. `--pixels` compares refined pictures of twelve pearls in all scenes 
 from __future__ import annotations
 
 import argparse
-import functools
-import http.server
 import statistics
 import sys
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -32,6 +29,7 @@ from nacreous.colour import decode, delta_e_2000, lab_from_xyz, xyz_from_rgb
 from nacreous.viewer import FOLDER
 from nacreous.viewer.link import fragment
 from tests.pages.browser import chromium
+from tests.pages.viewer_host import hosted
 
 RUNS = 15
 SIZE_PX = 512
@@ -93,29 +91,18 @@ DRAG = """async moves => {
 }"""
 
 
-class _Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass
-
-
 @contextmanager
 def viewer(workers: int) -> Iterator[Page]:
     """The page of a static host, with so many workers."""
-    handler = functools.partial(_Quiet, directory=str(FOLDER))
-    with (
-        http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server,
-        chromium() as browser,
-    ):
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+    with hosted() as address, chromium() as browser:
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         processors = (
             f"Object.defineProperty(navigator, 'hardwareConcurrency', {{ value: {workers} }})"
         )
         page.add_init_script(processors + ";" + WATCH)
-        page.goto(f"http://127.0.0.1:{server.server_port}/?lang=en")
+        page.goto(f"{address}/?lang=en")
         refined(page)
         yield page
-        server.shutdown()
 
 
 def refined(page: Page) -> None:

@@ -59,8 +59,15 @@ def atomic(path: str | PathLike[str], *, private: bool = False) -> Iterator[Path
     'lustre'
     """
     target = _target(path)
-    temporary = _create_beside(path, target, 0o600 if private else 0o666)
+    temporary = _beside(path, target)
+    ours = True
     try:
+        try:
+            # Within: a signal that comes as soon as the file is there finds it to be removed.
+            _create(temporary, 0o600 if private else 0o666)
+        except OSError as problem:
+            ours = False
+            raise _unwritable(path, problem) from problem
         yield temporary
         with temporary.open("rb+") as stream:
             os.fsync(stream.fileno())
@@ -68,7 +75,8 @@ def atomic(path: str | PathLike[str], *, private: bool = False) -> Iterator[Path
             temporary.chmod(stat.S_IMODE(target.stat().st_mode))
         temporary.replace(target)
     except BaseException as problem:
-        temporary.unlink(missing_ok=True)
+        if ours:
+            temporary.unlink(missing_ok=True)
         # An error about some other file, which the body read, is not ours to translate.
         if isinstance(problem, OSError) and problem.filename in (None, str(temporary)):
             raise _unwritable(path, problem) from problem
@@ -92,7 +100,13 @@ def check_output(path: str | PathLike[str], suffixes: Collection[str]) -> Path:
     if output.suffix.lower() not in suffixes:
         given = output.suffix or "missing"
         raise InputError(f"{output}: the ending is {given}; allowed: {', '.join(suffixes)}")
-    _create_beside(path, target).unlink()
+    temporary = _beside(path, target)
+    try:
+        _create(temporary)
+    except OSError as problem:
+        raise _unwritable(path, problem) from problem
+    finally:
+        temporary.unlink(missing_ok=True)
     return output
 
 
@@ -269,18 +283,17 @@ def _target(path: str | PathLike[str]) -> Path:
     return target
 
 
-def _create_beside(path: str | PathLike[str], target: Path, mode: int = 0o666) -> Path:
-    """Create an empty file of an unused name, hidden, in the folder of `target`."""
-    # The name is short, for the target's own may be as long as names can be.
-    temporary = target.with_name(f".nacreous-{os.urandom(4).hex()}{target.suffix[:16]}")
+def _beside(path: str | PathLike[str], target: Path) -> Path:
+    """An unused name, hidden, in the folder of `target`."""
     if not target.parent.is_dir():
         raise InputError(f"{path}: the folder {target.parent} does not exist")
-    try:
-        # Less the umask, as every program creates its files; never over an existing one.
-        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, mode))
-    except OSError as problem:
-        raise _unwritable(path, problem) from problem
-    return temporary
+    # The name is short, for the target's own may be as long as names can be.
+    return target.with_name(f".nacreous-{os.urandom(4).hex()}{target.suffix[:16]}")
+
+
+def _create(temporary: Path, mode: int = 0o666) -> None:
+    """An empty file, less the umask, as every program creates its files; never over another."""
+    os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, mode))
 
 
 def _unwritable(path: str | PathLike[str], problem: OSError | ValueError) -> InputError:

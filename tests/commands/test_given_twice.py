@@ -17,6 +17,7 @@ _SETTINGS = {
     "render --word": (["akoya-rg"], ["luster=Fair", "テリ=最上"]),
     "turn --set": (["akoya-rg"], ["depth=0.7", "depth = 0.8"]),
     "turn --word": (["akoya-rg"], ["luster=Fair", "テリ=最上"]),
+    "view --set": (["akoya-rg"], ["depth=0.7", "depth = 0.8"]),
     "card --set": (["akoya-rg"], ["depth=0.7", "depth = 0.8"]),
     "card --word": (["akoya-rg"], ["luster=Fair", "テリ=最上"]),
     "grow --set": (["akoya-rg"], ["seed=1", "nacre.seed=2"]),

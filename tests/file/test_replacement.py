@@ -52,6 +52,23 @@ def test_an_exception_leaves_the_old_file(tmp_path: Path, kind: type[BaseExcepti
     assert names(tmp_path) == ["pearl.png"]
 
 
+def test_a_signal_at_the_moment_a_file_is_created_leaves_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    close = os.close
+
+    def interrupted(number: int) -> None:
+        close(number)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "close", interrupted)
+    with pytest.raises(KeyboardInterrupt), atomic(tmp_path / "pearl.png"):
+        pass
+    with pytest.raises(KeyboardInterrupt):
+        check_output(tmp_path / "pearl.png", [".png"])
+    assert names(tmp_path) == []
+
+
 def test_kill_9_leaves_the_old_file(tmp_path: Path) -> None:
     target = tmp_path / "pearl.png"
     target.write_text("old")

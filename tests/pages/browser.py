@@ -189,7 +189,7 @@ def guarded(browser: Browser, url: str, expected: str = "$^", **options: Any) ->
     guard = Guarded(context, url, expected)
     yield guard
     context.close()
-    assert guard.complaints == []
+    assert guard.complaints == [], guard.complaints
 
 
 class Participant:

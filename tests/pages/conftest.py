@@ -1,8 +1,5 @@
 """A browser, and studies served to it."""
 
-import functools
-import http.server
-import threading
 from collections.abc import Iterator
 
 import pytest
@@ -10,6 +7,7 @@ from playwright.sync_api import Browser
 
 from nacreous.viewer import FOLDER
 from tests.pages.browser import PLAIN, WHOLE, Site, chromium, frozen
+from tests.pages.viewer_host import hosted
 from tests.support.server_process import served
 
 
@@ -36,18 +34,10 @@ def whole(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterato
         yield Site(folder, server.url, browser)
 
 
-class _Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass
-
-
 @pytest.fixture(scope="module")
 def host() -> Iterator[str]:
-    """A web host that knows nothing of the page."""
+    """A web host that knows nothing of the viewer's page."""
     if not (FOLDER / "index.html").is_file():
         pytest.skip("the viewer's page is not built:   ./just viewer   (needs Node.js and npm)")
-    handler = functools.partial(_Quiet, directory=str(FOLDER))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
+    with hosted() as address:
+        yield address

@@ -35,6 +35,6 @@ pub use resources::{Needs, Resources};
 pub use stages::{
     around::BOUNCES,
     job::{Job, MAX_SAMPLES},
-    preview::Asked,
+    seen::Asked,
     view::{View, light_of, light_of_pixel},
 };

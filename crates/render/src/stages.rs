@@ -6,5 +6,7 @@ pub mod job;
 mod kept;
 mod optics;
 pub mod preview;
+pub mod seen;
+mod sized;
 pub mod view;
 mod work;

@@ -10,7 +10,8 @@ use super::{
     around::{LitScene, Unlit},
     kept::Kept,
     optics::OpticsStage,
-    preview::{Asked, Before, GlowKey, PreviewStage},
+    preview::{GlowKey, PreviewStage},
+    seen::{Asked, Before},
     view::{Look, View},
     work::Work,
 };

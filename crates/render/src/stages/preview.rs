@@ -7,48 +7,29 @@
 use std::{convert::Infallible, sync::Arc};
 
 use nacreous_image::{
-    Backdrop, Camera, Canvas, Coat, Development, Dyes, FilmSampling, Fineness, Glimpses, Glow, Lit,
-    Microfacets, Model, Painted, Pearl, Progress, Reflections, Response, Sampler, Sitter, Skin,
-    Subsurface, Veil, develop, eight_bit, grain::texture::Texture, paint,
+    Development, Dyes, FilmSampling, Glow, Lit, Model, Painted, Pearl, Progress, Reflections,
+    Response, Sampler, Subsurface, develop, eight_bit, paint,
 };
 
 use super::{
     around::{LitScene, Unlit},
     job::SceneKey,
     kept::{Kept, Same},
-    optics::{Optics, OpticsStage, microfacets_of},
+    optics::{Optics, OpticsStage},
+    seen::{Asked, Before, SMALL_PX, Seen},
+    sized::Sized,
     view::light_of,
     work::Work,
 };
 use crate::{
     RenderError,
-    arrangement::{Arrangement, Place, Solids},
-    lights::{Lights, LightsKey},
+    arrangement::{Arrangement, Place},
+    lights::LightsKey,
     spec::{
         Recipe,
-        pearl::PearlSpec,
         scene::{TableSpec, WallsSpec},
     },
 };
-
-/// How a preview shall be.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Asked {
-    /// Pixels a side; small ones are looked at less finely.
-    pub size_px: usize,
-    /// How light becomes codes; its exposure comes on top of the camera's.
-    pub development: Development,
-}
-
-/// A scene before the camera, as far as it is the same for a view and a preview.
-pub(crate) struct Before<'a> {
-    pub(crate) recipe: &'a Recipe,
-    pub(crate) arrangement: &'a Arrangement,
-    pub(crate) solids: &'a Solids,
-    pub(crate) lights: (&'a LightsKey, &'a Lights),
-    /// Of each pearl given.
-    pub(crate) skins: &'a [Skin],
-}
 
 /// What previews keep.
 #[derive(Debug)]
@@ -62,15 +43,6 @@ pub(crate) struct PreviewStage {
     sized: [Sized; 2],
     /// For pearls that no table shows.
     scene: Kept<SceneKey, LitScene>,
-}
-
-/// What previews of a size keep.
-#[derive(Debug, Default)]
-struct Sized {
-    glimpses: Kept<GlimpsesKey, Glimpses>,
-    canvas: Kept<CanvasKey, Canvas>,
-    backdrop: Kept<BackdropKey, Backdrop>,
-    veils: Kept<VeilKey, Veil>,
 }
 
 /// Where light that pearls sent out before stands for what they send out now.
@@ -95,39 +67,6 @@ struct LitKey {
     lights: LightsKey,
 }
 
-/// What the lobes of one pearl see is made from, but for the index of its film.
-#[derive(Debug, Clone, PartialEq)]
-struct GlimpsesKey {
-    lit: Same<Lit>,
-    camera: Camera,
-    ball: usize,
-    facets: FacetsKey,
-    fineness: Fineness,
-}
-
-/// How the facets of a pearl lean, and how its layers wave.
-type FacetsKey = (Microfacets, f64);
-
-/// What pixels look at is made from.
-#[derive(Debug, Clone, PartialEq)]
-struct CanvasKey {
-    places: Vec<Place>,
-    camera: Camera,
-    size_px: usize,
-    fineness: Fineness,
-    skins: Vec<SkinKey>,
-    /// Where there are lamps, whose images they show.
-    lamps: Option<(Same<Lit>, Vec<FacetsKey>)>,
-}
-
-/// What lies behind is made from.
-#[derive(Debug, Clone, PartialEq)]
-struct BackdropKey {
-    lit: Same<Lit>,
-    camera: Camera,
-    size_px: usize,
-}
-
 /// Light inside one pearl is made from.
 #[derive(Debug, Clone, PartialEq)]
 struct InsideKey {
@@ -135,17 +74,6 @@ struct InsideKey {
     lit: Same<Lit>,
     ball: usize,
 }
-
-/// A film's view of light is made from; light inside knows the film.
-#[derive(Debug, Clone, PartialEq)]
-struct VeilKey {
-    glimpses: Same<Glimpses>,
-    inside: Same<Subsurface>,
-    ball: usize,
-}
-
-/// The grain of a pearl, how steep it is, and its coat.
-type SkinKey = (Option<Same<Texture>>, f64, Option<Same<Coat>>);
 
 impl Default for PreviewStage {
     fn default() -> Self {
@@ -284,38 +212,6 @@ impl PreviewStage {
     }
 }
 
-/// What a preview by tables looks at.
-struct Seen<'a> {
-    before: &'a Before<'a>,
-    /// Of each pearl given.
-    responses: &'a [Arc<Response>],
-    lit: &'a Arc<Lit>,
-    asked: &'a Asked,
-}
-
-impl Seen<'_> {
-    fn response(&self, ball: usize) -> Same<Response> {
-        Same(Arc::clone(&self.responses[self.before.arrangement.places()[ball].pearl]))
-    }
-
-    fn pearl(&self, ball: usize) -> &PearlSpec {
-        &self.before.recipe.pearls[self.before.arrangement.places()[ball].pearl]
-    }
-
-    fn facets(&self, ball: usize) -> FacetsKey {
-        let pearl = self.pearl(ball);
-        let waviness_rad = match pearl {
-            PearlSpec::Transport(pearl) => pearl.surface.waviness_rad,
-            PearlSpec::Illuminant(_) => 0.0,
-        };
-        (microfacets_of(pearl), waviness_rad)
-    }
-
-    fn balls(&self) -> std::ops::Range<usize> {
-        0..self.before.arrangement.places().len()
-    }
-}
-
 impl PreviewStage {
     /// Light inside each pearl.
     fn inside(&mut self, seen: &Seen<'_>) -> Option<Vec<Arc<Subsurface>>> {
@@ -331,102 +227,8 @@ impl PreviewStage {
     }
 }
 
-impl Sized {
-    /// What each pearl's lobes see of it; `None` for a camera within a pearl.
-    fn glimpses(&mut self, seen: &Seen<'_>) -> Option<Vec<Arc<Glimpses>>> {
-        let camera = seen.before.arrangement.camera();
-        let fineness = fineness(seen.asked.size_px);
-        let key = |ball| GlimpsesKey {
-            lit: Same(Arc::clone(seen.lit)),
-            camera,
-            ball,
-            facets: seen.facets(ball),
-            fineness,
-        };
-        let make = |key: &GlimpsesKey| {
-            let response = seen.response(key.ball).0;
-            Ok::<_, Infallible>(Glimpses::new(&response, seen.lit, key.ball, &camera, fineness))
-        };
-        let Ok(made) = self.glimpses.all(seen.balls().map(key).collect(), make);
-        made
-    }
-
-    /// What each pixel looks at.
-    fn canvas(&mut self, seen: &Seen<'_>, glimpses: &[Arc<Glimpses>]) -> Option<Arc<Canvas>> {
-        let Seen { before, lit, asked, .. } = seen;
-        let skin = |skin: &Skin| {
-            let (texture, coat) = (skin.texture.clone(), skin.coat.clone());
-            (texture.map(Same), skin.grain.relief_rad, coat.map(Same))
-        };
-        let camera = before.arrangement.camera();
-        let has_lamps = !lit.lamps.is_empty();
-        let key = CanvasKey {
-            places: before.arrangement.places().to_vec(),
-            camera,
-            size_px: asked.size_px,
-            fineness: fineness(asked.size_px),
-            skins: before.skins.iter().map(skin).collect(),
-            lamps: has_lamps.then(|| {
-                (Same(Arc::clone(lit)), seen.balls().map(|ball| seen.facets(ball)).collect())
-            }),
-        };
-        let make = |key: &CanvasKey| {
-            let sitter = |(ball, place): (usize, &Place)| {
-                let skin = &before.skins[place.pearl];
-                let response = &seen.responses[place.pearl];
-                Sitter::new(skin, &glimpses[ball], response, lit)
-            };
-            let sitters: Vec<_> =
-                before.arrangement.places().iter().enumerate().map(sitter).collect();
-            Ok::<_, Infallible>(Some(Canvas::new(&sitters, lit, &camera, key.size_px)))
-        };
-        let Ok(made) = self.canvas.one(key, make);
-        made
-    }
-
-    /// What lies behind.
-    fn backdrop(&mut self, seen: &Seen<'_>) -> Option<Arc<Backdrop>> {
-        let (camera, size_px) = (seen.before.arrangement.camera(), seen.asked.size_px);
-        let key = BackdropKey { lit: Same(Arc::clone(seen.lit)), camera, size_px };
-        let make =
-            |_: &BackdropKey| Ok::<_, Infallible>(Some(Backdrop::new(seen.lit, &camera, size_px)));
-        let Ok(made) = self.backdrop.one(key, make);
-        made
-    }
-
-    /// The light in and around each pearl, by its net.
-    fn veils(
-        &mut self,
-        seen: &Seen<'_>,
-        glimpses: &[Arc<Glimpses>],
-        inside: &[Arc<Subsurface>],
-    ) -> Option<Vec<Arc<Veil>>> {
-        let key = |ball: usize| VeilKey {
-            glimpses: Same(Arc::clone(&glimpses[ball])),
-            inside: Same(Arc::clone(&inside[ball])),
-            ball,
-        };
-        let camera = seen.before.arrangement.camera();
-        let make = |key: &VeilKey| {
-            let response = seen.response(key.ball).0;
-            let before = (&camera, &seen.lit.balls[key.ball]);
-            let veil = Veil::new(&key.glimpses.0, &response, &key.inside.0, before);
-            Ok::<_, Infallible>(Some(veil))
-        };
-        let Ok(made) = self.veils.all(seen.balls().map(key).collect(), make);
-        made
-    }
-}
-
 /// A light that differs by less than this share of white is the same.
 const NEAR: f64 = 0.003;
-/// How finely a preview looks at what pearls mirror **(ours)**: `python benchmarks/viewer.py` has its errors.
-fn fineness(size_px: usize) -> Fineness {
-    Fineness { knots: if size_px > SMALL_PX { 40 } else { 24 }, facets: 16 }
-}
-
-/// Pixels a side of previews that are shown while something moves.
-const SMALL_PX: usize = 320;
 /// Samples along the side of a pixel.
 const SAMPLES_SIDE: usize = 1;
 /// A large picture without tables has so many times fewer pixels a side.

@@ -27,8 +27,8 @@ export const fixed = signal<Place>({ x: 0.5, y: 0.5 });
 export const hovered = signal<Place | null>(null);
 export const place = computed(() => hovered.value ?? fixed.value);
 
-/** null beside the pearl. */
-export const reading = signal<Reading | null>(null);
+/** null beside the pearl, undefined before anything is read. */
+export const reading = signal<Reading | null | undefined>(undefined);
 /** Why nothing is read at the point, where something is wrong. */
 export const trouble = signal("");
 export const layers = signal<Layers | null>(null);
@@ -92,7 +92,8 @@ const readPoint = lastOf(async (asked: { recipe: string; row: number; column: nu
     layers.value = await instruments().ask("layers", { recipe, pearl: read.pearl });
   } catch (error) {
     batch(() => {
-      reading.value = layers.value = null;
+      reading.value = undefined;
+      layers.value = null;
       trouble.value = (error as Error).message;
       layersOf = "";
     });

@@ -6,8 +6,8 @@ import { language } from "./speech";
 const WORDS = {
   point: ["At the point", "指した点"],
   pointAbout: [
-    "Point at the pearl; click to stay. With the keyboard, move the cross on the picture.",
-    "真珠を指してください。押すとその点に留まります。キーボードでは画像上の十字を動かします。",
+    "Point at the pearl; click to stay. With the keyboard, move the ring on the picture.",
+    "真珠を指してください。押すとその点に留まります。キーボードでは画像上の輪を動かします。",
   ],
   probe: [
     "Point of the instruments, {x} % from the left, {y} % from the top{angle}. Arrow keys move it, with Shift finely; Enter copies its spectra.",

@@ -16,7 +16,7 @@ export function copy(text: string): void {
 /** Wavelengths, R and T at the point, under their angle. */
 export function copySpectra(): void {
   const read = reading.value;
-  if (read === null || read.film === null) return;
+  if (read?.film == null) return;
   const { R, T } = read.film;
   const rows = Array.from(WAVELENGTH_NM, (nm, i) => [nm, R[i] ?? null, T[i] ?? null]);
   copy(lines([["angle_deg", (read.angleRad * 180) / Math.PI], ["nm", "R", "T"], ...rows]));
@@ -45,9 +45,8 @@ export function Point() {
           {trouble.value}
         </p>
       )}
-      {read === null ? (
-        trouble.value === "" && <p class="nothing">{say("beside")}</p>
-      ) : (
+      {read === null && <p class="nothing">{say("beside")}</p>}
+      {read != null && (
         <p class="readout">
           {say("viewAngle")}{" "}
           <output data-column={read.column} data-row={read.row}>
@@ -60,7 +59,7 @@ export function Point() {
           )}
         </p>
       )}
-      {read !== null && film === null && (
+      {read != null && film === null && (
         <p class="nothing">
           {say("noFilm")} <span lang="en">{read.why}</span>
         </p>

@@ -1,4 +1,4 @@
-/** The cross on the picture: where the instruments look. */
+/** The ring on the picture: where the instruments look. */
 
 import { useEffect, useRef } from "preact/hooks";
 import { fixed, found, hovered, isDrawn, isFresh, place, reading } from "../../state/instruments";
@@ -6,7 +6,7 @@ import { size } from "../../state/view";
 import { say } from "../../words/instruments";
 import { copySpectra, degrees } from "./Point";
 
-/** A press of an arrow key moves the cross by so much of the width. */
+/** A press of an arrow key moves the ring by so much of the width. */
 const STEP = 0.02;
 const FINE = 0.004;
 /** A hand that moved farther between press and release has turned the camera. */
@@ -16,7 +16,7 @@ export function Probe() {
   const here = useRef<HTMLButtonElement>(null);
   usePointing(here);
   const { x, y } = place.value;
-  const angle = reading.value === null ? "" : degrees(reading.value.angleRad);
+  const angle = reading.value == null ? "" : degrees(reading.value.angleRad);
   return (
     <>
       {isDrawn.value && isFresh.value && <Drawn />}
