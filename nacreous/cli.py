@@ -94,8 +94,8 @@ def _place(problem: OSError) -> str:
 
 
 def _wraps_interrupt(problem: Exception) -> bool:
-    """Whether Ctrl-C met pydantic as it built a validator: it raises an error that quotes it."""
-    return type(problem).__name__ == "SchemaError" and any(
+    """Whether a signal met pydantic's compiled part at work, which raises errors that quote it."""
+    return type(problem).__module__.startswith("pydantic_core") and any(
         name in str(problem) for name in ("KeyboardInterrupt", "Terminated")
     )
 

@@ -38,5 +38,5 @@ def how_stopped(stop: BaseException) -> str:
 
 
 def _is_terminated(stop: BaseException) -> bool:
-    """Pydantic, met by a signal as it builds a validator, raises an error that quotes it."""
+    """Pydantic, met by a signal at work in its compiled part, raises an error that quotes it."""
     return isinstance(stop, Terminated) or "Terminated" in str(stop)

@@ -7,6 +7,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from pydantic import BaseModel, model_serializer
+
+from nacreous.cli import main
+from nacreous.stopping import Terminated, code_of
 
 pytestmark = pytest.mark.skipif(
     sys.platform == "win32", reason="Windows ends programs without SIGTERM"
@@ -81,3 +85,17 @@ def test_a_file_that_is_all_but_in_its_place_goes(words: list[str], tmp_path: Pa
 )
 def test_work_ends_and_leaves_no_part_behind(words: list[str], tmp_path: Path) -> None:
     is_clean(_AT_WORK, words, tmp_path)
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, Terminated])
+def test_a_signal_within_pydantic_ends_a_command_too(
+    stop: type[BaseException], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Met(BaseModel):
+        @model_serializer
+        def signalled(self) -> None:
+            raise stop
+
+    monkeypatch.setattr("nacreous.cli._run", lambda arguments: Met().model_dump_json())
+    assert main(["render"]) == code_of(stop())
+    assert capsys.readouterr().err.endswith("; nothing was written\n")
