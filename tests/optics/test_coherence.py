@@ -11,18 +11,10 @@ from numpy.typing import NDArray
 
 import nacreous as nc
 from nacreous.optics import energies, ensemble, fresnel, reflectance
+from tests.optics.refusal import refusal
 
 NM = np.linspace(400.0, 700.0, 61)
 PLATE_NM, N_PLATE, N_SUBSTRATE = 20_000.0, 2.0, 4.0
-
-
-def refusal(act: Any) -> str:
-    with pytest.raises(nc.InputError) as caught:
-        act()
-    message = str(caught.value)
-    assert "\n" not in message
-    assert len(message) < 200
-    return message
 
 
 def plate() -> nc.LayerStack:

@@ -15,17 +15,9 @@ from numpy.typing import NDArray
 
 import nacreous as nc
 from nacreous.optics import Fresnel, fresnel, illuminant
+from tests.optics.refusal import refusal
 
 AIR, ARAGONITE, PROTEIN = 1.0, 1.53, 1.43
-
-
-def refusal(act: Any) -> str:
-    with pytest.raises(nc.InputError) as caught:
-        act()
-    message = str(caught.value)
-    assert "\n" not in message
-    assert len(message) < 200
-    return message
 
 
 # --- one boundary: against the peer

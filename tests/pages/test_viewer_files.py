@@ -27,7 +27,6 @@ from tests.pages.viewer_files import (
     rendered,
     survives,
 )
-from tests.pages.viewer_host import hosted
 
 SIDE_PX = 256
 DONE = f".pearl[data-stage=refined][width='{SIDE_PX}']"
@@ -39,14 +38,6 @@ expect.set_options(timeout=60_000)  # machines that test are busy
 #: The codes on a canvas, as numbers.
 CODES = """canvas => Array.from(
     canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data)"""
-
-
-@pytest.fixture(scope="module")
-def host() -> Iterator[str]:
-    if not (FOLDER / "index.html").is_file():
-        pytest.skip("the viewer's page is not built:   ./just viewer   (needs Node.js and npm)")
-    with hosted() as url:
-        yield url
 
 
 @pytest.fixture(scope="module")

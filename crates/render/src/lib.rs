@@ -34,7 +34,7 @@ pub use pearl::{
 pub use resources::{Needs, Resources};
 pub use stages::{
     around::BOUNCES,
-    job::{Job, MAX_SAMPLES},
+    job::{Job, MAX_SAMPLES, Shared},
     seen::Asked,
     view::{View, light_of, light_of_pixel},
 };

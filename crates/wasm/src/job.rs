@@ -3,7 +3,7 @@
 use js_sys::{Array, Float64Array, Object};
 use nacreous_image::{CHANNELS, Development, Progress};
 use nacreous_render::{
-    Asked, View,
+    Asked, Shared, View,
     spec::{Recipe, pearl::PearlSpec},
     stack_of,
 };
@@ -24,6 +24,10 @@ export interface Sight {
   /** The angle between the surface's normal, relief left out, and the line of sight. */
   readonly viewRad: number;
 }";
+
+#[wasm_bindgen(typescript_custom_section)]
+const SHARING: &str = r#"/** Work before the pixels that workers share out. */
+export type Shared = "films" | "reflections";"#;
 
 /// A picture in the making, kept and asked again: only what changed is worked out anew.
 #[wasm_bindgen]
@@ -74,22 +78,38 @@ impl Job {
         Ok(self.view.is_some())
     }
 
-    /// Part `part` of `parts` of the work that comes next and can be shared out among workers, each with a job of the same
-    /// recipe; undefined where nothing is left to share, and `step` and `rows` go on.
-    pub fn part(&mut self, part: usize, parts: usize) -> Result<Option<Vec<f64>>, JsError> {
+    /// What can be shared out among workers, each with a job of the same recipe, and this one lacks first; undefined where
+    /// it lacks nothing. The first that any of them lacks, "films" before "reflections", is what all work on.
+    #[wasm_bindgen(unchecked_return_type = "Shared | undefined")]
+    pub fn lacks(&mut self) -> Result<Option<String>, JsError> {
+        let lacked = self.made.lacks().map_err(refused)?;
+        Ok(lacked.map(|shared| name_of(shared).to_owned()))
+    }
+
+    /// Part `part` of `parts` of that work.
+    pub fn part(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Shared")] shared: &str,
+        part: usize,
+        parts: usize,
+    ) -> Result<Vec<f64>, JsError> {
         if !(1..=MOST_PARTS).contains(&parts) || part >= parts {
             let message =
                 format!("part {part} of {parts}; allowed: 0 to below parts, of 1 to {MOST_PARTS}");
             return Err(refused(message));
         }
-        self.made.part(part, parts).map_err(refused)
+        self.made.part(shared_of(shared)?, (part, parts)).map_err(refused)
     }
 
     /// Takes over what `part` gave of all parts of the same work, in their order.
-    pub fn join(&mut self, parts: Vec<Float64Array>) -> Result<(), JsError> {
+    pub fn join(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Shared")] shared: &str,
+        parts: Vec<Float64Array>,
+    ) -> Result<(), JsError> {
         let parts: Vec<Vec<f64>> = parts.iter().map(Float64Array::to_vec).collect();
         let parts: Vec<&[f64]> = parts.iter().map(Vec::as_slice).collect();
-        self.made.join(&parts).map_err(refused)
+        self.made.join(shared_of(shared)?, &parts).map_err(refused)
     }
 
     /// A first picture, as codes RGBA row by row, in a few hundredths of a second: colours looked up where rows work them out.
@@ -217,6 +237,18 @@ pub fn check_pixels(pixels: &[f32]) -> Result<(), JsError> {
 
 fn broken_off() -> JsError {
     refused("the picture broke off; please report this")
+}
+
+const SHARED: [(&str, Shared); 2] =
+    [("films", Shared::Films), ("reflections", Shared::Reflections)];
+
+fn name_of(shared: Shared) -> &'static str {
+    SHARED.iter().find(|(_, one)| *one == shared).map_or("films", |(name, _)| name)
+}
+
+fn shared_of(name: &str) -> Result<Shared, JsError> {
+    let found = SHARED.iter().find(|(known, _)| *known == name).map(|(_, shared)| *shared);
+    found.ok_or_else(|| refused(format!("shared is {name}; allowed: films, reflections")))
 }
 
 /// Workers of a page.

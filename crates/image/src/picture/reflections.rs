@@ -51,7 +51,8 @@ impl Reflections {
         let mut rest: Vec<_> = parts.iter().map(|part| part.chunks_exact(6)).collect();
         let count = rest.len();
         let mut knot = |number: usize| {
-            let &[a, b, c, d, e, f] = rest.get_mut(number % count)?.next()? else { return None };
+            let part = rest.get_mut(number.checked_rem(count)?)?;
+            let &[a, b, c, d, e, f] = part.next()? else { return None };
             Some(Around { light: [a, b, c], rest: [d, e, f] })
         };
         let mut made = Vec::with_capacity(models.len());

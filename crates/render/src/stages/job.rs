@@ -1,5 +1,7 @@
 //! A picture in the making, kept and asked again: only what changed is worked out anew.
 
+mod sharing;
+
 use std::{convert::Infallible, sync::Arc};
 
 use nacreous_image::{
@@ -26,6 +28,8 @@ use crate::{
         scene::{TableSpec, WallsSpec},
     },
 };
+
+pub use sharing::Shared;
 
 /// The most samples a pixel, 32 x 32.
 pub const MAX_SAMPLES: usize = 1024;
@@ -133,49 +137,6 @@ impl Job {
     /// As [`Job::view`].
     pub fn step(&mut self, progress: &Progress) -> Result<Option<View>, RenderError> {
         self.viewed(&Work::one_piece(progress))
-    }
-
-    /// Part `part` of `parts` of the work that comes next and can be shared out: among the missing films' groups, then among
-    /// what pearls mirror. For jobs of the same recipe in workers without memory in common: each works out its part and hands
-    /// it to the others' [`Job::join`]. `None` where nothing is left to share; then each goes on by itself.
-    ///
-    /// # Errors
-    /// As [`Job::view`].
-    pub fn part(&mut self, part: usize, parts: usize) -> Result<Option<Vec<f64>>, RenderError> {
-        let films = self.optics.film_part(&self.recipe.pearls, part, parts)?;
-        if films.is_some() {
-            return Ok(films);
-        }
-        let Some((scene, key)) = self.unreflected()? else { return Ok(None) };
-        let view = (&key.camera, key.size_px);
-        Ok(Some(Reflections::part(&scene.models, &scene.surroundings, view, (part, parts))))
-    }
-
-    /// Takes over what all parts of the same work gave, in their order; this job's own too.
-    ///
-    /// # Errors
-    /// As [`Job::view`], and [`RenderError`] for parts of other work.
-    pub fn join(&mut self, parts: &[&[f64]]) -> Result<(), RenderError> {
-        if self.optics.join_films(&self.recipe.pearls, parts)? {
-            return Ok(());
-        }
-        let Some((scene, key)) = self.unreflected()? else { return Err(RenderError::parts()) };
-        let (surroundings, view) = (&scene.surroundings, (&key.camera, key.size_px));
-        let joined = Reflections::joined(&scene.models, surroundings, view, parts);
-        let joined = joined.ok_or_else(RenderError::parts)?;
-        self.reflections.put(key, joined);
-        Ok(())
-    }
-
-    /// The lit scene, where what its pearls mirror is not known yet.
-    fn unreflected(&mut self) -> Result<Option<(Arc<LitScene>, ReflectionsKey)>, RenderError> {
-        let progress = Progress::default();
-        let Some((scene_key, scene)) = self.lit_scene(&Work::whole(&progress))? else {
-            return Ok(None);
-        };
-        let (camera, size_px) = (self.arrangement.camera(), self.recipe.size);
-        let key = ReflectionsKey { scene: scene_key, camera, size_px };
-        Ok((!self.reflections.has(&key)).then_some((scene, key)))
     }
 
     /// A first picture, as codes RGBA row by row: colours looked up where [`Job::view`] works them out, tens of times as

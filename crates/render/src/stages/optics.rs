@@ -1,9 +1,8 @@
 //! First stage: what each pearl does with light, the same in all its places.
 
-use std::{
-    cell::RefCell,
-    sync::{Arc, atomic::AtomicBool},
-};
+mod sharing;
+
+use std::{cell::RefCell, sync::Arc};
 
 use nacreous_image::{
     Coat, CoatParameters, Film, FilmDraft, FilmParts, FilmSampling, Microfacets, Progress,
@@ -191,71 +190,6 @@ impl OpticsStage {
             })
         };
         self.responses.all(response_keys.clone(), make)
-    }
-
-    /// One of `parts` parts of the work on the films that are missing; `None` where none is.
-    pub(crate) fn film_part(
-        &self,
-        pearls: &[PearlSpec],
-        part: usize,
-        parts: usize,
-    ) -> Result<Option<Vec<f64>>, RenderError> {
-        let (missing, never) = (self.missing_films(pearls), AtomicBool::new(false));
-        let mut numbers = Vec::new();
-        for key in &missing {
-            let draft = self.draft_of(key)?;
-            for group in (part..draft.groups()).step_by(parts) {
-                numbers.extend(draft.group(group, &never)?.unwrap_or_default());
-            }
-        }
-        Ok((!missing.is_empty()).then_some(numbers))
-    }
-
-    /// Makes the missing films of what [`OpticsStage::film_part`] gave of each part; whether any was missing.
-    pub(crate) fn join_films(
-        &mut self,
-        pearls: &[PearlSpec],
-        parts: &[&[f64]],
-    ) -> Result<bool, RenderError> {
-        let missing = self.missing_films(pearls);
-        let mut left = parts.to_vec();
-        let is_any = !missing.is_empty();
-        for key in missing {
-            let draft = self.draft_of(&key)?;
-            let mut groups = Vec::with_capacity(draft.groups());
-            for group in 0..draft.groups() {
-                let part =
-                    left.get_mut(group % parts.len().max(1)).ok_or_else(RenderError::parts)?;
-                let (own, rest) =
-                    part.split_at_checked(draft.numbers(group)).ok_or_else(RenderError::parts)?;
-                *part = rest;
-                groups.push(own);
-            }
-            let draft = draft.completed(&groups).ok_or_else(RenderError::parts)?;
-            let films = thickness_of(key.count).map(|share| draft.film_of(share));
-            let films = films.collect::<Result<Vec<_>, _>>()?;
-            self.films.put(key, films);
-        }
-        let is_over = left.iter().all(|rest| rest.is_empty());
-        if is_any && !is_over { Err(RenderError::parts()) } else { Ok(is_any) }
-    }
-
-    fn missing_films(&self, pearls: &[PearlSpec]) -> Vec<FilmKey> {
-        let mut missing: Vec<FilmKey> = Vec::new();
-        for pearl in pearls {
-            if let PearlSpec::Transport(spec) = pearl {
-                let key = surface_key(pearl, spec).film;
-                if !self.films.has(&key) && !missing.contains(&key) {
-                    missing.push(key);
-                }
-            }
-        }
-        missing
-    }
-
-    fn draft_of(&self, key: &FilmKey) -> Result<FilmDraft, RenderError> {
-        let columns = columns_of(&key.nacre, &key.film, key.outer_um)?;
-        Ok(FilmDraft::new(columns, key.parts, self.sampling))
     }
 
     /// What differs from place to place of each pearl. `None` where `work` ends before.

@@ -1,6 +1,6 @@
 /** What the page and its workers tell each other. */
 
-import type { Developed, PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
+import type { Developed, PearlJson, RecipeJson, Resources, Shared, Space } from "nacreous-wasm";
 
 /** A picture that is wanted: each worker makes the stripes of its number. */
 export interface Show {
@@ -18,7 +18,15 @@ export interface Show {
   readonly parts: number;
 }
 
-/** What all workers found in the work that they share out before the rows. */
+/** What all workers work on next before the rows: the first thing that any of them lacks; null where none lacks any. */
+export interface Agreed {
+  readonly kind: "agreed";
+  readonly ticket: number;
+  readonly round: number;
+  readonly shared: Shared | null;
+}
+
+/** What all of them found. */
 export interface Parts {
   readonly kind: "parts";
   readonly ticket: number;
@@ -42,7 +50,7 @@ export interface Resolve {
 }
 
 export type ToWorker =
-  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Parts | Look | Resolve;
+  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Agreed | Parts | Look | Resolve;
 
 export type Codes = Developed["codes"];
 
@@ -76,9 +84,17 @@ export type FromWorker =
       readonly light: Light;
     }
   | {
+      readonly kind: "lacks";
+      readonly ticket: number;
+      readonly round: number;
+      readonly part: number;
+      /** What this worker lacks first, by what it made before. */
+      readonly shared: Shared | null;
+    }
+  | {
       readonly kind: "part";
       readonly ticket: number;
-      /** Counts what is shared out: films, then what pearls mirror. */
+      /** Counts what is shared out. */
       readonly round: number;
       readonly part: number;
       readonly numbers: Float64Array<ArrayBuffer>;

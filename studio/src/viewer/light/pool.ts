@@ -1,6 +1,6 @@
 /** Workers that share a picture by stripes of rows. */
 
-import type { PearlJson, RecipeJson, Resources, Space } from "nacreous-wasm";
+import type { PearlJson, RecipeJson, Resources, Shared, Space } from "nacreous-wasm";
 import type { First } from "./first";
 import type { Codes, FromWorker, Light, Show, ToWorker } from "./messages";
 
@@ -30,20 +30,26 @@ export interface Wanted {
   failed(text: string): void;
 }
 
-/** Parts of what workers share out, round by round, until all are there. */
-export class Shares {
-  private readonly rounds = new Map<number, Map<number, Float64Array>>();
+/** What all workers tell in a round, until all have. */
+export class Round<T> {
+  private readonly rounds = new Map<number, Map<number, T>>();
 
   constructor(private readonly workers: number) {}
 
-  /** All parts of the round in their order, with the last of them; else null. */
-  take(round: number, part: number, numbers: Float64Array): Float64Array[] | null {
-    const there = this.rounds.get(round) ?? new Map<number, Float64Array>();
-    this.rounds.set(round, there.set(part, numbers));
+  /** All of the round in the workers' order, with the last of them; else null. */
+  take(round: number, part: number, told: T): T[] | null {
+    const there = this.rounds.get(round) ?? new Map<number, T>();
+    this.rounds.set(round, there.set(part, told));
     if (there.size < this.workers) return null;
     this.rounds.delete(round);
-    return [...there].sort(([a], [b]) => a - b).map(([, numbers]) => numbers);
+    return [...there].sort(([a], [b]) => a - b).map(([, one]) => one);
   }
+}
+
+/** The first that any worker lacks. */
+export function agreed(lacked: readonly (Shared | null)[]): Shared | null {
+  const inOrder: readonly Shared[] = ["films", "reflections"];
+  return inOrder.find((one) => lacked.includes(one)) ?? null;
 }
 
 /** How many workers a picture gets on a machine with so many processors. */
@@ -65,7 +71,8 @@ export class Pool {
   /** What the workers were last told of dropped files. */
   private told: Resources | undefined;
   private rowsThere = 0;
-  private shares = new Shares(0);
+  private lacks = new Round<Shared | null>(0);
+  private shares = new Round<Float64Array>(0);
   private question = 0;
   private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
 
@@ -88,7 +95,8 @@ export class Pool {
     this.wanted = wanted;
     this.codes = this.light = this.pixels = this.covered = null;
     this.rowsThere = 0;
-    this.shares = new Shares(this.workers.length);
+    this.lacks = new Round(this.workers.length);
+    this.shares = new Round(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
     const { ticket } = this;
     this.whenReady(ticket, () => {
@@ -151,9 +159,19 @@ export class Pool {
     }
     if (!isCurrent || told.kind === "first") return;
     if (told.kind === "failed") wanted.failed(told.text);
+    else if (told.kind === "lacks") this.agree(told);
     else if (told.kind === "part") this.handRound(told);
     else if (told.kind === "whole") this.finish(wanted, told.codes, told.light);
     else this.join(wanted, told);
+  }
+
+  /** Once all workers have told what they lack, each hears what all work on. */
+  private agree({ ticket, round, part, shared }: Extract<FromWorker, { kind: "lacks" }>): void {
+    const lacked = this.lacks.take(round, part, shared);
+    if (lacked === null) return;
+    for (const worker of this.workers.keys()) {
+      this.tell(worker, { kind: "agreed", ticket, round, shared: agreed(lacked) });
+    }
   }
 
   /** Once all workers have told their part of what is shared out, each gets all of them. */

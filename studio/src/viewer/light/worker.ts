@@ -12,6 +12,7 @@ import {
 } from "nacreous-wasm";
 import { firstPicture } from "./first";
 import {
+  type Agreed,
   type FromWorker,
   type Light,
   type Look,
@@ -38,6 +39,7 @@ let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
 let firstPx = 512;
+let agreed: Agreed | null = null;
 let joined: Parts | null = null;
 
 page.onmessage = ({ data }) => {
@@ -48,6 +50,8 @@ page.onmessage = ({ data }) => {
     if (data.resources !== undefined) told = data.resources;
     latest = data;
     if (!running) void work();
+  } else if (data.kind === "agreed") {
+    agreed = data;
   } else if (data.kind === "parts") {
     joined = data;
   } else {
@@ -103,15 +107,30 @@ async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> 
   for (let round = 0; ; round += 1) {
     await messages();
     if (latest !== null) return false;
-    const numbers = job.part(part, parts) as Float64Array<ArrayBuffer> | undefined;
-    if (numbers === undefined) return true;
+    page.postMessage({ kind: "lacks", ticket, round, part, shared: job.lacks() ?? null });
+    const next = await told(() => agreed, ticket, round);
+    if (next === null) return false;
+    if (next.shared === null) return true;
+    const numbers = job.part(next.shared, part, parts) as Float64Array<ArrayBuffer>;
     page.postMessage({ kind: "part", ticket, round, part, numbers }, [numbers.buffer]);
-    while (joined === null || joined.ticket !== ticket || joined.round !== round) {
-      await pause();
-      if (latest !== null) return false;
-    }
-    job.join([...joined.parts]);
-    joined = null;
+    const all = await told(() => joined, ticket, round);
+    if (all === null) return false;
+    job.join(next.shared, [...all.parts]);
+    joined = null; // a megabyte or two
+  }
+}
+
+/** Waits for what the others come to; null where something newer came. */
+async function told<T extends Agreed | Parts>(
+  last: () => T | null,
+  ticket: number,
+  round: number,
+): Promise<T | null> {
+  for (;;) {
+    const found = last();
+    if (found !== null && found.ticket === ticket && found.round === round) return found;
+    if (latest !== null) return null;
+    await pause();
   }
 }
 

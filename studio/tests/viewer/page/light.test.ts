@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
 import { FirstSize } from "../../../src/viewer/light/first";
-import { Pool, Shares, type Whole } from "../../../src/viewer/light/pool";
+import { Pool, Round, agreed, type Whole } from "../../../src/viewer/light/pool";
 import { stripes } from "../../../src/viewer/light/messages";
 
 test("the stripes of all workers are every row once", () => {
@@ -135,11 +135,26 @@ test("first pictures are large where they keep up with the hand, and small where
   expect(sizes.next(false)).toBe(512);
 });
 
-test("all parts of a round are handed out with the last of them, in their order", () => {
-  const shares = new Shares(3);
-  const [a, b, c] = [1, 2, 3].map((one) => new Float64Array([one]));
-  expect(shares.take(0, 2, c!)).toBeNull();
-  expect(shares.take(1, 0, a!)).toBeNull(); // a worker that is ahead
-  expect(shares.take(0, 0, a!)).toBeNull();
-  expect(shares.take(0, 1, b!)).toEqual([a, b, c]);
+test("what all tell in a round is there with the last of them, in their order", () => {
+  const shares = new Round<string>(3);
+  expect(shares.take(0, 2, "c")).toBeNull();
+  expect(shares.take(1, 0, "ahead")).toBeNull();
+  expect(shares.take(0, 0, "a")).toBeNull();
+  expect(shares.take(0, 1, "b")).toEqual(["a", "b", "c"]);
+});
+
+test("workers that know different things work on what the first of them lacks", async () => {
+  expect(agreed([null, "reflections", "films"])).toBe("films");
+  expect(agreed([null, "reflections"])).toBe("reflections");
+  expect(agreed([null, null])).toBeNull();
+  const { made, workers } = await pool(2);
+  made.show({ ...WANTED, failed: vi.fn() });
+  await settled();
+  const [one, two] = workers as [FakeWorker, FakeWorker];
+  one.says({ kind: "lacks", ticket: 1, round: 0, part: 0, shared: null });
+  expect(one.told.at(-1)).toMatchObject({ kind: "show" });
+  two.says({ kind: "lacks", ticket: 1, round: 0, part: 1, shared: "films" });
+  for (const worker of [one, two]) {
+    expect(worker.told.at(-1)).toEqual({ kind: "agreed", ticket: 1, round: 0, shared: "films" });
+  }
 });
