@@ -50,7 +50,12 @@ export interface Resolve {
 }
 
 export type ToWorker =
-  { readonly kind: "load"; readonly module: WebAssembly.Module } | Show | Agreed | Parts | Look | Resolve;
+  | { readonly kind: "load"; readonly module: WebAssembly.Module }
+  | Show
+  | Agreed
+  | Parts
+  | Look
+  | Resolve;
 
 export type Codes = Developed["codes"];
 

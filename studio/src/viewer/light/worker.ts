@@ -108,12 +108,12 @@ async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> 
     await messages();
     if (latest !== null) return false;
     page.postMessage({ kind: "lacks", ticket, round, part, shared: job.lacks() ?? null });
-    const next = await told(() => agreed, ticket, round);
+    const next = await reply(() => agreed, ticket, round);
     if (next === null) return false;
     if (next.shared === null) return true;
     const numbers = job.part(next.shared, part, parts) as Float64Array<ArrayBuffer>;
     page.postMessage({ kind: "part", ticket, round, part, numbers }, [numbers.buffer]);
-    const all = await told(() => joined, ticket, round);
+    const all = await reply(() => joined, ticket, round);
     if (all === null) return false;
     job.join(next.shared, [...all.parts]);
     joined = null; // a megabyte or two
@@ -121,7 +121,7 @@ async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> 
 }
 
 /** Waits for what the others come to; null where something newer came. */
-async function told<T extends Agreed | Parts>(
+async function reply<T extends Agreed | Parts>(
   last: () => T | null,
   ticket: number,
   round: number,
