@@ -51,8 +51,8 @@ class Blemishes(Section):
     )
     area: float | None = quantity(
         None,
-        "Share of the pearl that all of them cover together: sizes are multiplied until they "
-        "do, if there are any.",
+        "Share of the pearl that all of them cover together: sizes and depths are multiplied "
+        "until they do, if there are any.",
         least=0,
         most=0.25,
         source="trade, words for the surface",

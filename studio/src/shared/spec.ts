@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 7a64c7fcc4917d68de307a2d371d70a2da544be4331883fa70a49ddb8bf28d3d
+ * 1afd4d7f1cf253c50cfe7e0137019f8103bde5e212681d7c5e88717de9c7f02b
  */
 
 /**
@@ -39,7 +39,7 @@ export interface Blemishes {
    */
   depth_um?: number;
   /**
-   * Share of the pearl that all of them cover together: sizes are multiplied until they do, if there are any. Allowed: 0 to 0.25. Left out: what size_mm gives. Source: trade, words for the surface.
+   * Share of the pearl that all of them cover together: sizes and depths are multiplied until they do, if there are any. Allowed: 0 to 0.25. Left out: what size_mm gives. Source: trade, words for the surface.
    */
   area?: number;
 }

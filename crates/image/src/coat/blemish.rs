@@ -31,7 +31,7 @@ pub struct Blemishes {
     pub size_mm: f64,
     /// Mean depth or height of pits, bumps and wrinkles.
     pub depth_mm: f64,
-    /// Share of the pearl that they cover together, which makes all larger or smaller, where it is given.
+    /// Share of the pearl that they cover together, which makes all larger or smaller, depths with them, where it is given.
     pub area: Option<f64>,
     /// What places them.
     pub seed: u64,

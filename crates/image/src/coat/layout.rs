@@ -45,6 +45,7 @@ pub(crate) fn layout(blemishes: &Blemishes, pearl_mm: f64) -> Vec<Blemish> {
         for blemish in &mut all {
             blemish.half_length_mm *= factor;
             blemish.radius_mm *= factor;
+            blemish.depth_mm *= factor; // slopes stay, and with them how clearly each is seen
         }
     }
     all.retain(|blemish| blemish.radius_mm > 0.0);
@@ -126,6 +127,20 @@ mod tests {
                 .map(|(_, share)| share)
                 .sum();
             assert!((covered / area - 1.0).abs() < 0.03, "{area}: {covered}");
+        }
+    }
+
+    #[test]
+    fn an_area_keeps_the_slopes_of_every_blemish() {
+        let counts = [(Kind::Pit, 20), (Kind::Wrinkle, 5)];
+        let slopes = |area| {
+            let mut slopes: Vec<f64> =
+                of(&counts, area, 3).iter().map(|one| one.depth_mm / one.radius_mm).collect();
+            slopes.sort_by(f64::total_cmp);
+            slopes
+        };
+        for (one, as_stated) in slopes(Some(0.1)).iter().zip(slopes(None)) {
+            assert!((one / as_stated - 1.0).abs() < 1e-12, "{one}: {as_stated}");
         }
     }
 

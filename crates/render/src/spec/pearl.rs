@@ -240,7 +240,7 @@ pub struct BlemishesSpec {
     pub size_mm: f64,
     /// Mean depth or height.
     pub depth_um: f64,
-    /// Share of the pearl that they cover, by which sizes are multiplied, where given.
+    /// Share of the pearl that they cover, by which sizes and depths are multiplied, where given.
     pub area: Option<f64>,
 }
 
