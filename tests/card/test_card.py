@@ -23,7 +23,7 @@ from nacreous.trade import word_of
 
 @pytest.fixture(scope="module")
 def cards() -> list[Card]:
-    return make(["akoya-rg", "paper"], culture="akoya", size=48, samples=1)
+    return make(["akoya-rg", "paper"], culture="akoya", size=128, samples=1)
 
 
 def test_every_word_is_the_tables_for_the_numbers_beside_it(cards: list[Card]) -> None:

@@ -19,6 +19,9 @@ const SMOOTH: f64 = 0.02;
 const LEAST_CONTRAST: f64 = 1.25;
 /// The widest image, half-width of the normal; wider is shading.
 const WIDEST: f64 = 35.0 * PI / 180.0;
+/// The narrowest image, from its middle to half level, in pixels: at half of that, in a picture of half the size, width and
+/// peak are off by 9 to 18 %; from here on by less than 5 (`tests/measure/changes.py`).
+const NARROWEST_PX: f64 = 3.5;
 /// Groups of directions that the jackknife leaves out.
 const GROUPS: usize = 12;
 /// Off the half-level line, to both sides, distinctness compares: of the normal.
@@ -189,6 +192,13 @@ fn measured(
         return Err("the lamp's image runs into the outline".to_owned());
     }
     let pixel = 1.0 / circle.radius_px;
+    let half_width_deg = mean_of(&read.widths, |mean| sqrt(mean).to_degrees());
+    let wide_px = half_width_deg.value.to_radians() * circle.radius_px;
+    if wide_px < NARROWEST_PX {
+        return Err(format!(
+            "the lamp's image is {wide_px:.1} pixels wide from its middle to half level; wanted: {NARROWEST_PX} or more, in a larger picture"
+        ));
+    }
     let (x_px, y_px) = circle.place(highlight.normal);
     let gloss = 100.0 * (1.0 - around.value / peak);
     let gloss_error = around.error.map_or(f64::NAN, |error| 100.0 * error / peak);
@@ -199,7 +209,7 @@ fn measured(
         view_deg: acos(highlight.normal[2].min(1.0)).to_degrees(),
         peak,
         around,
-        half_width_deg: mean_of(&read.widths, |mean| sqrt(mean).to_degrees()),
+        half_width_deg,
         contrast_gloss: Value::new(gloss, gloss_error),
         haze: percent(&read.hazes),
         // Less than a pixel to both sides would measure the camera.

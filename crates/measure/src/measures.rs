@@ -13,6 +13,9 @@ use crate::{Circle, MeasureError, Picture, Value};
 
 /// Above this roundness a pearl is no sphere: GIA's limit of near-round, 5 % of the diameter.
 const ROUND: f64 = 0.05;
+/// A smaller sphere has neither rings nor lamp's image: in a picture of half the size a ring's chroma is then off by up to 7 %,
+/// a peak by 5 (`tests/measure/changes.py`).
+const LEAST_PLACES_PX: f64 = 40.0;
 /// Radius of the copies in which colours, and spots, are looked at, in pixels.
 const COLOUR_PX: f64 = 256.0;
 const SPOTS_PX: f64 = 128.0;
@@ -166,7 +169,12 @@ fn of_sphere(
 ) -> OfSphere {
     let circle = outline.contour.middle;
     let found = lamp_image(picture, white, disc, &circle);
-    let lamp = refused.taken("lamp", found.image);
+    let is_small = circle.radius_px < LEAST_PLACES_PX;
+    let small = || {
+        let radius_px = circle.radius_px.floor();
+        format!("the pearl has {radius_px} pixels of radius; wanted: {LEAST_PLACES_PX} or more")
+    };
+    let lamp = refused.taken("lamp", if is_small { Err(small()) } else { found.image });
     if let Some(image) = &lamp {
         if image.haze.is_none() {
             refused.add("lamp.haze", "the lamp's image lies too near to the outline");
@@ -177,17 +185,13 @@ fn of_sphere(
         }
     }
     let few = || "the lamp's image and clipped light leave too little of the pearl".to_owned();
-    let rings = refused.taken("rings", rings(disc, &circle, found.highlight).ok_or_else(few));
-    let small = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
-    let spots = blemishes(&small, &circle, found.highlight).ok_or_else(few);
+    let rings =
+        if is_small { Err(small()) } else { rings(disc, &circle, found.highlight).ok_or_else(few) };
+    let rings = refused.taken("rings", rings);
+    let copy = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
+    let spots = blemishes(&copy, &circle, found.highlight).ok_or_else(few);
     let blemishes = refused.taken("blemishes", spots);
-    if let Some(none) = blemishes.as_ref().filter(|found| found.count == 0) {
-        let least = none.threshold;
-        let reason = format!(
-            "no spot differs by {least:.1} and more in CIELAB; relief that differs by less cannot be told here"
-        );
-        refused.add("blemishes.relief", &reason);
-    }
+    refused.add_faint(blemishes.as_ref());
     OfSphere { rings, lamp, blemishes }
 }
 
@@ -197,6 +201,16 @@ struct Refusals(Vec<Refused>);
 impl Refusals {
     fn add(&mut self, quantity: &'static str, reason: &str) {
         self.0.push(Refused { quantity, reason: reason.to_owned() });
+    }
+
+    /// Where no spot is found, those that are too faint.
+    fn add_faint(&mut self, found: Option<&Blemishes>) {
+        if let Some(Blemishes { threshold, .. }) = found.filter(|found| found.count == 0) {
+            let reason = format!(
+                "no spot differs by {threshold:.1} and more in CIELAB; relief that differs by less cannot be told here"
+            );
+            self.add("blemishes.relief", &reason);
+        }
     }
 
     fn taken<T>(&mut self, quantity: &'static str, found: Result<T, String>) -> Option<T> {
