@@ -87,6 +87,7 @@ impl LightMap {
     }
 
     /// The light at a place, unless it lies beyond the grid.
+    #[inline]
     pub(crate) fn at(&self, place_mm: [f64; 2]) -> Option<Rgb> {
         let from_mm = [0, 1].map(|i| place_mm[i] - self.corner_mm[i]);
         // Most lie well beyond a small grid, which needs no division.

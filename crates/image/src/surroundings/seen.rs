@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::Rgb,
-    surroundings::{lit::Lit, viewpoint::Viewpoint},
+    surroundings::{lit::Lit, viewpoint::Viewpoint, weave::LANES},
     view::{cone::Cone, ray::Ray},
 };
 
@@ -56,6 +56,20 @@ impl Lit {
     pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Rgb {
         let windows = self.windows.iter().filter(|window| !window.is_clear_of(ray, spread_rad));
         Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, &Cone::round(spread_rad))
+    }
+
+    /// What several rays meet: what [`Self::scenery`] says of each, to the bit.
+    pub(crate) fn sceneries(
+        &self,
+        rays: &[Ray; LANES],
+        spreads_rad: [f64; LANES],
+    ) -> [Rgb; LANES] {
+        let each = || rays.iter().zip(spreads_rad);
+        let is_bare = self.windows.iter().all(|window| {
+            each().all(|(ray, spread_rad)| window.is_clear_of(ray, spread_rad))
+        });
+        let table = if is_bare { self.bare_table(rays, spreads_rad) } else { None };
+        table.unwrap_or_else(|| std::array::from_fn(|i| self.scenery(&rays[i], spreads_rad[i])))
     }
 }
 
