@@ -59,15 +59,12 @@ impl Lit {
     }
 
     /// What several rays meet: what [`Self::scenery`] says of each, to the bit.
-    pub(crate) fn sceneries(
-        &self,
-        rays: &[Ray; LANES],
-        spreads_rad: [f64; LANES],
-    ) -> [Rgb; LANES] {
+    pub(crate) fn sceneries(&self, rays: &[Ray; LANES], spreads_rad: [f64; LANES]) -> [Rgb; LANES] {
         let each = || rays.iter().zip(spreads_rad);
-        let is_bare = self.windows.iter().all(|window| {
-            each().all(|(ray, spread_rad)| window.is_clear_of(ray, spread_rad))
-        });
+        let is_bare = self
+            .windows
+            .iter()
+            .all(|window| each().all(|(ray, spread_rad)| window.is_clear_of(ray, spread_rad)));
         let table = if is_bare { self.bare_table(rays, spreads_rad) } else { None };
         table.unwrap_or_else(|| std::array::from_fn(|i| self.scenery(&rays[i], spreads_rad[i])))
     }

@@ -68,12 +68,12 @@ impl Table {
         let Self::Cloth { colour, second_colour, weave_mm } = *self else {
             return spots.map(|spot| self.albedo(spot.x, spot.z, spot.footprint_mm, spot.slant));
         };
-        let threads = |mm: fn(&Spot) -> f64| spots.each_ref().map(|spot| mm(spot) / weave_mm);
-        let places = [threads(|spot| spot.x), threads(|spot| spot.z)];
-        let widths = [
-            threads(|spot| spot.footprint_mm),
-            threads(|spot| deep_mm(spot.footprint_mm, spot.slant)),
-        ];
+        let (mut places, mut widths) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2]);
+        for (i, Spot { x, z, footprint_mm, slant }) in spots.iter().enumerate() {
+            (places[0][i], places[1][i]) = (x / weave_mm, z / weave_mm);
+            widths[0][i] = footprint_mm / weave_mm;
+            widths[1][i] = deep_mm(*footprint_mm, *slant) / weave_mm;
+        }
         weaves(places, widths).map(|depth| rgb::mix(colour, second_colour, depth))
     }
 }

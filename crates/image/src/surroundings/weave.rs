@@ -19,8 +19,7 @@ pub(super) fn weave([x, z]: [f64; 2], [wide, deep]: [f64; 2]) -> f64 {
     if exponent[0] + exponent[1] > FADED {
         return EVEN;
     }
-    let [depth] = one([[x], [z]], exponent.map(|exponent| [exponent]));
-    depth
+    one(x, z, exponent[0], exponent[1])
 }
 
 /// So many places are looked at side by side.
@@ -47,33 +46,38 @@ fn exponent(width: f64) -> f64 {
 }
 
 #[multiversion(targets("x86_64+avx2"))]
-fn one(places: Axes<1>, exponents: Axes<1>) -> [f64; 1] {
-    depths(places, exponents)
+fn one(x: f64, z: f64, wide: f64, deep: f64) -> f64 {
+    let axes = Harmonics::new([x, z], [wide, deep]);
+    depths(&axes.alone(0), &axes.alone(1))[0]
 }
 
 #[multiversion(targets("x86_64+avx2"))]
 fn several(places: Axes<LANES>, exponents: Axes<LANES>) -> [f64; LANES] {
-    depths(places, exponents)
+    let x = Harmonics::new(places[0], exponents[0]);
+    let z = Harmonics::new(places[1], exponents[1]);
+    depths(&x, &z)
 }
 
 #[inline(always)]
-fn depths<const N: usize>(places: Axes<N>, exponents: Axes<N>) -> [f64; N] {
-    let fade = exponents.map(|exponents| exponential(exponents.map(|exponent| -exponent)));
-    let [x, z] = [0, 1].map(|axis| Harmonics::new(places[axis], fade[axis]));
-    std::array::from_fn(|lane| {
-        let sum = |i: usize, j: usize| {
-            x.cos[i][lane] * z.cos[j][lane] - x.sin[i][lane] * z.sin[j][lane]
-        };
+fn depths<const N: usize>(x: &Harmonics<N>, z: &Harmonics<N>) -> [f64; N] {
+    let mut depths = [EVEN; N];
+    for lane in 0..N {
         let difference = x.cos[0][lane] * z.cos[0][lane] + x.sin[0][lane] * z.sin[0][lane];
-        let mut depth = EVEN - 0.5 / PI * difference;
-        for (i, own) in OWN.iter().enumerate() {
-            depth -= own * sum(i, i);
+        depths[lane] -= 0.5 / PI * difference;
+    }
+    for i in 0..OWN.len() {
+        let sum = x.sum(i, z, i);
+        for lane in 0..N {
+            depths[lane] -= OWN[i] * sum[lane];
         }
-        for (i, other) in OTHER.iter().enumerate() {
-            depth -= other * (sum(i + 1, i) + sum(i, i + 1));
+    }
+    for i in 0..OTHER.len() {
+        let (before, behind) = (x.sum(i + 1, z, i), x.sum(i, z, i + 1));
+        for lane in 0..N {
+            depths[lane] -= OTHER[i] * (before[lane] + behind[lane]);
         }
-        depth
-    })
+    }
+    depths
 }
 
 /// The mean.
@@ -93,10 +97,10 @@ struct Harmonics<const N: usize> {
 }
 
 impl<const N: usize> Harmonics<N> {
-    /// Of angles in half turns.
+    /// Of angles in half turns, the first faded by one over the exponential of an exponent.
     #[inline(always)]
-    fn new(half_turns: [f64; N], fade: [f64; N]) -> Self {
-        let (sin, cos) = circle(half_turns);
+    fn new(half_turns: [f64; N], exponents: [f64; N]) -> Self {
+        let ((sin, cos), fade) = (circle(half_turns), faded(exponents));
         let mut harmonics = Self { cos: [cos; 4], sin: [sin; 4] };
         for lane in 0..N {
             let (sin, cos) = (sin[lane], cos[lane]);
@@ -107,17 +111,41 @@ impl<const N: usize> Harmonics<N> {
                 harmonics.sin[i][lane] = sin * twice_cos + cos * twice_sin;
             }
             // To the power of the square of each order: 1, 9, 25, 49.
-            let square = |x: f64| x * x;
             let fade = fade[lane];
-            let eighth = square(square(square(fade)));
-            let (ninth, sixteenth) = (eighth * fade, square(eighth));
-            let faded = [fade, ninth, sixteenth * ninth, square(sixteenth) * (sixteenth * fade)];
-            for (i, faded) in faded.into_iter().enumerate() {
-                harmonics.cos[i][lane] *= faded;
-                harmonics.sin[i][lane] *= faded;
+            let square = fade * fade;
+            let fourth = square * square;
+            let eighth = fourth * fourth;
+            let (ninth, sixteenth) = (eighth * fade, eighth * eighth);
+            let faded =
+                [fade, ninth, sixteenth * ninth, (sixteenth * sixteenth) * (sixteenth * fade)];
+            for i in 0..4 {
+                harmonics.cos[i][lane] *= faded[i];
+                harmonics.sin[i][lane] *= faded[i];
             }
         }
         harmonics
+    }
+
+    /// Those of one angle.
+    #[inline(always)]
+    fn alone(&self, lane: usize) -> Harmonics<1> {
+        let mut alone = Harmonics { cos: [[0.0]; 4], sin: [[0.0]; 4] };
+        for i in 0..4 {
+            alone.cos[i][0] = self.cos[i][lane];
+            alone.sin[i][0] = self.sin[i][lane];
+        }
+        alone
+    }
+
+    /// The cosines of one harmonic's angle and of one of another's together.
+    #[inline(always)]
+    fn sum(&self, own: usize, other: &Self, others: usize) -> [f64; N] {
+        let mut sum = [0.0; N];
+        for lane in 0..N {
+            sum[lane] = self.cos[own][lane] * other.cos[others][lane]
+                - self.sin[own][lane] * other.sin[others][lane];
+        }
+        sum
     }
 }
 
@@ -128,19 +156,21 @@ const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// Sines and cosines of angles in half turns, far below 1e15. Taylor's series within an eighth of a turn.
 #[inline(always)]
 fn circle<const N: usize>(half_turns: [f64; N]) -> ([f64; N], [f64; N]) {
-    let shifted = half_turns.map(|half_turns| 2.0 * half_turns + WHOLE);
-    let angle: [f64; N] =
-        std::array::from_fn(|i| PI * (half_turns[i] - 0.5 * (shifted[i] - WHOLE)));
-    let square = angle.map(|angle| angle * angle);
+    let (mut shifted, mut angle, mut square) = ([0.0_f64; N], [0.0_f64; N], [0.0; N]);
+    for i in 0..N {
+        shifted[i] = 2.0 * half_turns[i] + WHOLE;
+        angle[i] = PI * (half_turns[i] - 0.5 * (shifted[i] - WHOLE));
+        square[i] = angle[i] * angle[i];
+    }
     let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
-    for term in SINE.iter().rev() {
+    for n in (0..SINE.len()).rev() {
         for lane in 0..N {
-            sine[lane] = sine[lane] * square[lane] + term;
+            sine[lane] = sine[lane] * square[lane] + SINE[n];
         }
     }
-    for term in COSINE.iter().rev() {
+    for n in (0..COSINE.len()).rev() {
         for lane in 0..N {
-            cosine[lane] = cosine[lane] * square[lane] + term;
+            cosine[lane] = cosine[lane] * square[lane] + COSINE[n];
         }
     }
     let (mut turned_sin, mut turned_cos) = ([0.0; N], [0.0; N]);
@@ -155,21 +185,26 @@ fn circle<const N: usize>(half_turns: [f64; N]) -> ([f64; N], [f64; N]) {
     (turned_sin, turned_cos)
 }
 
-/// The exponentials of numbers from -700 to 700: 2 to a whole power, and Taylor's series within half of one. Of others
-/// something, without an error.
+/// One over the exponentials of numbers from 0 to 700: 2 to a whole power, and Taylor's series within half of one. Of
+/// others something, without an error.
 #[inline(always)]
-fn exponential<const N: usize>(x: [f64; N]) -> [f64; N] {
-    let shifted = x.map(|x| x * LOG2_E + WHOLE);
-    let rest: [f64; N] = std::array::from_fn(|i| x[i] - (shifted[i] - WHOLE) * LN_2);
-    let mut series = [0.0; N];
-    for term in EXPONENTIAL.iter().rev() {
+fn faded<const N: usize>(exponents: [f64; N]) -> [f64; N] {
+    let (mut shifted, mut rest, mut series) = ([0.0_f64; N], [0.0_f64; N], [0.0; N]);
+    for i in 0..N {
+        let x = -exponents[i];
+        shifted[i] = x * LOG2_E + WHOLE;
+        rest[i] = x - (shifted[i] - WHOLE) * LN_2;
+    }
+    for n in (0..EXPONENTIAL.len()).rev() {
         for lane in 0..N {
-            series[lane] = series[lane] * rest[lane] + term;
+            series[lane] = series[lane] * rest[lane] + EXPONENTIAL[n];
         }
     }
     // The last bits of what was shifted are the power.
-    let power = shifted.map(|shifted| f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52));
-    std::array::from_fn(|i| series[i] * power[i])
+    for i in 0..N {
+        series[i] *= f64::from_bits(shifted[i].to_bits().wrapping_add(1023) << 52);
+    }
+    series
 }
 
 /// 1 / n! with signs in turn: odd n, even n.
@@ -206,7 +241,7 @@ mod tests {
         for i in 0..2000 {
             let x = f64::from(i) * 0.0137 - 13.0;
             let both = [x, 0.3 - 0.7 * x];
-            let (found, (sin, cos)) = (exponential(both.map(|x| -x.abs())), circle(both));
+            let (found, (sin, cos)) = (faded(both.map(f64::abs)), circle(both));
             for (i, x) in both.into_iter().enumerate() {
                 let exact = libm::exp(-x.abs());
                 assert!((found[i] / exact - 1.0).abs() < 2e-15, "{x}: {} {exact}", found[i]);
