@@ -107,4 +107,19 @@ mod tests {
             assert!((x - column as f64).abs() < 1e-9 && (y - row as f64).abs() < 1e-9, "{knot}");
         }
     }
+
+    #[test]
+    fn all_knots_that_a_cubic_asks_for_have_normals() {
+        let net = Net::new((DVec3::Z, 1.4), 12);
+        for i in 0..20_000 {
+            let (sin, cos) = libm::sincos(f64::from(i));
+            // To the edge and beyond it.
+            let (aside, along) = libm::sincos(1.5 * f64::from(i % 100) / 99.0);
+            let place = net.place(DVec3::new(aside * cos, aside * sin, along));
+            let [left, top] = place.map(|x| x as usize);
+            for (row, column) in (0..16).map(|k| (top + k / 4 - 1, left + k % 4 - 1)) {
+                assert!(net.normal(row * net.side() + column).is_some(), "{place:?}");
+            }
+        }
+    }
 }

@@ -118,4 +118,25 @@ mod tests {
         assert!((seen[0] - 1.0).abs() < 1e-9);
         assert!(surroundings.seen(&ray, &Cone::round(0.01), Some(1))[0] < 1e-9);
     }
+
+    #[test]
+    fn rays_side_by_side_meet_what_each_meets_alone() {
+        let cloth =
+            Table::Cloth { colour: [0.9; 3], second_colour: [0.5, 0.6, 0.7], weave_mm: 0.4 };
+        let ball = glowing(DVec3::ZERO, 4.0);
+        for table in [Some(cloth), WHITE, None] {
+            let lit = Surroundings::new(table, None, EVEN, vec![], vec![ball]).settled(true);
+            // Some of the last look above the table.
+            for i in 0..60 {
+                let along = |k: usize| DVec3::new(0.1 * k as f64, 0.02 * f64::from(i) - 1.0, -0.5);
+                let rays = std::array::from_fn(|k| Ray {
+                    from: DVec3::new(0.0, 9.0, 40.0),
+                    along: along(k).normalize(),
+                });
+                let spreads_rad = [1e-4, 1e-3, 2e-3, 1e-2];
+                let alone = std::array::from_fn(|k| lit.scenery(&rays[k], spreads_rad[k]));
+                assert_eq!(lit.sceneries(&rays, spreads_rad), alone, "{table:?} {i}");
+            }
+        }
+    }
 }

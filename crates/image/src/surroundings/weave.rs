@@ -255,6 +255,20 @@ mod tests {
     }
 
     #[test]
+    fn places_side_by_side_have_the_depths_of_each_alone() {
+        for i in 0..500 {
+            let lane = |k: usize, step: f64| step * (LANES * i + k) as f64;
+            let places = [0.0371, -0.0713].map(|step| std::array::from_fn(|k| lane(k, step)));
+            // The last ones are faded.
+            let widths = [0.0013, 0.0031].map(|step| std::array::from_fn(|k| lane(k, step)));
+            for (k, depth) in weaves(places, widths).into_iter().enumerate() {
+                let alone = weave(places.map(|x| x[k]), widths.map(|width| width[k]));
+                assert_eq!(depth.to_bits(), alone.to_bits(), "{places:?} {widths:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_weave_under_a_footprint_is_its_mean_there() {
         let exact = |x: f64, z: f64| {
             let product = (PI * x).cos() * (PI * z).cos();
