@@ -7,6 +7,7 @@ pub(crate) mod develop;
 pub(crate) mod difference;
 pub(crate) mod finding;
 pub(crate) mod glare;
+pub(crate) mod open;
 pub(crate) mod pixel;
 pub(crate) mod reflections;
 pub(crate) mod resampling;

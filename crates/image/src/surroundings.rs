@@ -18,5 +18,5 @@ pub(crate) mod table;
 pub(crate) mod table_light;
 pub(crate) mod viewpoint;
 pub(crate) mod walls;
-mod weave;
+pub(crate) mod weave;
 pub(crate) mod window;

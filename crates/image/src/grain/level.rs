@@ -67,22 +67,23 @@ impl Level {
     #[inline]
     pub fn at(&self, place: Place) -> Vec3A {
         let (start, across, down) = self.around(place);
-        self.sum(start, cubic_weights(across), cubic_weights(down))
+        stacked(self.rings(start, cubic_weights(across)), cubic_weights(down))
     }
 
     /// The value in a direction, and its gradient on the sphere in directions along the meridian, away from the pole, and
     /// along the parallel, per radian. Close to a pole, where parallels are short, by differences.
     pub fn with_gradient(&self, direction: DVec3) -> Steep {
         let (start, across, down) = self.around(Place::towards(direction));
-        let (along, below) = (cubic_weights(across), cubic_weights(down));
-        let value = self.sum(start, along, below);
+        let (along, below) = (self.rings(start, cubic_weights(across)), cubic_weights(down));
+        let value = stacked(along, below);
         let sine = (direction.x * direction.x + direction.y * direction.y).sqrt();
         if sine < NEAR_POLE {
             return self.by_differences(direction, value);
         }
         let scale = self.rows as f32 / f32::consts::PI;
-        let south = self.sum(start, along, cubic_slopes(down)) * scale;
-        let east = self.sum(start, cubic_slopes(across), below) * (scale / sine as f32);
+        let south = stacked(along, cubic_slopes(down)) * scale;
+        let eastward = self.rings(start, cubic_slopes(across));
+        let east = stacked(eastward, below) * (scale / sine as f32);
         let parallel = DVec3::new(-direction.y, direction.x, 0.0) / sine;
         Steep { value, south, east, meridian: parallel.cross(direction), parallel }
     }
@@ -112,18 +113,26 @@ impl Level {
         (start, across - column as f32, down - row as f32)
     }
 
-    /// Sixteen texels from `start` by their weights across and down.
+    /// Four rings of four texels each from `start`, summed by their weights across.
     #[inline]
-    fn sum(&self, mut start: usize, weights: [f32; 4], below: [f32; 4]) -> Vec3A {
-        let mut sum = Vec3A::ZERO;
-        for weight in below {
-            let ring = &self.texels[start..start + 4];
+    fn rings(&self, start: usize, weights: [f32; 4]) -> [Vec3A; 4] {
+        [0, 1, 2, 3].map(|down| {
+            let first = start + down * (2 * self.rows + WRAP);
+            let ring = &self.texels[first..first + 4];
             let along = weights[0] * ring[0] + weights[1] * ring[1];
-            sum += weight * (along + (weights[2] * ring[2] + weights[3] * ring[3]));
-            start += 2 * self.rows + WRAP;
-        }
-        sum
+            along + (weights[2] * ring[2] + weights[3] * ring[3])
+        })
     }
+}
+
+/// Four rings by their weights down.
+#[inline]
+fn stacked(rings: [Vec3A; 4], weights: [f32; 4]) -> Vec3A {
+    let mut sum = Vec3A::ZERO;
+    for (ring, weight) in rings.into_iter().zip(weights) {
+        sum += weight * ring;
+    }
+    sum
 }
 
 /// A field in a direction, and how it rises there.

@@ -50,16 +50,23 @@ impl Net {
     /// The normal at a knot, by its number in rows. Beyond the edge, where cubics need knots, the edge's goes on; `None`
     /// where none is needed.
     pub(crate) fn normal(&self, knot: usize) -> Option<DVec3> {
-        let at = |i: usize| (i as f64 - (self.half + BORDER) as f64) / self.half as f64;
-        let (x, y) = (at(knot % self.side()), at(knot / self.side()));
-        let radius = (x * x + y * y).sqrt();
-        let needed = 1.0 + 3.0 * (2 * BORDER) as f64 / self.side() as f64;
-        if radius > needed {
+        let (column, row) = (knot % self.side(), knot / self.side());
+        if !self.is_needed(column, row) {
             return None;
         }
+        let at = |i: usize| (i as f64 - (self.half + BORDER) as f64) / self.half as f64;
+        let (x, y) = (at(column), at(row));
+        let radius = (x * x + y * y).sqrt();
         let (sin, cos) = libm::sincos(radius.min(1.0) * self.reach_rad);
         let outward = (self.across[0] * x + self.across[1] * y) / radius.max(1e-12);
         Some(self.axis * cos + outward * sin)
+    }
+
+    /// Whether a cubic for any place within the edge asks for a knot: it takes two to either side, aside and down.
+    fn is_needed(&self, column: usize, row: usize) -> bool {
+        let beyond = |i: usize| ((i as f64 - self.middle()).abs() - BORDER as f64).max(0.0);
+        let (aside, down) = (beyond(column), beyond(row));
+        (aside * aside + down * down).sqrt() < self.half() + 1e-6
     }
 
     /// Where a normal lies in the net, in knots aside and down.
@@ -98,6 +105,21 @@ mod tests {
             let [x, y] = net.place(normal);
             let (column, row) = (knot % net.side(), knot / net.side());
             assert!((x - column as f64).abs() < 1e-9 && (y - row as f64).abs() < 1e-9, "{knot}");
+        }
+    }
+
+    #[test]
+    fn all_knots_that_a_cubic_asks_for_have_normals() {
+        let net = Net::new((DVec3::Z, 1.4), 12);
+        for i in 0..20_000 {
+            let (sin, cos) = libm::sincos(f64::from(i));
+            // To the edge and beyond it.
+            let (aside, along) = libm::sincos(1.5 * f64::from(i % 100) / 99.0);
+            let place = net.place(DVec3::new(aside * cos, aside * sin, along));
+            let [left, top] = place.map(|x| x as usize);
+            for (row, column) in (0..16).map(|k| (top + k / 4 - 1, left + k % 4 - 1)) {
+                assert!(net.normal(row * net.side() + column).is_some(), "{place:?}");
+            }
         }
     }
 }

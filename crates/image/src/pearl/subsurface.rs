@@ -6,6 +6,7 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;
+use multiversion::multiversion;
 use nacreous_colour::matrix::apply;
 
 use crate::{
@@ -103,9 +104,8 @@ impl Subsurface {
             }
         }
         for place in &mut places {
-            for (channel, weights) in passage.leaving_plain().iter().enumerate() {
-                place[BANDS + channel] = dot(weights, place);
-            }
+            let plain = dots(passage.leaving_plain(), place);
+            place[BANDS..BANDS + 3].copy_from_slice(&plain);
         }
         Self { places, rows, passage }
     }
@@ -115,9 +115,10 @@ impl Subsurface {
     pub(crate) fn radiance(&self, outward: DVec3, cos_view: f64, film: FilmAt) -> (Rgb, Rgb) {
         let light = self.light(Place::towards(to_grid(outward)));
         let at = row(cos_view);
-        let whole = self.passage.leaving().between(film, |leaving| {
-            leaving[at].each_ref().map(|weights| f64::from(dot(weights, &light)))
-        });
+        let whole = self
+            .passage
+            .leaving()
+            .between(film, |leaving| dots(&leaving[at], &light).map(f64::from));
         (whole, [0, 1, 2].map(|channel| f64::from(light[BANDS + channel])))
     }
 
@@ -140,15 +141,25 @@ impl Subsurface {
     }
 }
 
-#[inline]
-fn dot(weights: &[f32; BANDS], place: &[f32; PLACE]) -> f32 {
-    let mut sums = [0.0_f32; 8];
-    for (a, b) in weights.chunks_exact(8).zip(place.chunks_exact(8)) {
-        for lane in 0..8 {
-            sums[lane] += a[lane] * b[lane];
+/// What a place's bands come to in three channels.
+#[multiversion(targets("x86_64+avx2"))]
+fn dots(weights: &[[f32; BANDS]; 3], place: &[f32; PLACE]) -> [f32; 3] {
+    let mut sums = [[0.0_f32; 8]; 3];
+    for first in (0..BANDS).step_by(8) {
+        for channel in 0..3 {
+            for lane in 0..8 {
+                sums[channel][lane] += weights[channel][first + lane] * place[first + lane];
+            }
         }
     }
-    sums.iter().sum()
+    let mut wholes = [0.0; 3];
+    for channel in 0..3 {
+        wholes[channel] = sums[channel][0];
+        for lane in 1..8 {
+            wholes[channel] += sums[channel][lane];
+        }
+    }
+    wholes
 }
 
 /// The light around a pearl in waves on the sphere of directions, before it enters.

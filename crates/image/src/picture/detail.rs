@@ -3,6 +3,8 @@
 //! By what is seen and how fine pixels are against it; else samples are compared.
 //! Left out: things so small that all samples miss them.
 
+use crate::rgb::Rgb;
+
 /// What detail there is within a pixel.
 pub(crate) enum Detail {
     /// Light hardly changes over several pixels: one sample will do.
@@ -17,10 +19,37 @@ pub(crate) enum Detail {
     Rim,
 }
 
+/// Between which lights those of some samples lie.
+pub(crate) struct Range {
+    least: Rgb,
+    most: Rgb,
+}
+
+impl Default for Range {
+    fn default() -> Self {
+        Self { least: [f64::INFINITY; 3], most: [f64::NEG_INFINITY; 3] }
+    }
+}
+
+impl Range {
+    pub(crate) fn add(&mut self, light: Rgb) {
+        for channel in 0..3 {
+            self.least[channel] = self.least[channel].min(light[channel]);
+            self.most[channel] = self.most[channel].max(light[channel]);
+        }
+    }
+
+    /// Whether the samples are alike in a picture of that exposure.
+    pub(crate) fn is_narrow(&self, exposure: f64) -> bool {
+        let dark = DARK / exposure;
+        (0..3).all(|i| self.most[i] - self.least[i] <= ALIKE * (self.most[i] + dark))
+    }
+}
+
 /// Samples are alike whose exposed light differs by this share of it, and of some more in the dark: their mean is then
 /// that of all to less than half a step between 8-bit codes (8 pearls in all scenes).
-pub(crate) const ALIKE: f64 = 0.02;
-pub(crate) const DARK: f64 = 0.02;
+const ALIKE: f64 = 0.02;
+const DARK: f64 = 0.02;
 /// So many samples along a side have no edge pass between them unseen.
 pub(crate) const FEWEST_ALIKE: usize = 4;
 /// Pixels of less than this share of a pearl's radius, this share of it from its rim, see no change of what its

@@ -3,14 +3,14 @@
 //! A tent filter two pixels wide by equal weights at uneven places, the same in every pixel **(ours)**.
 //! Left out: random places; nothing that is finer than a sample is left unaveraged.
 
-use std::{ops::Range, sync::Arc};
+use std::sync::Arc;
 
 use crate::{
     parallel,
     pearl::model::Pearl,
     picture::{
         channels::CHANNELS,
-        detail::{ALIKE, DARK, Detail},
+        detail::{Detail, Range},
         pixel::Pixel,
         reflections::{Reflections, pixels_mm},
         tent::{rook, tent, width_between},
@@ -32,12 +32,12 @@ pub struct Sampler {
     pub(super) pearls: Vec<Pearl>,
     pub(super) surroundings: Arc<Lit>,
     camera: Camera,
-    offsets: Vec<f64>,
+    pub(super) offsets: Vec<f64>,
     /// What a sample stands for beside the place of the others.
-    width_px: f64,
+    pub(super) width_px: f64,
     size_px: usize,
     /// Factor on the light in the finished picture.
-    exposure: f64,
+    pub(super) exposure: f64,
     /// Width of a pixel at each ball.
     pub(super) pixel_mm: Vec<f64>,
     pub(super) reflections: Arc<Reflections>,
@@ -78,7 +78,7 @@ impl Sampler {
 
     /// Some rows from the top: linear light, [`CHANNELS`] numbers a pixel. `None` once `progress` says to
     /// stop. Memory: 68 bytes a pixel.
-    pub fn rows(&self, rows: Range<usize>, progress: &Progress) -> Option<Vec<f32>> {
+    pub fn rows(&self, rows: std::ops::Range<usize>, progress: &Progress) -> Option<Vec<f32>> {
         let width = self.size_px * CHANNELS;
         let mut pixels = vec![0.0_f32; rows.len() * width];
         parallel::map_chunks(&mut pixels, width, |row, out| {
@@ -142,6 +142,9 @@ impl Sampler {
                     view.brighten(self.offsets.len() as f64);
                 }
             }
+            Detail::Unknown if view.balls.is_empty() => {
+                view.behind = self.open((row, column), &mut view.lights);
+            }
             Detail::Unknown if self.few((row, column), true, view) => {
                 view.brighten(self.offsets.len() as f64);
                 self.lay_rings((row, column), view);
@@ -165,20 +168,16 @@ impl Sampler {
     /// a straight line; whether they are alike.
     fn few(&self, (row, column): (usize, usize), spread: bool, view: &mut View) -> bool {
         let side = self.offsets.len();
-        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut range = Range::default();
         for (i, &down) in self.offsets.iter().enumerate() {
             let j = rook(i, side);
             let (x, y) = self.place(row, column, down, self.offsets[j]);
             // Alone, the samples share all facets out among themselves.
             let part = if spread { (i * side + j, side * side) } else { (i, side) };
             let light = self.sample(&self.camera.ray(x, y), (self.weight(), part), view);
-            for channel in 0..3 {
-                least[channel] = least[channel].min(light[channel]);
-                most[channel] = most[channel].max(light[channel]);
-            }
+            range.add(light);
         }
-        let dark = DARK / self.exposure;
-        (0..3).all(|i| most[i] - least[i] <= ALIKE * (most[i] + dark))
+        range.is_narrow(self.exposure)
     }
 
     /// All samples.
@@ -213,7 +212,7 @@ impl Sampler {
     }
 
     /// The share of a pixel that each of all its samples stands for.
-    fn weight(&self) -> f64 {
+    pub(super) fn weight(&self) -> f64 {
         1.0 / self.offsets.len().pow(2) as f64
     }
 
@@ -233,10 +232,15 @@ impl Sampler {
 
     /// Adds what a line of sight, so many pixels wide, shows behind all pearls. Gives its light.
     pub(super) fn behind(&self, ray: &Ray, weight: f64, width_px: f64, view: &mut View) -> Rgb {
-        let pixel_rad = self.camera.cell_mm(self.size_px) / self.camera.reach_mm(ray);
-        let light = self.surroundings.scenery(ray, width_px * pixel_rad);
+        let light = self.surroundings.scenery(ray, self.wide_rad(ray, width_px));
         rgb::add(&mut view.behind, rgb::scaled(light, weight));
         light
+    }
+
+    /// The angle that so many pixels are seen in.
+    pub(super) fn wide_rad(&self, ray: &Ray, width_px: f64) -> f64 {
+        let pixel_rad = self.camera.cell_mm(self.size_px) / self.camera.reach_mm(ray);
+        width_px * pixel_rad
     }
 
     /// Where a line of sight meets the first ball of a view, by place in it.

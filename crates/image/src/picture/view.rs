@@ -23,6 +23,8 @@ pub(super) struct View {
     pub(super) parts: Vec<Pixel>,
     /// Light of what lies behind them all.
     pub(super) behind: Rgb,
+    /// Light of the samples of a pixel that shows no pearl.
+    pub(super) lights: Vec<Rgb>,
     /// How the surface of the only ball is bent, where that is known: it hardly changes within a pixel.
     pub(super) bend: Option<[f64; 2]>,
     /// The nearest and the farthest place of it that were seen.

@@ -7,7 +7,11 @@ use glam::DVec3;
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::{lit::Lit, table::Table},
+    surroundings::{
+        lit::Lit,
+        table::{Spot, Table},
+        weave::LANES,
+    },
     view::{cone::Cone, ray::Ray},
 };
 
@@ -49,6 +53,26 @@ impl Lit {
         }
     }
 
+    /// What several rays meet of the table, where nothing stands before it: what [`Self::ground`] says of each, to the bit.
+    pub(super) fn bare_table(
+        &self,
+        rays: &[Ray; LANES],
+        spreads_rad: [f64; LANES],
+    ) -> Option<[Rgb; LANES]> {
+        let table = self.table.as_ref()?;
+        let (mut points, mut spots) = ([DVec3::ZERO; LANES], [Spot::default(); LANES]);
+        for (i, ray) in rays.iter().enumerate() {
+            let distance_mm = distance_down(ray, self.table_y_mm)?;
+            let wall = self.walls.and_then(|walls| walls.ahead(ray, self.table_y_mm));
+            if wall.is_some_and(|(wall_mm, _)| wall_mm <= distance_mm) {
+                return None;
+            }
+            (points[i], spots[i]) = spot(ray, distance_mm, spreads_rad[i]);
+        }
+        let albedos = table.albedos(&spots);
+        Some(std::array::from_fn(|i| rgb::times(albedos[i], self.light_on_table(points[i]))))
+    }
+
     /// The table and how far off a ray meets it, were there no walls.
     pub(super) fn table_ahead(&self, ray: &Ray) -> Option<(&Table, f64)> {
         Some((self.table.as_ref()?, distance_down(ray, self.table_y_mm)?))
@@ -60,11 +84,17 @@ impl Lit {
     }
 
     fn table_radiance(&self, table: &Table, ray: &Ray, distance_mm: f64, spread_rad: f64) -> Rgb {
-        let point = ray.from + ray.along * distance_mm;
-        let footprint_mm = distance_mm.min(FOOTPRINT_LIMIT_MM) * spread_rad;
-        let albedo = table.albedo(point.x, point.z, footprint_mm, -ray.along.y);
+        let (point, Spot { x, z, footprint_mm, slant }) = spot(ray, distance_mm, spread_rad);
+        let albedo = table.albedo(x, z, footprint_mm, slant);
         rgb::times(albedo, self.light_on_table(point))
     }
+}
+
+/// Where a ray meets the table so far off, and how.
+fn spot(ray: &Ray, distance_mm: f64, spread_rad: f64) -> (DVec3, Spot) {
+    let point = ray.from + ray.along * distance_mm;
+    let footprint_mm = distance_mm.min(FOOTPRINT_LIMIT_MM) * spread_rad;
+    (point, Spot { x: point.x, z: point.z, footprint_mm, slant: -ray.along.y })
 }
 
 /// Beyond this a flat table is one colour; it keeps a ray along the horizon finite.

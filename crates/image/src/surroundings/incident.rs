@@ -53,8 +53,8 @@ impl Surroundings {
         for window in &self.windows {
             let factor = window.form_factor(point, normal);
             if factor > 0.0 {
-                let (toward, cone_rad) = window.cone(point);
-                let behind = self.sky.radiance(toward, cone_rad);
+                let behind =
+                    self.sky.radiance_within(window.toward(point), || window.cone(point).1);
                 let past = if shadows { self.window_past(window, point, normal) } else { 1.0 };
                 for i in 0..3 {
                     light[i] += (window.radiance[i] - behind[i]) * factor * past;

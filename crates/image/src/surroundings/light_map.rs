@@ -87,13 +87,19 @@ impl LightMap {
     }
 
     /// The light at a place, unless it lies beyond the grid.
-    pub(crate) fn at(&self, place_mm: [f64; 2]) -> Option<Rgb> {
-        let from_mm = [0, 1].map(|i| place_mm[i] - self.corner_mm[i]);
+    #[inline]
+    pub(crate) fn at(&self, [x_mm, y_mm]: [f64; 2]) -> Option<Rgb> {
+        self.between(x_mm, y_mm)
+    }
+
+    /// The same. Numbers one by one come in registers, and lines of sight ask for millions.
+    fn between(&self, x_mm: f64, y_mm: f64) -> Option<Rgb> {
+        let from_mm = [x_mm - self.corner_mm[0], y_mm - self.corner_mm[1]];
         // Most lie well beyond a small grid, which needs no division.
         if from_mm[0] > self.beyond_mm[0] || from_mm[1] > self.beyond_mm[1] {
             return None;
         }
-        let [x, y] = [0, 1].map(|i| from_mm[i] / self.step_mm[i]);
+        let (x, y) = (from_mm[0] / self.step_mm[0], from_mm[1] / self.step_mm[1]);
         if !(x >= 0.0 && y >= 0.0) {
             return None;
         }

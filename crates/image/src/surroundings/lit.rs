@@ -88,6 +88,7 @@ impl Lit {
 
     /// Radiance of a white matt table at `point`: lamps past the pearls, the sky beside them, and where
     /// they hide it, their own glow.
+    #[inline]
     pub(crate) fn light_on_table(&self, point: DVec3) -> Rgb {
         let known = self.table_lights.iter().find_map(|light| light.at([point.x, point.z]));
         let mut light = known.unwrap_or_else(|| self.soft_light_on_table(point));

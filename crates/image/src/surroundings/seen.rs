@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::{
     rgb::Rgb,
-    surroundings::{lit::Lit, viewpoint::Viewpoint},
+    surroundings::{lit::Lit, viewpoint::Viewpoint, weave::LANES},
     view::{cone::Cone, ray::Ray},
 };
 
@@ -56,6 +56,17 @@ impl Lit {
     pub fn scenery(&self, ray: &Ray, spread_rad: f64) -> Rgb {
         let windows = self.windows.iter().filter(|window| !window.is_clear_of(ray, spread_rad));
         Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, &Cone::round(spread_rad))
+    }
+
+    /// What several rays meet: what [`Self::scenery`] says of each, to the bit.
+    pub(crate) fn sceneries(&self, rays: &[Ray; LANES], spreads_rad: [f64; LANES]) -> [Rgb; LANES] {
+        let each = || rays.iter().zip(spreads_rad);
+        let is_bare = self
+            .windows
+            .iter()
+            .all(|window| each().all(|(ray, spread_rad)| window.is_clear_of(ray, spread_rad)));
+        let table = if is_bare { self.bare_table(rays, spreads_rad) } else { None };
+        table.unwrap_or_else(|| std::array::from_fn(|i| self.scenery(&rays[i], spreads_rad[i])))
     }
 }
 
@@ -106,5 +117,26 @@ mod tests {
         let seen = surroundings.seen(&ray, &Cone::round(0.01), Some(0));
         assert!((seen[0] - 1.0).abs() < 1e-9);
         assert!(surroundings.seen(&ray, &Cone::round(0.01), Some(1))[0] < 1e-9);
+    }
+
+    #[test]
+    fn rays_side_by_side_meet_what_each_meets_alone() {
+        let cloth =
+            Table::Cloth { colour: [0.9; 3], second_colour: [0.5, 0.6, 0.7], weave_mm: 0.4 };
+        let ball = glowing(DVec3::ZERO, 4.0);
+        for table in [Some(cloth), WHITE, None] {
+            let lit = Surroundings::new(table, None, EVEN, vec![], vec![ball]).settled(true);
+            // Some of the last look above the table.
+            for i in 0..60 {
+                let along = |k: usize| DVec3::new(0.1 * k as f64, 0.02 * f64::from(i) - 1.0, -0.5);
+                let rays = std::array::from_fn(|k| Ray {
+                    from: DVec3::new(0.0, 9.0, 40.0),
+                    along: along(k).normalize(),
+                });
+                let spreads_rad = [1e-4, 1e-3, 2e-3, 1e-2];
+                let alone = std::array::from_fn(|k| lit.scenery(&rays[k], spreads_rad[k]));
+                assert_eq!(lit.sceneries(&rays, spreads_rad), alone, "{table:?} {i}");
+            }
+        }
     }
 }

@@ -55,12 +55,17 @@ impl Sky {
 
     /// Radiance from the direction `along`, averaged over about `spread_rad`.
     pub fn radiance(&self, along: DVec3, spread_rad: f64) -> Rgb {
+        self.radiance_within(along, || spread_rad)
+    }
+
+    /// The same, where the angle is worked out if it counts.
+    pub(crate) fn radiance_within(&self, along: DVec3, spread_rad: impl FnOnce() -> f64) -> Rgb {
         match self {
             Self::Gradient { horizon, zenith } => {
                 rgb::mix(*horizon, *zenith, along.y.max(0.0).sqrt())
             }
             Self::Panorama { picture, rotation_rad, intensity } => {
-                rgb::scaled(picture.radiance(along, *rotation_rad, spread_rad), *intensity)
+                rgb::scaled(picture.radiance(along, *rotation_rad, spread_rad()), *intensity)
             }
         }
     }

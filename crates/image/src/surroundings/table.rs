@@ -5,8 +5,17 @@
 
 use crate::{
     rgb::{self, Rgb},
-    surroundings::weave::weave,
+    surroundings::weave::{LANES, weave, weaves},
 };
+
+/// Where a line of sight meets a table, and how.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Spot {
+    pub(super) x: f64,
+    pub(super) z: f64,
+    pub(super) footprint_mm: f64,
+    pub(super) slant: f64,
+}
 
 /// What the table is covered with. Colours are shares of light sent back, linear RGB.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +48,7 @@ impl Table {
     ///
     /// The stretch is along the viewer's depth, so it is right for azimuth 0 and an estimate elsewhere.
     pub fn albedo(&self, x: f64, z: f64, footprint_mm: f64, slant: f64) -> Rgb {
-        let deep_mm = footprint_mm / slant.max(0.02);
+        let deep_mm = deep_mm(footprint_mm, slant);
         match *self {
             Self::Plain(colour) => colour,
             Self::Checker { colour, second_colour, check_mm } => {
@@ -53,6 +62,25 @@ impl Table {
             }
         }
     }
+
+    /// [`Self::albedo`] at several places, to the bit.
+    pub(super) fn albedos(&self, spots: &[Spot; LANES]) -> [Rgb; LANES] {
+        let Self::Cloth { colour, second_colour, weave_mm } = *self else {
+            return spots.map(|spot| self.albedo(spot.x, spot.z, spot.footprint_mm, spot.slant));
+        };
+        let (mut places, mut widths) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2]);
+        for (i, Spot { x, z, footprint_mm, slant }) in spots.iter().enumerate() {
+            (places[0][i], places[1][i]) = (x / weave_mm, z / weave_mm);
+            widths[0][i] = footprint_mm / weave_mm;
+            widths[1][i] = deep_mm(*footprint_mm, *slant) / weave_mm;
+        }
+        weaves(places, widths).map(|depth| rgb::mix(colour, second_colour, depth))
+    }
+}
+
+/// A footprint as a line of sight at a slant stretches it.
+fn deep_mm(footprint_mm: f64, slant: f64) -> f64 {
+    footprint_mm / slant.max(0.02)
 }
 
 /// +1 and -1 in turn with period 2, averaged over a box of `width` around `x`.

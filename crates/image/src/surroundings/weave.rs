@@ -14,26 +14,74 @@ use multiversion::multiversion;
 ///
 /// With p = cos(pi x) cos(pi z) and c = cos(pi (x + z)) it is 1/2 - p |c| / 2, here by the cosines of its Fourier series,
 /// each faded by the Gaussian; where all are kept, they are right to 0.02.
-#[multiversion(targets("x86_64+avx2"))]
-pub(super) fn weave(place: [f64; 2], widths: [f64; 2]) -> f64 {
-    let exponent = widths.map(|width| 0.5 * (PI * 0.25 * width).powi(2));
+pub(super) fn weave([x, z]: [f64; 2], [wide, deep]: [f64; 2]) -> f64 {
+    let exponent = [exponent(wide), exponent(deep)];
     if exponent[0] + exponent[1] > FADED {
-        return 0.5;
+        return EVEN;
     }
-    let wave = Harmonics::new(place, exponential(exponent.map(|exponent| -exponent)));
-    let sum =
-        |i: usize, j: usize| wave.cos[i][0] * wave.cos[j][1] - wave.sin[i][0] * wave.sin[j][1];
-    let difference = wave.cos[0][0] * wave.cos[0][1] + wave.sin[0][0] * wave.sin[0][1];
-    let mut depth = 0.5 - 0.5 / PI * difference;
-    for (i, own) in OWN.iter().enumerate() {
-        depth -= own * sum(i, i);
-    }
-    for (i, other) in OTHER.iter().enumerate() {
-        depth -= other * (sum(i + 1, i) + sum(i, i + 1));
-    }
-    depth
+    one(x, z, exponent[0], exponent[1])
 }
 
+/// So many places are looked at side by side.
+pub(crate) const LANES: usize = 4;
+
+/// [`weave`] at several places, each axis in turn: the same numbers, to the bit.
+pub(super) fn weaves(places: Axes<LANES>, widths: Axes<LANES>) -> [f64; LANES] {
+    let exponents = widths.map(|widths| widths.map(exponent));
+    let is_even: [bool; LANES] =
+        std::array::from_fn(|lane| exponents[0][lane] + exponents[1][lane] > FADED);
+    if is_even == [true; LANES] {
+        return [EVEN; LANES];
+    }
+    let depths = several(places, exponents);
+    std::array::from_fn(|lane| if is_even[lane] { EVEN } else { depths[lane] })
+}
+
+/// Along x and along z, of places side by side.
+pub(super) type Axes<const N: usize> = [[f64; N]; 2];
+
+/// How a Gaussian as wide as an even disc fades the first harmonic.
+fn exponent(width: f64) -> f64 {
+    0.5 * (PI * 0.25 * width).powi(2)
+}
+
+#[multiversion(targets("x86_64+avx2"))]
+fn one(x: f64, z: f64, wide: f64, deep: f64) -> f64 {
+    let axes = Harmonics::new([x, z], [wide, deep]);
+    depths(&axes.alone(0), &axes.alone(1))[0]
+}
+
+#[multiversion(targets("x86_64+avx2"))]
+fn several(places: Axes<LANES>, exponents: Axes<LANES>) -> [f64; LANES] {
+    let x = Harmonics::new(places[0], exponents[0]);
+    let z = Harmonics::new(places[1], exponents[1]);
+    depths(&x, &z)
+}
+
+#[inline(always)]
+fn depths<const N: usize>(x: &Harmonics<N>, z: &Harmonics<N>) -> [f64; N] {
+    let mut depths = [EVEN; N];
+    for lane in 0..N {
+        let difference = x.cos[0][lane] * z.cos[0][lane] + x.sin[0][lane] * z.sin[0][lane];
+        depths[lane] -= 0.5 / PI * difference;
+    }
+    for i in 0..OWN.len() {
+        let sum = x.sum(i, z, i);
+        for lane in 0..N {
+            depths[lane] -= OWN[i] * sum[lane];
+        }
+    }
+    for i in 0..OTHER.len() {
+        let (before, behind) = (x.sum(i + 1, z, i), x.sum(i, z, i + 1));
+        for lane in 0..N {
+            depths[lane] -= OTHER[i] * (before[lane] + behind[lane]);
+        }
+    }
+    depths
+}
+
+/// The mean.
+const EVEN: f64 = 0.5;
 /// Of cos t |cos t| / 4, the odd harmonics.
 const OWN: [f64; 4] =
     [2.0 / (3.0 * PI), 2.0 / (15.0 * PI), -2.0 / (105.0 * PI), 2.0 / (315.0 * PI)];
@@ -42,88 +90,121 @@ const OTHER: [f64; 3] = [0.5 / (3.0 * PI), -0.5 / (15.0 * PI), 0.5 / (35.0 * PI)
 /// Beyond this exponent of a Gaussian a weave is even: of its contrast a thousandth is left.
 const FADED: f64 = 6.9;
 
-/// Odd harmonics of two angles side by side, each faded as a Gaussian fades it: the first, third, fifth and seventh.
-struct Harmonics {
-    cos: [[f64; 2]; 4],
-    sin: [[f64; 2]; 4],
+/// Odd harmonics of angles side by side, each faded as a Gaussian fades it: the first, third, fifth and seventh.
+struct Harmonics<const N: usize> {
+    cos: [[f64; N]; 4],
+    sin: [[f64; N]; 4],
 }
 
-impl Harmonics {
-    /// Of angles in half turns.
+impl<const N: usize> Harmonics<N> {
+    /// Of angles in half turns, the first faded by one over the exponential of an exponent.
     #[inline(always)]
-    fn new(half_turns: [f64; 2], fade: [f64; 2]) -> Self {
-        let (sin, cos) = circle(half_turns);
+    fn new(half_turns: [f64; N], exponents: [f64; N]) -> Self {
+        let ((sin, cos), fade) = (circle(half_turns), faded(exponents));
         let mut harmonics = Self { cos: [cos; 4], sin: [sin; 4] };
-        for axis in 0..2 {
-            let (sin, cos) = (sin[axis], cos[axis]);
+        for lane in 0..N {
+            let (sin, cos) = (sin[lane], cos[lane]);
             let (twice_cos, twice_sin) = (cos * cos - sin * sin, 2.0 * sin * cos);
             for i in 1..4 {
-                let (cos, sin) = (harmonics.cos[i - 1][axis], harmonics.sin[i - 1][axis]);
-                harmonics.cos[i][axis] = cos * twice_cos - sin * twice_sin;
-                harmonics.sin[i][axis] = sin * twice_cos + cos * twice_sin;
+                let (cos, sin) = (harmonics.cos[i - 1][lane], harmonics.sin[i - 1][lane]);
+                harmonics.cos[i][lane] = cos * twice_cos - sin * twice_sin;
+                harmonics.sin[i][lane] = sin * twice_cos + cos * twice_sin;
             }
             // To the power of the square of each order: 1, 9, 25, 49.
-            let square = |x: f64| x * x;
-            let fade = fade[axis];
-            let eighth = square(square(square(fade)));
-            let (ninth, sixteenth) = (eighth * fade, square(eighth));
-            let faded = [fade, ninth, sixteenth * ninth, square(sixteenth) * (sixteenth * fade)];
-            for (i, faded) in faded.into_iter().enumerate() {
-                harmonics.cos[i][axis] *= faded;
-                harmonics.sin[i][axis] *= faded;
+            let fade = fade[lane];
+            let square = fade * fade;
+            let fourth = square * square;
+            let eighth = fourth * fourth;
+            let (ninth, sixteenth) = (eighth * fade, eighth * eighth);
+            let faded =
+                [fade, ninth, sixteenth * ninth, (sixteenth * sixteenth) * (sixteenth * fade)];
+            for i in 0..4 {
+                harmonics.cos[i][lane] *= faded[i];
+                harmonics.sin[i][lane] *= faded[i];
             }
         }
         harmonics
     }
+
+    /// Those of one angle.
+    #[inline(always)]
+    fn alone(&self, lane: usize) -> Harmonics<1> {
+        let mut alone = Harmonics { cos: [[0.0]; 4], sin: [[0.0]; 4] };
+        for i in 0..4 {
+            alone.cos[i][0] = self.cos[i][lane];
+            alone.sin[i][0] = self.sin[i][lane];
+        }
+        alone
+    }
+
+    /// The cosines of one harmonic's angle and of one of another's together.
+    #[inline(always)]
+    fn sum(&self, own: usize, other: &Self, others: usize) -> [f64; N] {
+        let mut sum = [0.0; N];
+        for lane in 0..N {
+            sum[lane] = self.cos[own][lane] * other.cos[others][lane]
+                - self.sin[own][lane] * other.sin[others][lane];
+        }
+        sum
+    }
 }
 
-/// Added and taken away again, it leaves the nearest whole number: beyond it a number has no fraction.
+/// Added and taken away again, it leaves the nearest whole number, and that number in the last bits of the sum: beyond it
+/// a number has no fraction.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// Sines and cosines of two angles in half turns, far below 1e15. Taylor's series within an eighth of a turn.
+/// Sines and cosines of angles in half turns, far below 1e15. Taylor's series within an eighth of a turn.
 #[inline(always)]
-fn circle(half_turns: [f64; 2]) -> ([f64; 2], [f64; 2]) {
-    let shifted = half_turns.map(|half_turns| 2.0 * half_turns + WHOLE);
-    let angle = [0, 1].map(|i| PI * (half_turns[i] - 0.5 * (shifted[i] - WHOLE)));
-    // Both series of both angles side by side; the sine's lacks the last term.
-    let square = [0, 1, 0, 1].map(|i: usize| angle[i] * angle[i]);
-    let mut sum = [0.0; 4];
-    for n in (0..COSINE.len()).rev() {
-        let sine = if n < SINE.len() { SINE[n] } else { 0.0 };
-        let terms = [sine, sine, COSINE[n], COSINE[n]];
-        for lane in 0..4 {
-            sum[lane] = sum[lane] * square[lane] + terms[lane];
+fn circle<const N: usize>(half_turns: [f64; N]) -> ([f64; N], [f64; N]) {
+    let (mut shifted, mut angle, mut square) = ([0.0_f64; N], [0.0_f64; N], [0.0; N]);
+    for i in 0..N {
+        shifted[i] = 2.0 * half_turns[i] + WHOLE;
+        angle[i] = PI * (half_turns[i] - 0.5 * (shifted[i] - WHOLE));
+        square[i] = angle[i] * angle[i];
+    }
+    let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
+    for n in (0..SINE.len()).rev() {
+        for lane in 0..N {
+            sine[lane] = sine[lane] * square[lane] + SINE[n];
         }
     }
-    let turned = [0, 1].map(|i| {
-        let (sin, cos) = (angle[i] * sum[i], sum[i + 2]);
-        // Quarter turns are in the last bits of what was shifted.
-        match shifted[i].to_bits() & 3 {
-            0 => (sin, cos),
-            1 => (cos, -sin),
-            2 => (-sin, -cos),
-            _ => (-cos, sin),
+    for n in (0..COSINE.len()).rev() {
+        for lane in 0..N {
+            cosine[lane] = cosine[lane] * square[lane] + COSINE[n];
         }
-    });
-    (turned.map(|(sin, _)| sin), turned.map(|(_, cos)| cos))
+    }
+    let (mut turned_sin, mut turned_cos) = ([0.0; N], [0.0; N]);
+    for i in 0..N {
+        let (sin, cos) = (angle[i] * sine[i], cosine[i]);
+        // The number of quarter turns: odd ones change places, and the sign's bit is that of two.
+        let quarters = shifted[i].to_bits();
+        let (a, b) = if quarters & 1 == 0 { (sin, cos) } else { (cos, sin) };
+        turned_sin[i] = f64::from_bits(a.to_bits() ^ ((quarters & 2) << 62));
+        turned_cos[i] = f64::from_bits(b.to_bits() ^ ((quarters.wrapping_add(1) & 2) << 62));
+    }
+    (turned_sin, turned_cos)
 }
 
-/// The exponentials of two numbers from -700 to 700: 2 to a whole power, and Taylor's series within half of one.
+/// One over the exponentials of numbers from 0 to 700: 2 to a whole power, and Taylor's series within half of one. Of
+/// others something, without an error.
 #[inline(always)]
-fn exponential(x: [f64; 2]) -> [f64; 2] {
-    let shifted = x.map(|x| x * LOG2_E + WHOLE);
-    let power = shifted.map(|shifted| shifted - WHOLE);
-    let rest = [0, 1].map(|i| x[i] - power[i] * LN_2);
-    let mut series = [0.0; 2];
-    for term in EXPONENTIAL.iter().rev() {
-        for lane in 0..2 {
-            series[lane] = series[lane] * rest[lane] + term;
+fn faded<const N: usize>(exponents: [f64; N]) -> [f64; N] {
+    let (mut shifted, mut rest, mut series) = ([0.0_f64; N], [0.0_f64; N], [0.0; N]);
+    for i in 0..N {
+        let x = -exponents[i];
+        shifted[i] = x * LOG2_E + WHOLE;
+        rest[i] = x - (shifted[i] - WHOLE) * LN_2;
+    }
+    for n in (0..EXPONENTIAL.len()).rev() {
+        for lane in 0..N {
+            series[lane] = series[lane] * rest[lane] + EXPONENTIAL[n];
         }
     }
-    [0, 1].map(|i| {
-        let biased = (power[i] as i64 + 1023) as u64;
-        series[i] * f64::from_bits(biased << 52)
-    })
+    // The last bits of what was shifted are the power.
+    for i in 0..N {
+        series[i] *= f64::from_bits(shifted[i].to_bits().wrapping_add(1023) << 52);
+    }
+    series
 }
 
 /// 1 / n! with signs in turn: odd n, even n.
@@ -160,7 +241,7 @@ mod tests {
         for i in 0..2000 {
             let x = f64::from(i) * 0.0137 - 13.0;
             let both = [x, 0.3 - 0.7 * x];
-            let (found, (sin, cos)) = (exponential(both.map(|x| -x.abs())), circle(both));
+            let (found, (sin, cos)) = (faded(both.map(f64::abs)), circle(both));
             for (i, x) in both.into_iter().enumerate() {
                 let exact = libm::exp(-x.abs());
                 assert!((found[i] / exact - 1.0).abs() < 2e-15, "{x}: {} {exact}", found[i]);
@@ -169,6 +250,20 @@ mod tests {
                     (sin[i] - law_sin).abs() < 1e-14 && (cos[i] - law_cos).abs() < 1e-14,
                     "{x}"
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn places_side_by_side_have_the_depths_of_each_alone() {
+        for i in 0..500 {
+            let lane = |k: usize, step: f64| step * (LANES * i + k) as f64;
+            let places = [0.0371, -0.0713].map(|step| std::array::from_fn(|k| lane(k, step)));
+            // The last ones are faded.
+            let widths = [0.0013, 0.0031].map(|step| std::array::from_fn(|k| lane(k, step)));
+            for (k, depth) in weaves(places, widths).into_iter().enumerate() {
+                let alone = weave(places.map(|x| x[k]), widths.map(|width| width[k]));
+                assert_eq!(depth.to_bits(), alone.to_bits(), "{places:?} {widths:?}");
             }
         }
     }

@@ -116,9 +116,14 @@ impl Window {
         self.form_factor(point, (self.centre - point).normalize_or_zero())
     }
 
-    /// Unit vector from `point` to the middle, and the angular radius of a cone around the whole window.
+    /// Unit vector from `point` to the middle.
+    pub(crate) fn toward(&self, point: DVec3) -> DVec3 {
+        (self.centre - point).normalize_or_zero()
+    }
+
+    /// The same, and the angular radius of a cone around the whole window.
     pub(crate) fn cone(&self, point: DVec3) -> (DVec3, f64) {
-        let toward = (self.centre - point).normalize_or_zero();
+        let toward = self.toward(point);
         let cosine = |corner: DVec3| corner.normalize_or_zero().dot(toward);
         let least = self.corners(point).into_iter().map(cosine).fold(1.0, f64::min);
         (toward, libm::acos(least.clamp(-1.0, 1.0)))
