@@ -6,7 +6,6 @@
 use crate::{
     picture::{detail::Range, sampler::Sampler, tent::rook},
     rgb::{self, Rgb},
-    surroundings::weave::LANES,
 };
 
 impl Sampler {
@@ -37,23 +36,10 @@ impl Sampler {
     /// Puts what some samples of a pixel show, by number, into its lights.
     fn look(&self, at: (usize, usize), samples: impl Iterator<Item = usize>, lights: &mut [Rgb]) {
         let side = self.samples_side();
-        let ray =
-            |sample: usize| self.ray(at, self.offsets[sample / side], self.offsets[sample % side]);
-        let mut samples = samples.peekable();
-        while let Some(&first) = samples.peek() {
-            // Where fewer are left, the first counts for those that are missing.
-            let (mut numbers, mut wide_rad) = ([first; LANES], [0.0; LANES]);
-            let mut rays = [ray(first); LANES];
-            for i in 0..LANES {
-                if let Some(sample) = samples.next() {
-                    (numbers[i], rays[i]) = (sample, ray(sample));
-                }
-                wide_rad[i] = self.wide_rad(&rays[i], self.width_px);
-            }
-            let seen = self.surroundings.sceneries(&rays, wide_rad);
-            for (number, light) in numbers.into_iter().zip(seen) {
-                lights[number] = light;
-            }
-        }
+        let rays = samples.map(|sample| {
+            let ray = self.ray(at, self.offsets[sample / side], self.offsets[sample % side]);
+            (sample, ray, self.wide_rad(&ray, self.width_px))
+        });
+        self.surroundings.each_scenery(rays, |sample, light| lights[sample] = light);
     }
 }

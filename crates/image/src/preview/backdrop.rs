@@ -27,15 +27,15 @@ impl Backdrop {
                 camera.off_row_mm(y, place.centre) < place.radius_mm
             };
             let balls: Vec<usize> = (0..pixel_mm.len()).filter(near).collect();
-            for (column, pixel) in pixels.iter_mut().enumerate() {
+            let rays = (0..size_px).filter_map(|column| {
                 let ray = camera.ray((column as f64 + 0.5 - middle) / middle, y);
                 let hides = |ball: &usize| is_hidden(surroundings, *ball, &ray, pixel_mm[*ball]);
-                if !balls.iter().any(hides) {
-                    let pixel_rad = camera.cell_mm(size_px) / camera.reach_mm(&ray);
-                    let seen = surroundings.scenery(&ray, pixel_rad);
-                    *pixel = seen.map(|channel| channel as f32);
-                }
-            }
+                let pixel_rad = camera.cell_mm(size_px) / camera.reach_mm(&ray);
+                (!balls.iter().any(hides)).then_some((column, ray, pixel_rad))
+            });
+            surroundings.each_scenery(rays, |column, light| {
+                pixels[column] = light.map(|channel| channel as f32);
+            });
         });
         Self(light)
     }

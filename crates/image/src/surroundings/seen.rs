@@ -58,8 +58,30 @@ impl Lit {
         Viewpoint::new(self, windows, ray.from, None).scenery(ray.along, &Cone::round(spread_rad))
     }
 
-    /// What several rays meet: what [`Self::scenery`] says of each, to the bit.
-    pub(crate) fn sceneries(&self, rays: &[Ray; LANES], spreads_rad: [f64; LANES]) -> [Rgb; LANES] {
+    /// Hands out with its number what each ray meets, which is given with its own: what [`Self::scenery`] says of it, to the bit.
+    pub(crate) fn each_scenery(
+        &self,
+        rays: impl Iterator<Item = (usize, Ray, f64)>,
+        mut hand: impl FnMut(usize, Rgb),
+    ) {
+        let mut rays = rays.fuse();
+        while let Some(first) = rays.next() {
+            // Where fewer are left, the first stands in for those that are missing.
+            let mut several = [first; LANES];
+            let mut count = 1;
+            for next in rays.by_ref().take(LANES - 1) {
+                several[count] = next;
+                count += 1;
+            }
+            let seen = self.sceneries(&several.map(|one| one.1), several.map(|one| one.2));
+            for ((number, ..), light) in several.into_iter().zip(seen).take(count) {
+                hand(number, light);
+            }
+        }
+    }
+
+    /// What several rays meet.
+    fn sceneries(&self, rays: &[Ray; LANES], spreads_rad: [f64; LANES]) -> [Rgb; LANES] {
         let each = || rays.iter().zip(spreads_rad);
         let is_bare = self
             .windows
