@@ -38,7 +38,7 @@ impl Transform {
                 inner_length: length,
             };
         }
-        let inner_length = (2 * length - 1..).find(|&longer| is_direct(longer)).unwrap_or(length);
+        let inner_length = next_direct(2 * length - 1);
         let inner = InverseTransform::new(inner_length);
         let mut turns = Signal::zero(length);
         let mut response = Signal::zero(inner_length);
@@ -85,6 +85,12 @@ impl Transform {
             set(signal, j, (re * share, im * share));
         }
     }
+}
+
+/// The least length that a ring of latitude may have, from this one up.
+fn next_direct(least: usize) -> usize {
+    let thirds = 3 * least.div_ceil(3).next_power_of_two();
+    least.next_power_of_two().min(thirds)
 }
 
 /// Whether a ring of latitude may have this length.
