@@ -106,7 +106,9 @@ impl<'a> Task<'a> {
 
     fn spectrum(&self, of_patches: &[Sums]) -> Result<GrainSpectrum, PhotographError> {
         let mut sums = Sums::zero(self.band);
-        of_patches.iter().for_each(|patch| sums.add(patch));
+        for patch in of_patches {
+            sums.add(patch);
+        }
         let scale = self.patch_mm / of_patches.len() as f64 / (self.side as f64).powi(4);
         let density =
             [0, 1, 2].map(|channel| sums.power.iter().map(|ring| ring[channel] * scale).collect());

@@ -186,7 +186,9 @@ mod tests {
             let all = Band { low: 0.0, high: side as f64 };
             let mut channel = noise(side, 1.0);
             let mean = channel.iter().sum::<f64>() / channel.len() as f64;
-            channel.iter_mut().for_each(|value| *value -= mean);
+            for value in &mut channel {
+                *value -= mean;
+            }
             let mut of = || Waves::of(&channel, all, &transform, &mut room);
             let power = Sums::of(&[of(), of(), of()], all).product[0][1];
             let squares: f64 = channel.iter().map(|value| value * value).sum();
@@ -205,7 +207,7 @@ mod tests {
         let mut of = |channel: &[f64]| Waves::of(channel, band, &transform, &mut room);
         let waves = [of(&[0.0; 400]), of(&noise(20, 2.0)), of(&noise(20, 3.0))];
         let correlation = Sums::of(&waves, band).correlation();
-        assert_eq!(correlation[0], [1.0, 0.0, 0.0]);
+        assert!(correlation[0][1] == 0.0 && correlation[0][2] == 0.0);
         assert!((0.0..1.0).contains(&correlation[1][2].abs()));
     }
 }
