@@ -3,7 +3,8 @@
     python -m tests.wasm.native FOLDER
 
 writes for each golden recipe NAME.f32, the linear light of all parts as float32, and NAME.srgb and
-NAME.display-p3, its 8-bit codes; and grain.f64, the grain on a photograph: frequencies, density, correlation.
+NAME.display-p3, its 8-bit codes; and grain.f64, the grain on a photograph:
+frequencies, density, correlation.
 """
 
 from __future__ import annotations
@@ -17,8 +18,7 @@ from nacreous import _core
 from nacreous.image import Image
 from tests.picture.fingerprint import RECIPES, recipe_file
 
-
-#: The photograph, and how its grain is measured: side of the patches, mm per pixel, limits of the band.
+#: The photograph, and how its grain is measured: side of the patches, mm per pixel, the band.
 PHOTOGRAPH = Path(__file__).parents[2] / "docs/pictures/pearl.png"
 MEASURING = (60, 0.012, None, None)
 
