@@ -289,6 +289,9 @@ def spread_of_people(
 ) -> NDArray[np.float64]: ...
 
 # texture
+_Light: TypeAlias = NDArray[np.float32] | NDArray[np.float64]
+_Measuring: TypeAlias = tuple[int, float | None, float | None, float | None]
+
 @final
 class Texture:
     @property
@@ -300,6 +303,10 @@ class Texture:
 
 def procedural_grain() -> _Grain: ...
 def limited_grain(grain: _Grain, low_per_mm: float, high_per_mm: float) -> _Grain: ...
+def measured_grain(light: _Light, how: _Measuring) -> _Grain: ...
+def analysed_grain(
+    light: _Light, how: _Measuring, corners: list[tuple[int, int]] | None
+) -> tuple[_Grain, NDArray[np.float64], list[tuple[int, int]]]: ...
 def synthesise_texture(
     grain: _Grain, radius_mm: float, seed: int, footprint_rad: float
 ) -> Texture: ...

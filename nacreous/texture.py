@@ -1,8 +1,9 @@
 """The grain of a pearl (kime-kan): from a photograph to a texture over the whole sphere.
 
 Section 4.3 of the paper: patches of 64 x 64 pixels, Munsell hue, value and chroma, Hanning window,
-Fourier transform, band-pass, inverse transform. `analyse` does that and keeps the power at each
-spatial frequency; `synthesise` draws from it a texture that covers a pearl without seam or pole.
+Fourier transform, band-pass, inverse transform. `analyse` has that done (`crates/image/src/grain/`)
+and keeps the power at each spatial frequency; `synthesise` draws from it a texture that covers a
+pearl without seam or pole.
 
 >>> texture = synthesise(GrainSpectrum.procedural(), radius_mm=4.0, seed=7)
 >>> texture.at(np.array([[0.0, 0.0, 1.0]]), 0.0).shape  # towards +z: hue, value, chroma
@@ -12,18 +13,17 @@ spatial frequency; `synthesise` draws from it a texture that covers a pearl with
 from __future__ import annotations
 
 from dataclasses import field
+from operator import index
 from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nacreous import _core
-from nacreous._core import limited_grain, procedural_grain
-from nacreous.colour import hvc_from_rgb
+from nacreous._core import analysed_grain, limited_grain, procedural_grain
 from nacreous.deprecation import keep_former_names
 from nacreous.file import read_photograph
 from nacreous.number import whole_of
-from nacreous.patch import Corner, checked, find_corners, patches
 from nacreous.problem import InputError
 from nacreous.unchanging import Unchanging, keep, key_of, ordered
 from nacreous.value import value_class
@@ -34,11 +34,9 @@ if TYPE_CHECKING:
 __all__ = ["Analysis", "GrainSpectrum", "Texture", "analyse", "synthesise", "texture_of"]
 
 Array = NDArray[np.float64]
+Corner: TypeAlias = tuple[int, int]
 #: Frequencies, density and correlation of a spectrum.
 Grain: TypeAlias = tuple[Array, Array, Array]
-
-_GREY_CHROMA = 0.2
-"""Below this mean chroma a patch counts as grey **(ours)**: relative deviations would be noise."""
 
 
 @value_class
@@ -193,8 +191,9 @@ def analyse(
     **(ours)**: about right for a pearl of 8 mm, 512 pixels wide. The spectrum's `source` says so.
 
     Raises `InputError` for a picture that is not RGB, not finite or smaller than a patch, patches
-    under 8 pixels or outside the picture, and limits other than 0 <= low < high <= half a cycle
-    per pixel.
+    under 8 or over 1024 pixels, outside the picture or not of relative light (10 and more), limits
+    other than 0 <= low < high <= half a cycle per pixel, and what no `GrainSpectrum` may be drawn
+    of: over 10,000 cycles per mm.
 
     >>> step = np.arange(64) / 64
     >>> grating = 0.5 + 0.05 * np.cos(2 * np.pi * 8 * step)  # 8 cycles in 64 pixels of 0.02 mm
@@ -203,24 +202,11 @@ def analyse(
     >>> float(grain.cycles_per_mm[grain.density[1].argmax()])
     6.25
     """
-    picture = checked(photograph, side_px)
-    if mm_per_pixel is not None and not 0 < mm_per_pixel < np.inf:
-        raise InputError(f"texture: mm_per_pixel is {mm_per_pixel}; allowed: greater than 0")
-    patch_mm = 1.0 if mm_per_pixel is None else side_px * mm_per_pixel
-    chosen = find_corners(picture, side_px) if corners is None else corners
-    low, high = _band(low, high, patch_mm, side_px, "patch" if mm_per_pixel is None else "mm")
-
-    hvc = hvc_from_rgb(patches(picture, side_px, chosen))
-    waves = np.fft.fft2(_windowed(_deviations(hvc)), axes=(1, 2))
-    cycles = np.fft.fftfreq(side_px, 1 / side_px)
-    radius = np.hypot(cycles[:, None], cycles)
-    waves *= ((low <= radius) & (radius <= high) & (radius > 0))[..., None]
-
-    density = _ring_power(np.mean(np.abs(waves) ** 2, axis=0), radius, high) * patch_mm
-    frequency = np.arange(density.shape[1]) / patch_mm
+    how = whole_of("texture: side_px", side_px, 8, 1024), mm_per_pixel, low, high
+    given = None if corners is None else [(index(row), index(column)) for row, column in corners]
+    grain, textures, found = analysed_grain(_light(photograph), how, given)
     source = "photograph" if mm_per_pixel is not None else "photograph, patch taken as 1 mm"
-    spectrum = GrainSpectrum(frequency, density, _correlation(waves), source)
-    return Analysis(spectrum, np.fft.ifft2(waves, axes=(1, 2)).real, tuple(chosen))
+    return Analysis(GrainSpectrum(*grain, source=source), textures, tuple(found))
 
 
 def synthesise(
@@ -266,86 +252,19 @@ def texture_of(pearl: Pearl, footprint_rad: float = 0.0) -> Texture:
 def measured_grain(pearl: Pearl) -> Grain:
     """The numbers of the grain on the photograph that a pearl file names."""
     wanted = pearl.texture
-    photograph = read_photograph(wanted.source)
-    low, high = wanted.low_per_mm, wanted.high_per_mm
-    found = analyse(photograph, wanted.mm_per_pixel, wanted.side_px, low=low, high=high)
-    return found.spectrum.numbers
+    how = wanted.side_px, wanted.mm_per_pixel, wanted.low_per_mm, wanted.high_per_mm
+    return _core.measured_grain(read_photograph(wanted.source), how)
 
 
-def _band(
-    low: float | None, high: float | None, patch_mm: float, side_px: int, unit: str
-) -> tuple[float, float]:
-    """The limits in cycles per patch."""
-    nyquist = side_px / 2 / patch_mm
-    low = 2 / patch_mm if low is None else low
-    high = 0.75 * nyquist if high is None else high
-    if not 0 <= low < high <= nyquist:
+def _light(photograph: ArrayLike) -> Array:
+    """Float64 [row, column, rgb], row by row."""
+    picture = np.asarray(photograph)
+    if picture.ndim != 3 or picture.shape[2] != 3 or picture.dtype.kind not in "fiu":
         raise InputError(
-            f"texture: the band is {low:g} to {high:g} cycles per {unit};"
-            f" allowed: 0 <= low < high <= {nyquist:g}"
+            f"texture: the photograph is {picture.dtype} {list(picture.shape)};"
+            " allowed: numbers [row, column, 3]"
         )
-    return low * patch_mm, high * patch_mm
-
-
-def _deviations(hvc: Array) -> Array:
-    """Deviations [patch, row, column, channel] from each patch's mean: hue in rad, others relative.
-
-    Hue is an angle: its mean is the direction of the mean chroma vector, deviations lie in -pi..pi
-    and count by their chroma, since a grey has none.
-    """
-    hue, value, chroma = np.moveaxis(hvc, -1, 0)
-    mean = np.mean(chroma * np.exp(1j * hue), axis=(1, 2), keepdims=True)
-    turned = np.angle(np.exp(1j * hue) * np.conj(mean))
-    mean_value = value.mean(axis=(1, 2), keepdims=True)
-    mean_chroma = np.maximum(chroma.mean(axis=(1, 2), keepdims=True), _GREY_CHROMA)
-    hue_deviation = turned * chroma / mean_chroma
-    value_deviation = value / np.maximum(mean_value, 0.1) - 1
-    return np.stack([hue_deviation, value_deviation, chroma / mean_chroma - 1], axis=-1)
-
-
-def _windowed(deviations: Array) -> Array:
-    """Without mean and slope, and under a Hanning window that keeps the variance."""
-    side = deviations.shape[1]
-    hanning = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(side) / side)
-    window = np.outer(hanning, hanning).ravel()
-    across = np.linspace(-1, 1, side)
-    plane = np.stack([np.ones(side**2), np.repeat(across, side), np.tile(across, side)], axis=1)
-    flat = deviations.reshape(len(deviations), side**2, 3)
-    # Weighted by the window, so that what the window leaves has neither mean nor slope.
-    weighted = plane * window[:, None]
-    slope = np.linalg.solve(weighted.T @ plane, weighted.T @ flat)
-    correction = 1 / np.sqrt(np.mean(window**2))
-    windowed: Array = (flat - plane @ slope) * window[:, None] * correction
-    return windowed.reshape(deviations.shape)
-
-
-def _ring_power(power: Array, radius: Array, high: float) -> Array:
-    """Variance per cycle per patch [channel, ring] at 0, 1, 2 ... cycles per patch.
-
-    Each wave is shared by the two nearest rings, so that the integral of the broken line is the
-    sum of all waves (Parseval).
-    """
-    inner = np.floor(radius).astype(int).ravel()
-    share = radius.ravel() - inner
-    count = int(high) + 3
-    keep = inner < count - 1
-    rings = [
-        np.bincount(inner[keep], (wave * (1 - share))[keep], count)
-        + np.bincount(inner[keep] + 1, (wave * share)[keep], count)
-        for wave in power.reshape(-1, 3).T
-    ]
-    return np.asarray(rings) / float(len(power)) ** 4
-
-
-def _correlation(waves: NDArray[np.complex128]) -> Array:
-    """Correlation of hue, value and chroma over the whole band; of a flat channel 0."""
-    flat = waves.reshape(-1, 3)
-    product = (flat.conj().T @ flat).real
-    scale = np.sqrt(np.diag(product))
-    known = np.outer(scale, scale)
-    correlation: Array = np.divide(product, known, out=np.zeros((3, 3)), where=known > 0)
-    np.fill_diagonal(correlation, 1.0)
-    return correlation
+    return np.require(picture, np.float64, ["C", "A"])
 
 
 keep_former_names(__name__, {"of_pearl": "texture_of"})

@@ -8,7 +8,6 @@ from scipy.special import sph_harm_y
 
 from nacreous import _core
 from nacreous.colour import rgb_from_hvc
-from nacreous.patch import find_corners
 from nacreous.problem import InputError
 from nacreous.texture import GrainSpectrum, Texture, analyse, synthesise
 
@@ -301,12 +300,12 @@ def test_patches_lie_inside_the_pearl_and_off_its_highlight() -> None:
     distance = np.hypot(row - 240, column - 330)
     picture = np.where((distance < 200)[..., None], [0.5, 0.45, 0.4], [0.02, 0.03, 0.05])
     picture[np.hypot(row - 200, column - 300) < 20] = 1.0
-    found = find_corners(picture, 64)
+    found = analyse(picture).corners
     assert len(found) >= 5
     for top, left in found:
         assert distance[top : top + 64, left : left + 64].max() < 200
         assert picture[top : top + 64, left : left + 64].max() < 1
-    assert find_corners(picture[200:300, 300:420], 64) == [(18, 28)]
+    assert analyse(picture[200:300, 300:420]).corners == ((18, 28),)
 
 
 # What is refused, each in one line
@@ -320,18 +319,21 @@ NAN = np.where(np.arange(80)[:, None, None] == 3, np.nan, PLAIN)
     ("arguments", "message"),
     [
         ({"photograph": PLAIN, "side_px": 81}, "80 x 80 pixels; allowed: at least side_px = 81"),
-        ({"photograph": PLAIN, "side_px": 7}, "side_px is 7; allowed: 8 to 1024"),
+        ({"photograph": PLAIN, "side_px": 7}, "side_px is 7; allowed: a whole number, 8 to 1024"),
         ({"photograph": NAN}, r"not a number at \(3, 0, 0\)"),
         ({"photograph": PLAIN[..., 0]}, r"allowed: numbers \[row, column, 3\]"),
         ({"photograph": PLAIN.astype(str)}, r"allowed: numbers \[row, column, 3\]"),
         ({"photograph": PLAIN, "low": 5, "high": 5}, "band is 5 to 5 cycles per patch"),
         ({"photograph": PLAIN, "high": 33}, "band is 2 to 33 .*<= 32"),
-        ({"photograph": PLAIN, "low": float("nan")}, "band is nan"),
+        ({"photograph": PLAIN, "low": float("nan")}, "band is NaN"),
         ({"photograph": PLAIN, "low": -1.0}, "band is -1"),
         ({"photograph": PLAIN, "mm_per_pixel": 0.1, "high": 6}, "cycles per mm; .*<= 5"),
-        ({"photograph": PLAIN, "mm_per_pixel": 0.0}, "mm_per_pixel is 0.0"),
-        ({"photograph": PLAIN, "mm_per_pixel": float("nan")}, "mm_per_pixel is nan"),
+        ({"photograph": PLAIN, "mm_per_pixel": 0.0}, "mm_per_pixel is 0; allowed: greater than 0"),
+        ({"photograph": PLAIN, "mm_per_pixel": float("nan")}, "mm_per_pixel is NaN"),
         ({"photograph": PLAIN, "corners": [(17, 0)]}, r"corner \(17, 0\) .* to \(16, 16\)"),
+        ({"photograph": PLAIN, "corners": [(0, 0), (0, -1)]}, r"corner \(0, -1\) puts"),
+        ({"photograph": PLAIN * 510}, r"is 255 at \(8, 8, 0\); allowed: -10 to 10 \(1 is white"),
+        ({"photograph": PLAIN, "mm_per_pixel": 1e-6}, "cycles_per_mm.*allowed: 0 to 10000"),
         ({"photograph": PLAIN, "corners": []}, "corners is empty"),
         ({"photograph": np.tile(PLAIN, (3, 3, 1))}, "no patch of 64 px"),
     ],

@@ -3,7 +3,8 @@
     python -m tests.wasm.native FOLDER
 
 writes for each golden recipe NAME.f32, the linear light of all parts as float32, and NAME.srgb and
-NAME.display-p3, its 8-bit codes.
+NAME.display-p3, its 8-bit codes; and grain.f64, the grain on a photograph:
+frequencies, density, correlation.
 """
 
 from __future__ import annotations
@@ -11,9 +12,15 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+import numpy as np
+
 from nacreous import _core
 from nacreous.image import Image
 from tests.picture.fingerprint import RECIPES, recipe_file
+
+#: The photograph, and how its grain is measured: side of the patches, mm per pixel, the band.
+PHOTOGRAPH = Path(__file__).parents[2] / "docs/pictures/pearl.png"
+MEASURING = (60, 0.012, None, None)
 
 
 def write(folder: Path) -> None:
@@ -29,6 +36,9 @@ def write(folder: Path) -> None:
         for space in ("srgb", "display-p3"):
             codes, _ = image.develop(space=space)
             (folder / f"{file.stem}.{space}").write_bytes(codes.tobytes())
+    grain = _core.measured_grain(_core.read_photograph(PHOTOGRAPH), MEASURING)
+    content = np.concatenate([numbers.ravel() for numbers in grain])
+    (folder / "grain.f64").write_bytes(content.astype("<f8").tobytes())
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@
 
 mod analysis;
 mod coefficients;
-mod fourier;
+pub(crate) mod fourier;
 mod knots;
 mod legendre;
 mod place;

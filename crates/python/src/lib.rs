@@ -74,7 +74,7 @@ mod _core {
     use super::scaling::{PairModel, PersonalAnswers, log_normal_cdf};
     #[pymodule_export]
     use super::texture::{
-        Texture, limited_grain, procedural_grain, synthesise_harmonics, synthesise_texture,
-        texture_of,
+        Texture, analysed_grain, limited_grain, measured_grain, procedural_grain,
+        synthesise_harmonics, synthesise_texture, texture_of,
     };
 }

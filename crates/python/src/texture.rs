@@ -3,7 +3,11 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use nacreous_image::grain::{self, spectrum::GrainSpectrum};
+use nacreous_image::grain::{
+    self,
+    photograph::{Measuring, Photograph, Samples, analysed, measured},
+    spectrum::GrainSpectrum,
+};
 use nacreous_image::harmonics::{Coefficients, synthesise};
 use nacreous_render::{
     GrainKey,
@@ -11,8 +15,8 @@ use nacreous_render::{
 };
 use num_complex::Complex64;
 use numpy::{
-    IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
-    PyReadonlyArray3,
+    IntoPyArray, PyArray1, PyArray2, PyArray3, PyArray4, PyArrayMethods, PyReadonlyArray1,
+    PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
 
@@ -20,6 +24,8 @@ use crate::{InputError, refused, threads::detached};
 
 type Spectrum<'py> =
     (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+/// Spectrum, texture images and corners.
+type Analysed<'py> = (Spectrum<'py>, Bound<'py, PyArray4<f64>>, Vec<(usize, usize)>);
 
 /// The stand-in spectrum: frequencies [k] per mm, density [channel, k], correlation [channel, channel].
 #[pyfunction]
@@ -123,6 +129,57 @@ pub fn limited_grain<'py>(
     high_per_mm: f64,
 ) -> PyResult<Spectrum<'py>> {
     given(py, &grain_of(&grain)?.limited(low_per_mm, high_per_mm).map_err(refused)?)
+}
+
+/// Linear light [row, column, rgb] of a file, or of what was worked out.
+#[derive(FromPyObject)]
+pub enum Light<'py> {
+    /// Of a file.
+    Single(PyReadonlyArray3<'py, f32>),
+    /// Worked out.
+    Double(PyReadonlyArray3<'py, f64>),
+}
+
+impl Light<'_> {
+    /// The photograph in the room's type; rows lie one after the other, or `InputError`.
+    fn photograph(&self) -> PyResult<Photograph<'_>> {
+        let (shape, rgb) = match self {
+            Self::Single(light) => (light.shape(), light.as_slice().map(Samples::Single)),
+            Self::Double(light) => (light.shape(), light.as_slice().map(Samples::Double)),
+        };
+        Ok(Photograph { width: shape[1], height: shape[0], rgb: rgb.map_err(refused)? })
+    }
+}
+
+/// Side of a patch, mm per pixel, and the band's limits per mm.
+type How = (usize, Option<f64>, Option<f64>, Option<f64>);
+
+fn measuring((side_px, mm_per_pixel, low_per_mm, high_per_mm): How) -> Measuring {
+    Measuring { side_px, mm_per_pixel, low_per_mm, high_per_mm }
+}
+
+/// The grain on a photograph, in patches of the pearl that is found there.
+#[pyfunction]
+pub fn measured_grain<'py>(py: Python<'py>, light: Light<'_>, how: How) -> PyResult<Spectrum<'py>> {
+    let (photograph, how) = (light.photograph()?, measuring(how));
+    given(py, &detached(py, || measured(&photograph, &how)).map_err(refused)?)
+}
+
+/// The same with the texture images [patch, row, column, channel] and each patch's first (row, column), which may be
+/// given.
+#[pyfunction]
+pub fn analysed_grain<'py>(
+    py: Python<'py>,
+    light: Light<'_>,
+    how: How,
+    corners: Option<Vec<(i64, i64)>>,
+) -> PyResult<Analysed<'py>> {
+    let (photograph, how) = (light.photograph()?, measuring(how));
+    let found =
+        detached(py, || analysed(&photograph, &how, corners.as_deref())).map_err(refused)?;
+    let shape = [found.corners.len(), how.side_px, how.side_px, 3];
+    let textures = found.textures.into_pyarray(py).reshape(shape)?;
+    Ok((given(py, &found.spectrum)?, textures, found.corners))
 }
 
 /// Draws a texture of a spectrum.

@@ -3,7 +3,7 @@
 use js_sys::{Float32Array, Float64Array, Object};
 use nacreous_colour::Spectrum;
 use nacreous_file::{panorama::decode_panorama, photograph::decode_photograph};
-use nacreous_image::grain::photograph::{Measuring, Photograph, measured};
+use nacreous_image::grain::photograph::{Measuring, Photograph, Samples, measured};
 use wasm_bindgen::prelude::*;
 
 use crate::{check_bytes, object, refused};
@@ -48,7 +48,7 @@ pub fn photographed_grain(
     check_bytes(bytes)?;
     let picture = decode_photograph(bytes).map_err(refused)?;
     let (width, height) = (picture.width, picture.height);
-    let photograph = Photograph { width, height, rgb: &picture.rgb };
+    let photograph = Photograph { width, height, rgb: Samples::Single(&picture.rgb) };
     let how = Measuring { side_px, mm_per_pixel, low_per_mm, high_per_mm };
     let grain = measured(&photograph, &how).map_err(refused)?;
     let correlation = grain.correlation().as_flattened();

@@ -1,6 +1,7 @@
 //! Patches of a pearl's photograph, such as the paper's crops of 64 x 64 pixels (figure 2).
 //!
-//! The same as `nacreous/patch.py`, which also takes patches that are given; a test compares the two.
+//! The pearl is what differs in colour from the photograph's border, taken as a disc **(ours)**. A close-up without
+//! background needs corners given.
 
 use thiserror::Error;
 
@@ -32,14 +33,42 @@ pub struct Photograph<'a> {
     /// Rows.
     pub height: usize,
     /// Three numbers a pixel.
-    pub rgb: &'a [f32],
+    pub rgb: Samples<'a>,
+}
+
+/// Numbers as they come: of files in single precision, of what was worked out in double.
+#[derive(Clone, Copy, Debug)]
+pub enum Samples<'a> {
+    /// In single precision.
+    Single(&'a [f32]),
+    /// In double precision.
+    Double(&'a [f64]),
 }
 
 impl Photograph<'_> {
     /// Light of a pixel.
     pub(super) fn at(&self, row: usize, column: usize) -> [f64; 3] {
         let first = 3 * (row * self.width + column);
-        [0, 1, 2].map(|channel| f64::from(self.rgb[first + channel]))
+        match self.rgb {
+            Samples::Single(rgb) => [0, 1, 2].map(|channel| f64::from(rgb[first + channel])),
+            Samples::Double(rgb) => [0, 1, 2].map(|channel| rgb[first + channel]),
+        }
+    }
+
+    /// How many numbers it has.
+    pub(super) fn numbers(&self) -> usize {
+        match self.rgb {
+            Samples::Single(rgb) => rgb.len(),
+            Samples::Double(rgb) => rgb.len(),
+        }
+    }
+
+    /// The first number that is none.
+    pub(super) fn not_finite(&self) -> Option<usize> {
+        match self.rgb {
+            Samples::Single(rgb) => rgb.iter().position(|light| !light.is_finite()),
+            Samples::Double(rgb) => rgb.iter().position(|light| !light.is_finite()),
+        }
     }
 }
 
@@ -84,7 +113,7 @@ struct Disc {
 impl Disc {
     fn holds(&self, (top, left): (usize, usize), side: usize) -> bool {
         let far = |row: usize, column: usize| {
-            (row as f64 - self.row).hypot(column as f64 - self.column) <= self.radius
+            libm::hypot(row as f64 - self.row, column as f64 - self.column) <= self.radius
         };
         [top, top + side].iter().all(|&row| [left, left + side].iter().all(|&at| far(row, at)))
     }
