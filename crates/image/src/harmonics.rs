@@ -17,5 +17,5 @@ mod synthesis;
 pub use analysis::{analyse, directions_of_grid, point};
 pub use coefficients::{CHANNELS, Coefficients};
 pub(crate) use knots::knots;
-pub(crate) use place::{Place, from_grid, to_grid};
+pub(crate) use place::{Place, angle, from_grid, to_grid};
 pub use synthesis::synthesise;

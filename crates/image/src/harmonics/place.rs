@@ -36,7 +36,7 @@ pub(crate) fn from_grid(direction: DVec3) -> DVec3 {
 ///
 /// Without branches, since a picture asks for millions. The polynomial is the minimax fit of degree 15.
 #[inline]
-fn angle(y: f32, x: f32) -> f32 {
+pub(crate) fn angle(y: f32, x: f32) -> f32 {
     let steep = y.abs() > x.abs();
     let (low, high) = if steep { (x.abs(), y.abs()) } else { (y.abs(), x.abs()) };
     let slope = low / (high + f32::MIN_POSITIVE);

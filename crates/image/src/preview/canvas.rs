@@ -207,7 +207,7 @@ impl View<'_> {
     /// What a pixel shows of a pearl.
     fn spot(&self, coverage: f32, point: &Sight) -> Spot {
         let Sight { ball, hit, outward, local, .. } = point;
-        let at = |normal: DVec3| self.sitters[*ball].net.place(normal).map(|knots| knots as f32);
+        let at = |normal: DVec3| self.sitters[*ball].net.place_in_single(normal);
         let normal = at(hit.normal);
         let is_round = self.surroundings.solid(*ball).is_none();
         Spot {

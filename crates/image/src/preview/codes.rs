@@ -5,7 +5,7 @@
 
 use nacreous_colour::{Gamut, RgbSpace, encode};
 
-use crate::preview::lanes::{LANES, Lanes};
+use crate::preview::lanes::{LANES, Lanes, larger};
 
 /// From linear light in the primaries of sRGB to 8-bit codes.
 pub(super) struct Codes {
@@ -71,13 +71,14 @@ impl Codes {
     #[inline]
     fn soft(&self, rgb: [f32; 3]) -> [f32; 3] {
         let [r, g, b] = self.luminance;
-        let luminance = (r * rgb[0] + g * rgb[1] + b * rgb[2]).max(LEAST);
-        let grey = knee(luminance).min(WHITE);
+        let luminance = larger(r * rgb[0] + g * rgb[1] + b * rgb[2], LEAST);
+        let grey = knee(luminance).clamp(0.0, WHITE);
         let dim = grey / luminance;
         let (above, below) = (1.0 / (1.0 - grey), -1.0 / grey);
         let away = rgb.map(|channel| channel * dim - grey);
-        let of_room = |step: f32| (step * above).max(step * below);
-        let excess = of_room(away[0]).max(of_room(away[1])).max(of_room(away[2])).max(KNEE);
+        let of_room = |step: f32| larger(step * above, step * below);
+        let room = larger(of_room(away[0]), of_room(away[1]));
+        let excess = larger(larger(room, of_room(away[2])), KNEE);
         let keep = knee(excess) / excess;
         away.map(|step| grey + step * keep)
     }

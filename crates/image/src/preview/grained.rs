@@ -8,7 +8,7 @@ use nacreous_colour::{Matrix, WHITE_C, hvc_from_rgb, matrix::inverse, xyz_from_h
 
 use crate::{
     pearl::skin::Grain,
-    preview::lanes::{LANES, Lanes},
+    preview::lanes::{LANES, Lanes, larger},
 };
 
 /// How grain changes light.
@@ -37,7 +37,7 @@ impl Grained {
         for lane in 0..LANES {
             let light = [0, 1, 2].map(|i| mirror[i][lane]);
             let mirrored = lightness(apply(&self.to_relative, light)[1]).clamp(0.0, 10.0) * 0.1;
-            let glint = (1.0 + mirrored * grains.value[lane]).max(0.0);
+            let glint = larger(1.0 + mirrored * grains.value[lane], 0.0);
             let light = [0, 1, 2].map(|i| diffuse[i][lane]);
             let turned = self.turned(light, grains.hue_rad[lane], grains.chroma[lane]);
             for i in 0..3 {
@@ -63,7 +63,7 @@ impl Grained {
         let found = direction_of(rotated(from, [cos, sin]), wanted);
         let gain = opponents(found);
         let gain = (gain[0] * gain[0] + gain[1] * gain[1]).sqrt();
-        let m = m * length * (1.0 + lit * stretch).max(0.0) / gain;
+        let m = m * length * larger(1.0 + lit * stretch, 0.0) / gain;
         let relative = [value + m * found[0], value, value + m * found[1] / 0.4];
         apply(&self.from_relative, relative.map(ratio))
     }
