@@ -15,7 +15,7 @@ use crate::{
         level::{Level, Steep},
         normal::normal_pair,
     },
-    harmonics::{CHANNELS, Coefficients},
+    harmonics::{CHANNELS, Coefficients, Place},
 };
 
 /// Three independent fields of mean 0 and variance 1.
@@ -91,7 +91,7 @@ impl Fields {
 
     /// Their values in a direction, and their gradients per radian.
     pub(crate) fn at(&self, direction: DVec3) -> Steep {
-        self.level.with_gradient(direction)
+        self.level.with_gradient(direction, Place::towards(direction))
     }
 
     /// Root of the mean square of their gradients, per radian, over all seeds.

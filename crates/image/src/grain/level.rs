@@ -71,10 +71,11 @@ impl Level {
         stacked(along, cubic_weights(down))
     }
 
-    /// The value in a direction, and its gradient on the sphere in directions along the meridian, away from the pole, and
-    /// along the parallel, per radian. Close to a pole, where parallels are short, by differences.
-    pub fn with_gradient(&self, direction: DVec3) -> Steep {
-        let (start, across, down) = self.around(Place::towards(direction));
+    /// The value in a direction, whose place is known too, and its gradient on the sphere in directions along the meridian,
+    /// away from the pole, and along the parallel, per radian. Close to a pole, where parallels are short, by differences.
+    #[inline]
+    pub fn with_gradient(&self, direction: DVec3, place: Place) -> Steep {
+        let (start, across, down) = self.around(place);
         let below = cubic_weights(down);
         let weights = [cubic_weights(across), cubic_slopes(across)];
         let [along, eastward] = self.rings(start, weights);

@@ -131,9 +131,10 @@ impl Texture {
         } else {
             self.enclosing(degree as f32)
         };
-        let fine = finer.with_gradient(direction);
+        let place = Place::towards(direction);
+        let fine = finer.with_gradient(direction, place);
         let (value, gradient) = if let Some(coarser) = coarser {
-            let between = coarser.with_gradient(direction).towards(&fine, weight);
+            let between = coarser.with_gradient(direction, place).towards(&fine, weight);
             (between.value, between.gradient(VALUE))
         } else {
             (weight * fine.value, fine.gradient(VALUE) * f64::from(weight))
