@@ -13,7 +13,6 @@ pearl without seam or pole.
 from __future__ import annotations
 
 from dataclasses import field
-from operator import index
 from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
@@ -203,7 +202,7 @@ def analyse(
     6.25
     """
     how = whole_of("texture: side_px", side_px, 8, 1024), mm_per_pixel, low, high
-    given = None if corners is None else [(index(row), index(column)) for row, column in corners]
+    given = None if corners is None else [(_place(row), _place(column)) for row, column in corners]
     grain, textures, found = analysed_grain(_light(photograph), how, given)
     source = "photograph" if mm_per_pixel is not None else "photograph, patch taken as 1 mm"
     return Analysis(GrainSpectrum(*grain, source=source), textures, tuple(found))
@@ -254,6 +253,11 @@ def measured_grain(pearl: Pearl) -> Grain:
     wanted = pearl.texture
     how = wanted.side_px, wanted.mm_per_pixel, wanted.low_per_mm, wanted.high_per_mm
     return _core.measured_grain(read_photograph(wanted.source), how)
+
+
+def _place(value: int) -> int:
+    """A row or column of a corner; whether a patch lies there is told later."""
+    return whole_of("texture: a corner's row or column", value, -(2**31), 2**31 - 1)
 
 
 def _light(photograph: ArrayLike) -> Array:

@@ -332,6 +332,8 @@ NAN = np.where(np.arange(80)[:, None, None] == 3, np.nan, PLAIN)
         ({"photograph": PLAIN, "mm_per_pixel": float("nan")}, "mm_per_pixel is NaN"),
         ({"photograph": PLAIN, "corners": [(17, 0)]}, r"corner \(17, 0\) .* to \(16, 16\)"),
         ({"photograph": PLAIN, "corners": [(0, 0), (0, -1)]}, r"corner \(0, -1\) puts"),
+        ({"photograph": PLAIN, "corners": [(10**30, 0)]}, "corner's row or column is 10"),
+        ({"photograph": PLAIN, "corners": [(0, 0.5)]}, "corner's row or column is 0.5; allowed: a"),
         ({"photograph": PLAIN * 510}, r"is 255 at \(8, 8, 0\); allowed: -10 to 10 \(1 is white"),
         ({"photograph": PLAIN, "mm_per_pixel": 1e-6}, "cycles_per_mm.*allowed: 0 to 10000"),
         ({"photograph": PLAIN, "corners": []}, "corners is empty"),
