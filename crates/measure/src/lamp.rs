@@ -192,13 +192,7 @@ fn measured(
         return Err("the lamp's image runs into the outline".to_owned());
     }
     let pixel = 1.0 / circle.radius_px;
-    let half_width_deg = mean_of(&read.widths, |mean| sqrt(mean).to_degrees());
-    let wide_px = half_width_deg.value.to_radians() * circle.radius_px;
-    if wide_px < NARROWEST_PX {
-        return Err(format!(
-            "the lamp's image is {wide_px:.1} pixels wide from its middle to half level; wanted: {NARROWEST_PX} or more, in a larger picture"
-        ));
-    }
+    let half_width_deg = read.half_width_deg(circle)?;
     let (x_px, y_px) = circle.place(highlight.normal);
     let gloss = 100.0 * (1.0 - around.value / peak);
     let gloss_error = around.error.map_or(f64::NAN, |error| 100.0 * error / peak);
@@ -252,6 +246,18 @@ impl Readings {
             read.half_level.push((profile.turn, width));
         }
         read
+    }
+
+    /// Root mean square over directions; refused where it is so few pixels that they would be measured.
+    fn half_width_deg(&self, circle: &Circle) -> Result<Value, String> {
+        let half_width_deg = mean_of(&self.widths, |mean| sqrt(mean).to_degrees());
+        let wide_px = half_width_deg.value.to_radians() * circle.radius_px;
+        if wide_px < NARROWEST_PX {
+            return Err(format!(
+                "the lamp's image is {wide_px:.1} pixels wide from its middle to half level; wanted: {NARROWEST_PX} or more, in a larger picture"
+            ));
+        }
+        Ok(half_width_deg)
     }
 }
 
