@@ -116,8 +116,7 @@ impl Level {
         (start, across - column as f32, down - row as f32)
     }
 
-    /// Four rings of four texels each from `start`, summed by each of some weights across. Loops, for what `map` calls is not
-    /// inlined in WebAssembly: half of the time of all grain with relief.
+    /// Four rings of four texels each from `start`, each summed once by all of some weights across.
     #[inline]
     fn rings<const N: usize>(&self, start: usize, weights: [[f32; 4]; N]) -> [[Vec3A; 4]; N] {
         let pitch = 2 * self.rows + WRAP;

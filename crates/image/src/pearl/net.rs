@@ -56,7 +56,7 @@ impl Net {
         if !self.is_needed(column, row) {
             return None;
         }
-        let at = |i: usize| (i as f64 - (self.half + BORDER) as f64) / self.half as f64;
+        let at = |i: usize| (i as f64 - self.middle()) / self.half as f64;
         let (x, y) = (at(column), at(row));
         let radius = (x * x + y * y).sqrt();
         let (sin, cos) = libm::sincos(radius.min(1.0) * self.reach_rad);
@@ -80,7 +80,7 @@ impl Net {
         [middle + u * scale, middle + v * scale]
     }
 
-    /// The same to 2e-7 rad, in a third of the time: in WebAssembly an arc cosine takes square roots apart bit by bit.
+    /// The same to 2e-7 rad, for many: libm's arc cosine works square roots out bit by bit in WebAssembly.
     pub(crate) fn place_in_single(&self, normal: DVec3) -> [f32; 2] {
         let [u, v] = self.across.map(|axis| normal.dot(axis) as f32);
         let sine = (u * u + v * v).sqrt();
