@@ -2,11 +2,12 @@
 
     python -m tests.measure.changes
 
-prints the table of docs/measure.md, in a minute.
+prints the table of docs/measure.md, in a few minutes.
 """
 
 import io
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 from PIL import Image
@@ -20,6 +21,8 @@ THERE, D65 = np.array([1.0985, 1.0, 0.3558]), np.array([0.95047, 1.0, 1.08883])
 PEARLS = ("tahitian", "akoya-rg", "south-sea-gold")
 SCENES = ("paper", "north-window-black")
 SIZES = (192, 384)
+#: Kinds of blemishes whose area is followed, and how deep they are: 24, over 6 % of the pearl.
+SPOTS = {"chalky_spots": 20, "pits": 60}
 #: Light is made darker by this, so that no code ends before it does.
 DARKER = 0.25
 
@@ -45,6 +48,19 @@ def numbers(found: Measures) -> dict[str, float]:
             "score": colours.score.value,
         }
     return numbers
+
+
+def area(found: Measures) -> dict[str, float]:
+    """The blemished area, where one is measured."""
+    return {} if found.blemishes is None else {"area": found.blemishes.area.value}
+
+
+def picture(pearl: str, scene: str, size: int, spots: str | None) -> Light:
+    """A pearl's light, with blemishes of a kind where one is given."""
+    keys = {} if spots is None else {spots: 24, "area": 0.06, "depth_um": SPOTS[spots]}
+    sets = [(f"blemishes.{key}", str(value)) for key, value in keys.items()]
+    light = nc.render(nc.Pearl.load(pearl, sets), scene, size=size, samples=4).linear
+    return (DARKER * light).astype(np.float32)
 
 
 def jpeg(linear: Light) -> Light:
@@ -100,14 +116,20 @@ def least(name: str) -> float:
 CLIPPED = 0.97
 
 
-def moved(linear: Light, change: str, white: float = 1.0) -> dict[str, tuple[float, float]]:
-    """Each measure before and after a change, lengths scaled alike; nan where refused after."""
+def moved(
+    linear: Light,
+    change: str,
+    white: float = 1.0,
+    told: Callable[[Measures], dict[str, float]] = numbers,
+) -> dict[str, tuple[float, float]]:
+    """What is told before and after a change, lengths scaled alike; nan where refused after."""
     made, length, is_turned = CHANGES[change]
-    before = numbers(measure(linear, white=(white,) * 3))
+    before = told(measure(linear, white=(white,) * 3))
     other = np.maximum(white * nc.colour.rgb_from_xyz(THERE), 1e-3) if is_turned else [white] * 3
     ends = CLIPPED if change == "jpeg" else None
-    after = numbers(measure(made(linear), white=other, clipped_at=ends))
-    before["diameter"] *= length
+    after = told(measure(made(linear), white=other, clipped_at=ends))
+    if "diameter" in before:
+        before["diameter"] *= length
     return {name: (value, after.get(name, np.nan)) for name, value in before.items()}
 
 
@@ -120,22 +142,21 @@ def main() -> None:
     print("|---" * (1 + len(CHANGES) * len(SIZES)) + "|")
     most: dict[str, dict[tuple[int, str], float]] = {}
     refused = []
-    for size in SIZES:
-        for pearl in PEARLS:
-            for scene in SCENES:
-                linear = DARKER * nc.render(pearl, scene, size=size, samples=4).linear
-                for change in CHANGES:
-                    try:
-                        found = moved(linear, change, DARKER)
-                    except nc.InputError:
-                        refused.append(f"{pearl} on {scene}, {change}, {size} px")
-                        continue
-                    for name, (before, after) in found.items():
-                        kind = "a ring's chroma" if name.startswith("ring") else name
-                        off = 100 * abs(after - before) / max(abs(before), least(name))
-                        row = most.setdefault(kind, {})
-                        if not np.isnan(off):
-                            row[size, change] = max(row.get((size, change), 0.0), off)
+    for size, pearl, scene, spots in product(SIZES, PEARLS, SCENES, (None, *SPOTS)):
+        linear = picture(pearl, scene, size, spots)
+        for change in CHANGES:
+            try:
+                found = moved(linear, change, DARKER, numbers if spots is None else area)
+            except nc.InputError:
+                refused.append(f"{pearl} on {scene}, {change}, {size} px")
+                continue
+            for name, (before, after) in found.items():
+                kind = "a ring's chroma" if name.startswith("ring") else name
+                kind = f"{kind} of {spots.replace('_', ' ')}" if spots else kind
+                off = 100 * abs(after - before) / max(abs(before), least(name))
+                row = most.setdefault(kind, {})
+                if not np.isnan(off):
+                    row[size, change] = max(row.get((size, change), 0.0), off)
     for name, row in most.items():
         columns = ((size, change) for size in SIZES for change in CHANGES)
         cells = (f"{row[one]:.1f}" if one in row else "-" for one in columns)
