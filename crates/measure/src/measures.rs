@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::blemish::{Blemishes, blemishes};
 use crate::contour::Widths;
 use crate::disc::Disc;
+use crate::face::Face;
 use crate::lamp::{LampImage, lamp_image};
 use crate::outline::{LEAST_RADIUS_PX, Outline, find, near};
 use crate::rings::{Colour, Rings, rings, whole};
@@ -13,9 +14,10 @@ use crate::{Circle, MeasureError, Picture, Value};
 
 /// Above this roundness a pearl is no sphere: GIA's limit of near-round, 5 % of the diameter.
 const ROUND: f64 = 0.05;
-/// Radius of the copies in which colours, and spots, are looked at, in pixels.
+/// Radius of the copy in which colours are looked at, in pixels.
 const COLOUR_PX: f64 = 256.0;
-const SPOTS_PX: f64 = 128.0;
+/// Spots are looked for on pearls from this radius on.
+const LEAST_SPOTS_PX: f64 = 40.0;
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -178,8 +180,12 @@ fn of_sphere(
     }
     let few = || "the lamp's image and clipped light leave too little of the pearl".to_owned();
     let rings = refused.taken("rings", rings(disc, &circle, found.highlight).ok_or_else(few));
-    let small = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
-    let spots = blemishes(&small, &circle, found.highlight).ok_or_else(few);
+    let spots = if circle.radius_px < LEAST_SPOTS_PX {
+        Err(format!("a pearl of under {LEAST_SPOTS_PX} pixels in radius shows too little of them"))
+    } else {
+        let face = Face::of(picture, white, &outline.contour, clipped_at, found.highlight);
+        blemishes(&face).ok_or_else(few)
+    };
     let blemishes = refused.taken("blemishes", spots);
     if let Some(none) = blemishes.as_ref().filter(|found| found.count == 0) {
         let least = none.threshold;
