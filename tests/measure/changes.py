@@ -2,11 +2,12 @@
 
     python -m tests.measure.changes
 
-prints the table of docs/measure.md, in a minute.
+prints the table of docs/measure.md, in a few minutes.
 """
 
 import io
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 from PIL import Image
@@ -20,6 +21,8 @@ THERE, D65 = np.array([1.0985, 1.0, 0.3558]), np.array([0.95047, 1.0, 1.08883])
 PEARLS = ("tahitian", "akoya-rg", "south-sea-gold")
 SCENES = ("paper", "north-window-black")
 SIZES = (192, 384)
+#: Kinds of blemishes whose area is followed, with how deep they are: 24, over 6 % of the pearl.
+SPOTS = {"chalky_spots": 20, "pits": 60}
 #: Light is made darker by this, so that no code ends before it does.
 DARKER = 0.25
 
@@ -44,7 +47,17 @@ def numbers(found: Measures) -> dict[str, float]:
             "orient": colours.orient.value,
             "score": colours.score.value,
         }
+    if (spots := found.blemishes) is not None and spots.count:
+        numbers["blemished area"] = spots.area.value
     return numbers
+
+
+def picture(pearl: str, scene: str, size: int, spots: str | None = None) -> Light:
+    """A pearl's light, with blemishes of a kind where one is given."""
+    keys = {} if spots is None else {spots: 24, "area": 0.06, "depth_um": SPOTS[spots]}
+    sets = [(f"blemishes.{key}", str(value)) for key, value in keys.items()]
+    light = nc.render(nc.Pearl.load(pearl, sets), scene, size=size, samples=4).linear
+    return (DARKER * light).astype(np.float32)
 
 
 def jpeg(linear: Light) -> Light:
@@ -100,6 +113,21 @@ def moved(linear: Light, change: str, white: float = 1.0) -> dict[str, tuple[flo
     return {name: (value, after.get(name, np.nan)) for name, value in before.items()}
 
 
+def _shares(found: dict[str, tuple[float, float]], spots: str | None) -> dict[str, float]:
+    """By how many percent each kind of measure moved; of a pearl with spots, their area alone."""
+    shares: dict[str, float] = {}
+    for name, (before, after) in found.items():
+        is_area = name == "blemished area"
+        if is_area is (spots is None) or np.isnan(after):
+            continue
+        kind = "a ring's chroma" if name.startswith("ring") else name
+        kind = f"area of {spots.replace('_', ' ')}" if spots is not None else kind
+        # A ring of a grey has no chroma to keep a share of.
+        off = 100 * abs(after - before) / max(abs(before), 3.0 if "ring" in kind else 1e-3)
+        shares[kind] = max(shares.get(kind, 0.0), off)
+    return shares
+
+
 def main() -> None:
     print(
         "| measure |",
@@ -109,27 +137,17 @@ def main() -> None:
     print("|---" * (1 + len(CHANGES) * len(SIZES)) + "|")
     most: dict[str, dict[tuple[int, str], float]] = {}
     refused = []
-    for size in SIZES:
-        for pearl in PEARLS:
-            for scene in SCENES:
-                linear = DARKER * nc.render(pearl, scene, size=size, samples=4).linear
-                for change in CHANGES:
-                    try:
-                        found = moved(linear, change, DARKER)
-                    except nc.InputError:
-                        refused.append(f"{pearl} on {scene}, {change}, {size} px")
-                        continue
-                    for name, (before, after) in found.items():
-                        kind = "a ring's chroma" if name.startswith("ring") else name
-                        # A ring of a grey has no chroma to keep a share of.
-                        off = (
-                            100
-                            * abs(after - before)
-                            / max(abs(before), 3.0 if "ring" in kind else 1e-3)
-                        )
-                        row = most.setdefault(kind, {})
-                        if not np.isnan(off):
-                            row[size, change] = max(row.get((size, change), 0.0), off)
+    for size, pearl, scene, spots in product(SIZES, PEARLS, SCENES, (None, *SPOTS)):
+        linear = picture(pearl, scene, size, spots)
+        for change in CHANGES:
+            try:
+                found = moved(linear, change, DARKER)
+            except nc.InputError:
+                refused.append(f"{pearl} on {scene}, {change}, {size} px")
+                continue
+            for name, off in _shares(found, spots).items():
+                row = most.setdefault(name, {})
+                row[size, change] = max(row.get((size, change), 0.0), off)
     for name, row in most.items():
         cells = (f"{row.get((size, change), np.nan):.1f}" for size in SIZES for change in CHANGES)
         print(f"| {name} |", " | ".join(cells), "|")

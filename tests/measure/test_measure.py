@@ -9,7 +9,7 @@ import pytest
 
 import nacreous as nc
 from nacreous.measure import HUES, Measures, measure
-from tests.measure.changes import CHANGES, moved
+from tests.measure.changes import CHANGES, DARKER, SPOTS, moved, picture
 from tests.measure.synthetic import MIDDLE, RADIUS, SIDE, Light, ball, ellipse
 
 
@@ -133,6 +133,25 @@ def rendered(size: int = 320, pearl: str = "tahitian") -> Light:
 def test_measures_stay_within_five_percent(change: str) -> None:
     for name, (before, after) in moved(rendered(), change).items():
         assert after == pytest.approx(before, rel=0.05, abs=0.15), name
+
+
+@cache
+def blemished(spots: str) -> Light:
+    return picture("akoya-rg", "north-window-black", 384, spots)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("spots", SPOTS)
+def test_the_blemished_area_stays_within_five_percent(spots: str, change: str) -> None:
+    before, after = moved(blemished(spots), change, DARKER)["blemished area"]
+    assert before == pytest.approx(6.0, rel=0.4)  # what was put in, on the side seen
+    assert after == pytest.approx(before, rel=0.05)
+
+
+def test_spots_of_a_pearl_under_forty_pixels_of_radius_are_refused_by_name() -> None:
+    found = measure(rendered(96))
+    assert found.blemishes is None
+    assert "under 40 pixels" in found.refused["blemishes"]
 
 
 def test_a_picture_without_a_pearl_is_refused_by_name() -> None:

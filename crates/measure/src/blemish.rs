@@ -18,7 +18,7 @@ const TRIED: (f64, f64) = (0.062, 0.15);
 const NEAR: f64 = 0.3;
 const PATTERN: (f64, f64) = (0.2, 0.4);
 /// What counts less than this does not count.
-const LEAST_SHARE: f64 = 0.1;
+const LEAST_SHARE: f64 = 0.05;
 
 /// Spots found.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -17,7 +17,7 @@ pub const RING: f64 = 0.09;
 /// Shares of a disc, and of its ring, that must be seen.
 const SEEN: (f64, f64) = (0.9, 0.5);
 /// Least difference by which a place is a candidate, in shares of that from which it counts.
-const LEAST_DIFFERENCE: f64 = 0.6;
+const LEAST_DIFFERENCE: f64 = 0.85;
 
 /// A disc on the map.
 #[derive(Clone, Copy)]
@@ -49,7 +49,9 @@ pub fn candidates(face: &Face, residual: &[[f64; 3]], least: f64) -> Vec<Candida
 fn of_radius(face: &Face, power: &[f64], radius: f64, least: f64) -> Vec<Candidate> {
     let step = ((radius * SCALE / 3.0) as usize).max(1);
     let disc = offsets(0.0, radius);
-    let ring = offsets(radius + GAP, radius + GAP + RING);
+    let mut ring = offsets(radius + GAP, radius + GAP + RING);
+    // Every other place of a ring is enough, as on one colour of a chessboard.
+    ring.retain(|(down, right, _)| (down + right) % 2 == 0);
     let columns = WIDTH / step;
     let contrast: Vec<f64> = (0..columns * columns)
         .map(|at| {

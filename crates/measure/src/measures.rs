@@ -190,7 +190,7 @@ fn of_sphere(
     if let Some(none) = blemishes.as_ref().filter(|found| found.count == 0) {
         let least = none.threshold;
         let reason = format!(
-            "no spot differs by {least:.1} and more in CIELAB; relief that differs by less cannot be told here"
+            "no spot differs by {least:.1} and more in L*; relief that differs by less cannot be told here"
         );
         refused.add("blemishes.relief", &reason);
     }

@@ -10,7 +10,7 @@ use crate::solve::{inverse, product, times};
 use crate::value::{median, quantile};
 
 /// Differences between which a spot comes to count, in L* **(ours)**.
-pub const DIFFERENCE: (f64, f64) = (0.8, 2.0);
+pub const DIFFERENCE: (f64, f64) = (0.7, 1.6);
 /// It is wanted to differ by this much times what its ring does (three quarters of which differ less), and of what the
 /// ring's twelfths do, in which texture is averaged and mirrored tables are not **(ours)**.
 const STANDS_OUT: f64 = 2.5;
@@ -28,7 +28,7 @@ const LEAST_FALL: (f64, f64) = (0.2, 0.5);
 const SEEN: (f64, f64) = (0.55, 0.8);
 const HIDDEN: (f64, f64) = (0.0, 0.15);
 /// Shares of a spot's difference between which a place comes to belong to it.
-const BELONGS: (f64, f64) = (0.25, 0.75);
+const BELONGS: (f64, f64) = (0.5, 1.0);
 /// A place's difference is averaged with this standard deviation, in radians: relief is lighter on one side and darker
 /// on the other, and has a line between on which it does not differ.
 const AVERAGED: f64 = 0.02;
@@ -75,8 +75,13 @@ struct Near {
     turn: f64,
 }
 
-/// What a disc differs by; None where too little of its ring is seen.
+/// What a disc differs by; None where too little of it, or of its ring, is seen.
 pub fn spot(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<Spot> {
+    let (all, held) = whole_disc(face, disc);
+    let hidden = 1.0 - held / all;
+    if hidden >= HIDDEN.1 {
+        return None;
+    }
     let (near, seen) = around(face, residual, disc)?;
     let radius = disc.radius;
     let is_ring = |one: &&Near| is_ring(one.away, radius);
@@ -94,8 +99,6 @@ pub fn spot(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<Spot
         border.iter().map(|power| 1.0 - sqrt((power - noise).max(0.0)) / contrast).collect();
     let fall = falls.iter().sum::<f64>() / falls.len() as f64;
     let least = falls.iter().copied().fold(1.0, f64::min);
-    let (all, held) = whole_disc(face, disc);
-    let hidden = 1.0 - held / all;
     let shape = rise(fall, FALL)
         * rise(least, LEAST_FALL)
         * rise(seen, SEEN)
@@ -159,7 +162,8 @@ fn around(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<(Vec<N
     if seen < 0.5 || ring.len() < 4 * TERMS {
         return None;
     }
-    let course = course(&ring)?;
+    // Every other place is enough.
+    let course = course(&ring.iter().copied().step_by(2).collect::<Vec<_>>())?;
     for one in &mut near {
         one.power = power(residual[one.at], &terms(one), &course);
     }
