@@ -9,7 +9,8 @@ import pytest
 
 import nacreous as nc
 from nacreous.measure import HUES, Measures, measure
-from tests.measure.changes import CHANGES, DARKER, SPOTS, moved, picture
+from tests.measure.changes import CHANGES, DARKER, SPOTS, moved
+from tests.measure.changes import picture as lit
 from tests.measure.synthetic import MIDDLE, RADIUS, SIDE, Light, ball, ellipse
 
 
@@ -103,7 +104,7 @@ def test_domes_of_another_colour_are_told_in_texture_of_lightness(rough: float) 
         for x, y in ((125, 115), (112, 80), (95, 130)):
             away = np.hypot(columns + 0.5 - x, rows + 0.5 - y)
             dome = np.maximum(1 - (away / max(radius, 0.1)) ** 2, 0)[..., None] ** 2
-            risen *= 1 + dome * np.float32([0.08, -0.04, 0.04])
+            risen *= 1 + dome * np.float32([0.24, -0.12, 0.12])
         found.append(measure(risen.astype(np.float32)))
     spots = [one.blemishes for one in found if one.blemishes is not None]
     assert [one.count for one in spots] == [0, 3, 3, 3]
@@ -137,7 +138,7 @@ def test_measures_stay_within_five_percent(change: str) -> None:
 
 @cache
 def blemished(spots: str) -> Light:
-    return picture("akoya-rg", "north-window-black", 384, spots)
+    return lit("akoya-rg", "north-window-black", 384, spots)
 
 
 @pytest.mark.parametrize("change", CHANGES)
@@ -150,7 +151,7 @@ def test_the_blemished_area_stays_within_five_percent(spots: str, change: str) -
 
 
 def test_an_area_that_hangs_on_faint_spots_is_named_and_its_error_holds_what_jpeg_changes() -> None:
-    linear = picture("tahitian", "north-window-black", 384, "chalky_spots")
+    linear = lit("tahitian", "north-window-black", 384, "chalky_spots")
     found = measure(linear, white=(DARKER,) * 3)
     assert found.blemishes is not None
     assert "JPEG" in found.refused["blemishes.relief"]

@@ -37,7 +37,7 @@ pub struct Face {
     /// What is looked at, and what counts as surroundings.
     pub looked: Vec<bool>,
     pub held: Vec<bool>,
-    /// Places of the map to a radius in the picture, and from where.
+    /// The ball in the picture.
     circle: Circle,
 }
 
@@ -173,7 +173,9 @@ impl Shares {
             })
             .collect();
         let sum: f64 = shares.iter().sum();
-        shares.iter_mut().for_each(|share| *share /= sum);
+        for share in &mut shares {
+            *share /= sum;
+        }
         Self { first: first - pixels.start, shares }
     }
 

@@ -27,7 +27,8 @@ const LEAST_FALL: (f64, f64) = (0.2, 0.5);
 /// Shares of the ring that are seen, and of the disc that are not.
 const SEEN: (f64, f64) = (0.55, 0.8);
 const HIDDEN: (f64, f64) = (0.0, 0.15);
-/// Shares of a spot's difference between which a place comes to belong to it.
+/// Shares of a spot's difference, where three quarters of its disc differ by no more, between which a place comes to belong
+/// to it: averaged, half of it reaches beyond the border **(ours)**.
 const BELONGS: (f64, f64) = (0.5, 1.0);
 /// A place's difference is averaged with this standard deviation, in radians: relief is lighter on one side and darker
 /// on the other, and has a line between on which it does not differ.
@@ -70,8 +71,9 @@ struct Near {
     right: f64,
     down: f64,
     away: f64,
-    /// Squared difference from the ring's course, and from 0 to 1 around the disc.
+    /// Squared difference from the ring's course.
     power: f64,
+    /// Around the disc, 0 to 1.
     turn: f64,
 }
 
@@ -87,7 +89,7 @@ pub fn spot(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<Spot
     let is_ring = |one: &&Near| is_ring(one.away, radius);
     let mut ring: Vec<f64> = near.iter().filter(is_ring).map(|one| one.power).collect();
     let noise = median(&mut ring);
-    let own = of(&near, |one| one.away <= radius);
+    let own = mean_power(&near, |one| one.away <= radius);
     let contrast = sqrt((own? - noise).max(1e-6));
     let mut sectors = parts(&near, SECTORS, |one| is_ring(&one));
     let needed = (STANDS_OUT * sqrt(quantile(&mut ring, USUAL)))
@@ -103,7 +105,7 @@ pub fn spot(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<Spot
         * rise(least, LEAST_FALL)
         * rise(seen, SEEN)
         * (1.0 - rise(hidden, HIDDEN));
-    let places = if shape > 0.0 { members(&near, disc, noise, contrast) } else { Vec::new() };
+    let places = if shape > 0.0 { members(&near, disc, noise) } else { Vec::new() };
     Some(Spot { contrast, needed, shape, places })
 }
 
@@ -202,7 +204,7 @@ fn course(ring: &[([f64; TERMS], [f64; 3])]) -> Option<[Vec<f64>; 3]> {
 }
 
 /// The mean squared difference of some places; None of none.
-fn of(near: &[Near], is_one: impl Fn(&Near) -> bool) -> Option<f64> {
+fn mean_power(near: &[Near], is_one: impl Fn(&Near) -> bool) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
     for one in near.iter().filter(|one| is_one(one)) {
         sum += one.power;
@@ -223,25 +225,24 @@ fn parts(near: &[Near], count: usize, is_one: impl Fn(&Near) -> bool) -> Vec<f64
 }
 
 /// Places that differ as a disc does, within its border.
-fn members(near: &[Near], disc: &Candidate, noise: f64, contrast: f64) -> Vec<(usize, f64)> {
+fn members(near: &[Near], disc: &Candidate, noise: f64) -> Vec<(usize, f64)> {
     let border = (disc.radius + 0.5 * GAP, disc.radius + 1.5 * GAP);
     let inner: Vec<&Near> =
         near.iter().filter(|one| one.away < border.1 + 3.0 * AVERAGED).collect();
     let averaged = averaged(&inner, noise);
+    // Of a disc that is larger than the spot, what is beside the spot does not count.
+    let within = inner.iter().zip(&averaged).filter(|(one, _)| one.away <= disc.radius);
+    let full = quantile(&mut within.map(|(_, power)| *power).collect::<Vec<f64>>(), USUAL);
     inner
         .iter()
         .zip(averaged)
         .filter(|(one, _)| one.away < border.1)
         .map(|(one, power)| {
-            let share = rise_straight(sqrt(power) / contrast, BELONGS);
-            (one.at, share * (1.0 - rise(one.away, border)))
+            let share = (sqrt(power / full.max(1e-9)) - BELONGS.0) / (BELONGS.1 - BELONGS.0);
+            (one.at, share.clamp(0.0, 1.0) * (1.0 - rise(one.away, border)))
         })
         .filter(|(_, share)| *share > 0.0)
         .collect()
-}
-
-fn rise_straight(value: f64, (from, to): (f64, f64)) -> f64 {
-    ((value - from) / (to - from)).clamp(0.0, 1.0)
 }
 
 /// Squared differences beyond noise, averaged by a Gaussian, first along rows and then along columns.
@@ -253,7 +254,9 @@ fn averaged(near: &[&Near], noise: f64) -> Vec<f64> {
         .collect();
     let sum: f64 = weights.iter().sum();
     let mut map: Vec<f64> = vec![0.0; WIDTH * WIDTH];
-    near.iter().for_each(|one| map[one.at] = (one.power - noise).max(0.0));
+    for one in near {
+        map[one.at] = (one.power - noise).max(0.0);
+    }
     for stride in [1, WIDTH.cast_signed()] {
         let along = |at: usize| {
             let place = |step: usize| at.checked_add_signed((step.cast_signed() - reach) * stride);
@@ -263,7 +266,9 @@ fn averaged(near: &[&Near], noise: f64) -> Vec<f64> {
             weights.iter().enumerate().map(part).sum::<f64>()
         };
         let means: Vec<f64> = near.iter().map(|one| along(one.at)).collect();
-        near.iter().zip(means).for_each(|(one, mean)| map[one.at] = mean);
+        for (one, mean) in near.iter().zip(means) {
+            map[one.at] = mean;
+        }
     }
     near.iter().map(|one| map[one.at]).collect()
 }
@@ -275,10 +280,9 @@ mod tests {
 
     #[test]
     fn a_rise_has_its_ends_and_middle() {
-        assert_eq!(
-            [0.0, 1.0, 2.0, 3.0, 4.0].map(|x| rise(x, (1.0, 3.0))),
-            [0.0, 0.0, 0.5, 1.0, 1.0]
-        );
+        for (value, risen) in [(0.0, 0.0), (1.0, 0.0), (2.0, 0.5), (3.0, 1.0), (4.0, 1.0)] {
+            assert!((rise(value, (1.0, 3.0)) - risen).abs() < 1e-12);
+        }
     }
 
     #[test]
