@@ -30,7 +30,7 @@ pub struct Blemishes {
     pub count: usize,
     /// Share of the visible half of the ball that was looked at.
     pub looked_at: f64,
-    /// The least difference that comes to count, in L*: 0.8, or what a spot of 0.06 radians needs to be told from texture and
+    /// The least difference that comes to count, in L*: 0.7, or what a spot of 0.06 radians needs to be told from texture and
     /// mirrored light here, the median of places tried.
     pub threshold: f64,
     /// Middles, and radii of discs as large as they are on the ball, in pixels, the largest first.
