@@ -162,9 +162,9 @@ class Blemishes:
     looked_at: float
     """Share of the visible half of the ball."""
     threshold: float
-    """The least difference that is told here, in CIELAB: 1, or more in rough texture."""
+    """The least difference that comes to count here, in L*: 0.7, or more in rough texture."""
     spots: tuple[Circle, ...]
-    """Discs as large as they look, the largest first."""
+    """Discs as large as they are on the ball, the largest first."""
 
 
 @value_class

@@ -51,8 +51,11 @@ def numbers(found: Measures) -> dict[str, float]:
 
 
 def area(found: Measures) -> dict[str, float]:
-    """The blemished area, where one is measured."""
-    return {} if found.blemishes is None else {"area": found.blemishes.area.value}
+    """The blemished area where one is measured, under another name where told to be unsure."""
+    if found.blemishes is None:
+        return {}
+    name = "unsure area" if "blemishes.relief" in found.refused else "area"
+    return {name: found.blemishes.area.value}
 
 
 def picture(pearl: str, scene: str, size: int, spots: str | None) -> Light:

@@ -3,188 +3,136 @@
 use libm::{fabs, sqrt};
 use serde::Serialize;
 
+use crate::candidate::{Candidate, candidates};
 use crate::course::residuals;
-use crate::disc::{Disc, Pixel};
-use crate::highlight::Highlight;
-use crate::regions::regions;
-use crate::spot::{Map, Spot, needed, spot};
+use crate::face::{Face, SCALE, WIDTH, offset, share_of_half};
+use crate::spot::{DIFFERENCE, Spot, spot};
 use crate::value::median;
 use crate::{Circle, Value};
 
-/// Out to here the pearl is looked at: nearer to the rim, spots are seen too obliquely.
-const FARTHEST: f64 = 0.9;
-/// Out to here surroundings are.
-const SURROUNDINGS: f64 = 0.96;
-/// What is left out around the lamp's image: half-widths, and degrees of the normal.
-const CLEAR: (f64, f64) = (1.6, 8.0);
-/// Difference from the surroundings' own course of colour, in CIELAB, from which a region is a spot: about one
-/// that is just seen.
-const LEAST_DIFFERENCE: f64 = 1.0;
-/// The smallest spot, in shares of the disc and pixels, and the largest, a radius in radii: what is larger is shading or
-/// mirrored **(ours)**.
-const LEAST_SPOT: (f64, f64) = (2e-4, 4.0);
-const LARGEST_SPOT: f64 = 0.17;
-/// Radius of the spots, and how far apart they lie, in radii, by which it is tried what could be told.
-const TRIED: (f64, f64) = (0.06, 0.15);
-/// Regions that share more than this are one spot.
-const SHARED: f64 = 0.3;
-/// Where spots fill more than this of what lies within 2.5 radii of one, and 0.2 of the pearl's, it is a pattern,
-/// mirrored **(ours)**.
-const PATTERN: f64 = 0.3;
+/// The least share of the half of the ball that must be looked at.
+const LEAST_LOOKED_AT: f64 = 0.1;
+/// Radius of the spots, and how far apart they lie, in radians, by which it is tried what could be told.
+const TRIED: (f64, f64) = (0.062, 0.15);
+/// Shares of what lies within this, in radians, between which spots become a pattern, mirrored **(ours)**.
+const NEAR: f64 = 0.3;
+const PATTERN: (f64, f64) = (0.2, 0.4);
+/// What counts less than this does not count.
+const LEAST_SHARE: f64 = 0.05;
 
 /// Spots found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Blemishes {
-    /// Their area on the ball, in percent of what was looked at; its error: half of what thresholds a
-    /// quarter lower or higher change.
+    /// Their area on the ball, in percent of what was looked at; its error: half of what wanting differences a
+    /// quarter smaller or larger changes.
     pub area: Value,
     /// How many there are.
     pub count: usize,
     /// Share of the visible half of the ball that was looked at.
     pub looked_at: f64,
-    /// The least difference that is told, in CIELAB: 1, or what a spot of 0.06 radii needs to be told from texture and
+    /// The least difference that comes to count, in L*: 0.7, or what a spot of 0.06 radians needs to be told from texture and
     /// mirrored light here, the median of places tried.
     pub threshold: f64,
-    /// Middles, and radii of discs as large as they look, in pixels, the largest first.
+    /// Middles, and radii of discs as large as they are on the ball, in pixels, the largest first.
     pub spots: Vec<Circle>,
 }
 
 /// Looks for spots on a ball; None where too little of it is left.
-pub fn blemishes(disc: &Disc, circle: &Circle, highlight: Option<Highlight>) -> Option<Blemishes> {
-    let open: Vec<bool> =
-        disc.pixels.iter().map(|pixel| is_open(pixel.as_ref(), circle, highlight)).collect();
-    let within = |most: f64, hidden: bool| -> Vec<bool> {
-        let inside = |pixel: &Option<Pixel>| pixel.is_some_and(|pixel| pixel.away < most);
-        disc.pixels.iter().zip(&open).map(|(one, open)| inside(one) && *open != hidden).collect()
-    };
-    let (looked, held, hidden) =
-        (within(FARTHEST, false), within(SURROUNDINGS, false), within(1.0, true));
-    let areas = areas(disc, circle);
-    let area = |at: usize| if looked[at] { areas[at] } else { 0.0 };
-    let whole: f64 = (0..areas.len()).map(area).sum();
-    let radius = circle.radius_px / disc.factor as f64;
-    let looked_at = whole / (radius * radius) / std::f64::consts::TAU;
-    if looked_at < 0.1 {
+pub fn blemishes(face: &Face) -> Option<Blemishes> {
+    let whole = face.looked.iter().filter(|looked| **looked).count();
+    let looked_at = share_of_half(whole);
+    if looked_at < LEAST_LOOKED_AT {
         return None;
     }
-    let residual = residuals(disc, &held, circle)?;
-    let map = Map { residual: &residual, held: &held, hidden: &hidden, width: disc.width, radius };
-    let known = known(&map);
-    let percent = |spots: &[&Spot]| {
-        let covered = covered(spots, held.len());
-        // The sum of nothing is -0.
-        100.0 * (0..covered.len()).filter(|&at| covered[at]).map(area).sum::<f64>() / whole + 0.0
+    let residual = residuals(face)?;
+    let known: Vec<Spot> = candidates(face, &residual, DIFFERENCE.0)
+        .iter()
+        .filter_map(|one| spot(face, &residual, one))
+        .collect();
+    let percent = |shares: &[f64]| 100.0 * shares.iter().sum::<f64>() / whole as f64;
+    let shares = shares(face, &known, 1.0);
+    let change = [0.75, 1.25].map(|factor| percent(&self::shares(face, &known, factor)));
+    let area = Value::new(percent(&shares), 0.5 * fabs(change[0] - change[1]));
+    let spots = spots(face, &shares);
+    let threshold = DIFFERENCE.0.max(told_from(face, &residual));
+    Some(Blemishes { area, count: spots.len(), looked_at, threshold, spots })
+}
+
+/// How far each place that is looked at belongs to a spot, 0 to 1, with differences wanted that are larger by a factor.
+fn shares(face: &Face, known: &[Spot], factor: f64) -> Vec<f64> {
+    let mut shares = vec![0.0_f64; face.held.len()];
+    for spot in known {
+        let weight = spot.weight(factor);
+        for &(at, share) in &spot.places {
+            shares[at] = shares[at].max(weight * share);
+        }
+    }
+    let filled = filled(face, &shares);
+    let own = |at: usize| {
+        let alone = 1.0 - ((filled(at) - PATTERN.0) / (PATTERN.1 - PATTERN.0)).clamp(0.0, 1.0);
+        let share = shares[at] * alone;
+        if face.looked[at] { ((share - LEAST_SHARE) / (1.0 - LEAST_SHARE)).max(0.0) } else { 0.0 }
     };
-    let mut found = chosen(&known, 1.0, &map);
-    let value = percent(&found);
-    let doubt = 0.5 * (percent(&chosen(&known, 0.75, &map)) - percent(&chosen(&known, 1.25, &map)));
-    found.retain(|spot| spot.places.iter().any(|&at| looked[at]));
-    let mut spots: Vec<Circle> = found.iter().map(|spot| around(disc, &spot.places)).collect();
+    (0..shares.len()).map(|at| if shares[at] > 0.0 { own(at) } else { 0.0 }).collect()
+}
+
+/// How much of what lies near a place belongs to spots.
+fn filled<'a>(face: &'a Face, shares: &'a [f64]) -> impl Fn(usize) -> f64 + 'a {
+    // Every other place is enough.
+    let reach = (NEAR * SCALE / 2.0) as isize;
+    let steps: Vec<(isize, isize)> = (-reach..=reach)
+        .flat_map(|down| (-reach..=reach).map(move |right| (2 * down, 2 * right)))
+        .filter(|(down, right)| sqrt((down * down + right * right) as f64) <= NEAR * SCALE)
+        .collect();
+    move |at| {
+        let most = WIDTH.cast_signed();
+        let (row, column) = (at.cast_signed() / most, at.cast_signed() % most);
+        let (mut all, mut sum) = (0.0, 0.0);
+        for (down, right) in &steps {
+            let (y, x) = (row + down, column + right);
+            if (0..most).contains(&y) && (0..most).contains(&x) {
+                let near = (y * most + x).cast_unsigned();
+                all += f64::from(u8::from(face.held[near]));
+                sum += shares[near];
+            }
+        }
+        sum / f64::max(all, 1.0)
+    }
+}
+
+/// What hangs together, the largest first.
+fn spots(face: &Face, shares: &[f64]) -> Vec<Circle> {
+    let mut free: Vec<bool> = shares.iter().map(|share| *share > 0.0).collect();
+    let mut spots = Vec::new();
+    for first in 0..free.len() {
+        if !free[first] {
+            continue;
+        }
+        free[first] = false;
+        let (mut next, mut count, mut middle) = (vec![first], 0.0, (0.0, 0.0));
+        while let Some(at) = next.pop() {
+            let (right, down) = offset(at);
+            middle = (middle.0 + right, middle.1 + down);
+            count += 1.0;
+            for near in [at.wrapping_sub(1), at + 1, at.wrapping_sub(WIDTH), at + WIDTH] {
+                if free.get(near).copied().unwrap_or(false) {
+                    free[near] = false;
+                    next.push(near);
+                }
+            }
+        }
+        spots.push(face.seen((middle.0 / count, middle.1 / count), count));
+    }
     spots.sort_by(|one, other| other.radius_px.total_cmp(&one.radius_px));
-    let area = Value::new(value, fabs(doubt));
-    let (count, threshold) = (spots.len(), LEAST_DIFFERENCE.max(told_from(&map, &looked)));
-    Some(Blemishes { area, count, looked_at, threshold, spots })
+    spots
 }
 
 /// What spots would have to differ by, tried over the pearl: the median; NaN where none could be told.
-fn told_from(map: &Map<'_>, looked: &[bool]) -> f64 {
-    let radius = (TRIED.0 * map.radius).max(1.0);
-    let step = (TRIED.1 * map.radius).round().max(2.0) as usize;
-    let disc = |at: usize| -> Vec<usize> {
-        let reach = radius as usize + 1;
-        let near = |row: usize| (0..=2 * reach).map(move |column| (row, column));
-        let own = |(row, column): (usize, usize)| {
-            let (down, right) = (row as f64 - reach as f64, column as f64 - reach as f64);
-            let place = (at + row * map.width + column).checked_sub(reach * (map.width + 1))?;
-            (down * down + right * right <= radius * radius).then_some(place)
-        };
-        (0..=2 * reach).flat_map(near).filter_map(own).collect()
-    };
+fn told_from(face: &Face, residual: &[[f64; 3]]) -> f64 {
+    let step = (TRIED.1 * SCALE) as usize;
     let on_grid =
-        |at: &usize| (at % map.width).is_multiple_of(step) && (at / map.width).is_multiple_of(step);
-    let tried = (0..looked.len()).filter(|&at| looked[at]).filter(on_grid);
-    median(&mut tried.filter_map(|at| needed(map, &disc(at))).collect::<Vec<f64>>())
-}
-
-/// Whether a place is no lamp's image and not clipped.
-fn is_open(pixel: Option<&Pixel>, circle: &Circle, highlight: Option<Highlight>) -> bool {
-    pixel.is_some_and(|pixel| {
-        let lamp = highlight.is_some_and(|lamp| lamp.covers(circle, pixel.place, CLEAR.0, CLEAR.1));
-        !pixel.clipped && !lamp
-    })
-}
-
-/// What may be spots, the sharpest first.
-fn known(map: &Map<'_>) -> Vec<Spot> {
-    let disc = std::f64::consts::PI * map.radius * map.radius;
-    let least = (LEAST_SPOT.0 * disc).max(LEAST_SPOT.1) as usize;
-    let most = (LARGEST_SPOT * LARGEST_SPOT * disc) as usize;
-    let mut known: Vec<Spot> =
-        regions(map, least, most).iter().filter_map(|region| spot(map, region)).collect();
-    known.sort_by(|one, other| other.sharpness.total_cmp(&one.sharpness));
-    known
-}
-
-/// Those that differ enough, by a factor; of those over each other the sharpest, and none of patterns.
-fn chosen<'a>(known: &'a [Spot], factor: f64, map: &Map<'_>) -> Vec<&'a Spot> {
-    let differs =
-        |spot: &&Spot| spot.contrast >= factor * LEAST_DIFFERENCE && spot.clearness >= factor;
-    let mut taken = vec![false; map.held.len()];
-    let mut chosen = Vec::new();
-    for spot in known.iter().filter(differs) {
-        let shared = spot.places.iter().filter(|&&at| taken[at]).count();
-        if shared as f64 <= SHARED * spot.places.len() as f64 {
-            spot.places.iter().for_each(|&at| taken[at] = true);
-            chosen.push(spot);
-        }
-    }
-    chosen.retain(|spot| is_alone(spot, &taken, map));
-    chosen
-}
-
-/// Whether there are few other spots around one.
-fn is_alone(spot: &Spot, taken: &[bool], map: &Map<'_>) -> bool {
-    let count = spot.places.len() as f64;
-    let mean = |of: &dyn Fn(usize) -> usize| {
-        spot.places.iter().map(|&at| of(at) as f64).sum::<f64>() / count
-    };
-    let (x, y) = (mean(&|at| at % map.width), mean(&|at| at / map.width));
-    let reach = (2.5 * spot.radius).max(0.2 * map.radius);
-    let near = |at: &usize| {
-        let (right, down) = ((at % map.width) as f64 - x, (at / map.width) as f64 - y);
-        map.held[*at] && right * right + down * down <= reach * reach
-    };
-    let (mut all, mut filled) = (-count, -count);
-    for at in (0..taken.len()).filter(near) {
-        all += 1.0;
-        filled += f64::from(u8::from(taken[at]));
-    }
-    all > 0.0 && filled <= PATTERN * all
-}
-
-fn covered(spots: &[&Spot], count: usize) -> Vec<bool> {
-    let mut covered = vec![false; count];
-    spots.iter().flat_map(|spot| &spot.places).for_each(|&at| covered[at] = true);
-    covered
-}
-
-/// What each pixel covers of the ball, in pixels seen from straight ahead.
-fn areas(disc: &Disc, circle: &Circle) -> Vec<f64> {
-    let area = |pixel: &Option<Pixel>| {
-        let normal = pixel.as_ref().and_then(|pixel| circle.normal(pixel.place.0, pixel.place.1));
-        normal.map_or(0.0, |normal| 1.0 / normal[2].max(0.2))
-    };
-    disc.pixels.iter().map(area).collect()
-}
-
-/// The disc as large as a spot, around its middle, in original pixels.
-fn around(disc: &Disc, spot: &[usize]) -> Circle {
-    let count = spot.len() as f64;
-    let (mut x_px, mut y_px) = (0.0, 0.0);
-    for pixel in spot.iter().filter_map(|&at| disc.pixels[at].as_ref()) {
-        x_px += pixel.place.0 / count;
-        y_px += pixel.place.1 / count;
-    }
-    let radius_px = disc.factor as f64 * sqrt(count / std::f64::consts::PI);
-    Circle { x_px, y_px, radius_px }
+        |at: &usize| (at % WIDTH).is_multiple_of(step) && (at / WIDTH).is_multiple_of(step);
+    let tried = (0..face.looked.len()).filter(|&at| face.looked[at]).filter(on_grid);
+    let needed = |at: usize| Some(spot(face, residual, &Candidate { at, radius: TRIED.0 })?.needed);
+    median(&mut tried.filter_map(needed).collect::<Vec<f64>>())
 }

@@ -2,15 +2,16 @@
 
 use libm::sqrt;
 
-use crate::Circle;
-use crate::disc::Disc;
+use crate::face::{Face, offset};
 use crate::solve::{inverse, robust_weight, times};
 use crate::value::median;
 
-/// The course is a polynomial of this degree in the place, per channel of CIELAB **(ours)**: shading, rings
+/// The course is a polynomial of this degree in the place, per channel of colour **(ours)**: shading, rings
 /// of colour and glows are followed, spots are not.
 const DEGREE: usize = 6;
 const TERMS: usize = (DEGREE + 1) * (DEGREE + 2) / 2;
+/// The map's places reach this far, in radians.
+const REACH: f64 = 1.25;
 /// Rounds of least absolute differences, and all, the rest by Tukey's biweight.
 const ROUNDS: (usize, usize) = (5, 12);
 /// Differences are never taken for smaller than this.
@@ -23,29 +24,21 @@ const RIDGE: f64 = 1e-6;
 /// A place's terms of the course, and its colour.
 type Row = ([f64; TERMS], [f64; 3]);
 
-/// CIELAB less the robust course of colour, averaged over 3 x 3 pixels; 0 where nothing is looked at.
-///
-/// None where too few pixels are left for a course.
-pub fn residuals(disc: &Disc, held: &[bool], circle: &Circle) -> Option<Vec<[f64; 3]>> {
-    let own = |at: usize| disc.pixels[at].as_ref().filter(|_| held[at]);
+/// Colour less its robust course; 0 where nothing is looked at. None where too few places are left for a course.
+pub fn residuals(face: &Face) -> Option<Vec<[f64; 3]>> {
     let row = |at: usize| {
-        let pixel = own(at)?;
-        let (x, y) = pixel.place;
-        let (right, down) =
-            ((x - circle.x_px) / circle.radius_px, (y - circle.y_px) / circle.radius_px);
-        Some((terms(right, down), pixel.lab))
+        let (right, down) = offset(at);
+        face.held[at].then(|| (terms(right / REACH, down / REACH), face.lab[at]))
     };
-    let count = held.iter().filter(|held| **held).count();
+    let count = face.held.iter().filter(|held| **held).count();
     let rows: Vec<Row> =
-        (0..held.len()).filter_map(row).step_by(count.div_ceil(ENOUGH).max(1)).collect();
+        (0..face.held.len()).filter_map(row).step_by(count.div_ceil(ENOUGH).max(1)).collect();
     if rows.len() < 4 * TERMS {
         return None;
     }
     let course = fitted(&rows)?;
-    let rest: Vec<[f64; 3]> = (0..held.len())
-        .map(|at| row(at).map_or([0.0; 3], |(terms, lab)| less(lab, &terms, &course)))
-        .collect();
-    Some((0..held.len()).map(|at| averaged(&rest, held, at, disc.width)).collect())
+    let rest = |at: usize| row(at).map_or([0.0; 3], |(terms, lab)| less(lab, &terms, &course));
+    Some((0..face.held.len()).map(rest).collect())
 }
 
 /// Chebyshev's polynomials in both directions, up to the degree together.
@@ -111,22 +104,4 @@ fn normal_equations(rows: &[Row], weights: &[f64]) -> (Vec<Vec<f64>>, [Vec<f64>;
         line[at] += ridge;
     }
     (matrix, sides)
-}
-
-/// The mean over a pixel and those around it.
-fn averaged(rest: &[[f64; 3]], held: &[bool], at: usize, width: usize) -> [f64; 3] {
-    if !held[at] {
-        return [0.0; 3];
-    }
-    let (mut sum, mut count) = ([0.0; 3], 0.0);
-    for row in 0..3 {
-        for column in 0..3 {
-            let Some(near) = (at + row * width + column).checked_sub(width + 1) else { continue };
-            if held.get(near).copied().unwrap_or(false) {
-                sum = [0, 1, 2].map(|channel| sum[channel] + rest[near][channel]);
-                count += 1.0;
-            }
-        }
-    }
-    sum.map(|one| one / count)
 }

@@ -1,7 +1,7 @@
 //! The pearl's pixels, in a copy small enough, with colours relative to the white.
 
 use crate::contour::Contour;
-use crate::white::{White, lab};
+use crate::white::White;
 use crate::{Circle, Picture};
 
 /// Beyond so many mean radii from the middle no pearl reaches.
@@ -26,8 +26,6 @@ pub struct Pixel {
     pub away: f64,
     /// XYZ relative to the white.
     pub xyz: [f64; 3],
-    /// CIELAB relative to the white.
-    pub lab: [f64; 3],
     /// Whether a code of the file may have ended before the light did.
     pub clipped: bool,
 }
@@ -65,9 +63,8 @@ impl Disc {
             let away = if far > FARTHEST * radius_px { far } else { share(place.0, place.1) };
             (away < 1.0).then(|| {
                 let rgb = small.light[at];
-                let xyz = white.xyz(rgb);
                 let clipped = rgb.iter().any(|&channel| channel >= clipped_at);
-                Pixel { place, away, xyz, lab: lab(xyz), clipped }
+                Pixel { place, away, xyz: white.xyz(rgb), clipped }
             })
         };
         let pixels = (0..small.light.len()).map(pixel).collect();

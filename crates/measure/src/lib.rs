@@ -26,12 +26,14 @@
 //! ```
 
 mod blemish;
+mod candidate;
 mod circle;
 mod contour;
 mod course;
 mod disc;
 mod edge;
 mod error;
+mod face;
 mod highlight;
 mod lamp;
 mod measures;
@@ -39,7 +41,6 @@ mod outline;
 mod path;
 mod picture;
 mod profile;
-mod regions;
 mod rim;
 mod rings;
 mod search;
@@ -47,7 +48,6 @@ mod solve;
 mod spot;
 mod value;
 mod white;
-mod window;
 
 pub use blemish::Blemishes;
 pub use circle::Circle;

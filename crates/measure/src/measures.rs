@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::blemish::{Blemishes, blemishes};
 use crate::contour::Widths;
 use crate::disc::Disc;
+use crate::face::Face;
 use crate::lamp::{LampImage, lamp_image};
 use crate::outline::{LEAST_RADIUS_PX, Outline, find, near};
 use crate::rings::{Colour, Rings, rings, whole};
@@ -14,11 +15,13 @@ use crate::{Circle, MeasureError, Picture, Value};
 /// Above this roundness a pearl is no sphere: GIA's limit of near-round, 5 % of the diameter.
 const ROUND: f64 = 0.05;
 /// A smaller sphere has neither rings nor lamp's image: in a picture of half the size a ring's chroma is then off by up to 7 %,
-/// a peak by 5 (`tests/measure/changes.py`).
+/// a peak by 5 (`tests/measure/changes.py`); nor are spots looked for.
 const LEAST_PLACES_PX: f64 = 40.0;
-/// Radius of the copies in which colours, and spots, are looked at, in pixels.
+/// Radius of the copy in which colours are looked at, in pixels.
 const COLOUR_PX: f64 = 256.0;
-const SPOTS_PX: f64 = 128.0;
+/// Where its error is more than this share of it, the blemished area hangs on faint spots: of pictures made anew, those that
+/// move by over 5 % are above it (`tests/measure/changes.py`).
+const UNSURE: f64 = 0.08;
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -188,11 +191,33 @@ fn of_sphere(
     let rings =
         if is_small { Err(small()) } else { rings(disc, &circle, found.highlight).ok_or_else(few) };
     let rings = refused.taken("rings", rings);
-    let copy = Disc::of(picture, white, &outline.contour, clipped_at, SPOTS_PX);
-    let spots = blemishes(&copy, &circle, found.highlight).ok_or_else(few);
+    let spots = if is_small {
+        Err(small())
+    } else {
+        let face = Face::of(picture, white, &outline.contour, clipped_at, found.highlight);
+        blemishes(&face).ok_or_else(few)
+    };
     let blemishes = refused.taken("blemishes", spots);
-    refused.add_faint(blemishes.as_ref());
+    if let Some(reason) = blemishes.as_ref().and_then(faint) {
+        refused.add("blemishes.relief", &reason);
+    }
     OfSphere { rings, lamp, blemishes }
+}
+
+/// What is too faint to be told, or to hold still.
+fn faint(found: &Blemishes) -> Option<String> {
+    let least = found.threshold;
+    if found.count == 0 {
+        return Some(format!(
+            "no spot differs by {least:.1} and more in L*; relief that differs by less cannot be told here"
+        ));
+    }
+    let error = found.area.error.unwrap_or(0.0);
+    (error > UNSURE * found.area.value).then(|| {
+        format!(
+            "some spots differ by little more than {least:.1} in L*; how a picture is made (pixels, JPEG) may change the area by {error:.1} % of the pearl"
+        )
+    })
 }
 
 #[derive(Default)]
@@ -201,16 +226,6 @@ struct Refusals(Vec<Refused>);
 impl Refusals {
     fn add(&mut self, quantity: &'static str, reason: &str) {
         self.0.push(Refused { quantity, reason: reason.to_owned() });
-    }
-
-    /// Where no spot is found, those that are too faint.
-    fn add_faint(&mut self, found: Option<&Blemishes>) {
-        if let Some(Blemishes { threshold, .. }) = found.filter(|found| found.count == 0) {
-            let reason = format!(
-                "no spot differs by {threshold:.1} and more in CIELAB; relief that differs by less cannot be told here"
-            );
-            self.add("blemishes.relief", &reason);
-        }
     }
 
     fn taken<T>(&mut self, quantity: &'static str, found: Result<T, String>) -> Option<T> {

@@ -1,291 +1,297 @@
-//! Whether a closed region is a spot: it differs from what its surroundings, carried on over it, would have there.
+//! How far a disc is a spot: it differs from what its surroundings, carried on over it, would have there.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
-use libm::{atan2, fabs, sqrt};
+use libm::{atan2, exp, sqrt};
 
+use crate::candidate::{Candidate, GAP, RING};
+use crate::face::{Face, SCALE, WIDTH};
 use crate::solve::{inverse, product, times};
 use crate::value::{median, quantile};
-use crate::window::Window;
 
-/// How far to both sides of a border it is compared, in radii: facets lean by 0.03 radians and more, which
-/// blurs what they mirror by as many radii **(ours)**.
-const ASIDE: f64 = 0.03;
-/// Width of the ring of surroundings beyond, in radii **(ours)**.
-const RING: f64 = 0.09;
-/// A spot is about round: 4 pi area / border^2 is this at the least **(ours)**.
-const LEAST_ROUND: f64 = 0.5;
-/// The share of its difference that is lost across its border, on the mean and in each eighth **(ours)**.
-const LEAST_FALL: (f64, f64) = (0.55, 0.3);
-/// Times what its surroundings differ from their own course, in the direction of colour in which it is clearest, that it differs; and the same where less than `WHOLE`
-/// of the ring can be seen or the spot is under `SMALL_PX` in radius, where texture passes for spots **(ours)**.
-const STANDS_OUT: f64 = 4.5;
-const STANDS_OUT_IN_DOUBT: f64 = 8.0;
-const WHOLE: f64 = 0.95;
-const SMALL_PX: f64 = 3.0;
-/// The same against means over twelfths of the ring, in which texture is averaged and mirrored tables are not **(ours)**.
-const STANDS_OUT_OF_SECTORS: f64 = 7.0;
+/// Differences between which a spot comes to count, in L* **(ours)**.
+pub const DIFFERENCE: (f64, f64) = (0.7, 1.6);
+/// It is wanted to differ by this much times what its ring does (three quarters of which differ less), and of what the
+/// ring's twelfths do, in which texture is averaged and mirrored tables are not **(ours)**.
+const STANDS_OUT: f64 = 2.5;
+const STANDS_OUT_OF_SECTORS: f64 = 3.0;
 const SECTORS: usize = 12;
-/// Scatter of surroundings is never taken for less than this, in CIELAB **(ours)**.
-const FLOOR: f64 = 0.1;
-/// A place belongs to a spot from this share of its difference on: where a sharp border is.
-const BELONGS: f64 = 0.5;
-/// Of the ring, this share differs less than what counts as its difference.
 const USUAL: f64 = 0.75;
-/// The ring's share that must be seen.
-const LEAST_SEEN: f64 = 0.5;
-/// Of the ring about so many pixels are taken.
-const ENOUGH: usize = 400;
-/// A course over the ring: 1, x, y, x^2, x y, y^2.
+/// What is wanted is never taken for less.
+const FLOOR: f64 = 0.45;
+/// Shares of what is wanted between which it comes to count.
+const CLEAR: (f64, f64) = (0.8, 1.3);
+/// Shares of its difference that are lost across its border: all around, and in the eighth where least is **(ours)**.
+const FALL: (f64, f64) = (0.55, 0.8);
+const LEAST_FALL: (f64, f64) = (0.2, 0.5);
+/// Shares of the ring that are seen, and of the disc that are not.
+const SEEN: (f64, f64) = (0.55, 0.8);
+const HIDDEN: (f64, f64) = (0.0, 0.15);
+/// Shares of a spot's difference, where three quarters of its disc differ by no more, between which a place comes to belong
+/// to it: averaged, half of it reaches beyond the border **(ours)**.
+const BELONGS: (f64, f64) = (0.5, 1.0);
+/// A place's difference is averaged with this standard deviation, in radians: relief is lighter on one side and darker
+/// on the other, and has a line between on which it does not differ.
+const AVERAGED: f64 = 0.02;
+/// The least that a ring differs from its own course, for weights, in L*.
+const LEAST_SPREAD: f64 = 0.05;
+/// A course over the ring: 1, x, y, x^2, x y, y^2, in reaches.
 const TERMS: usize = 6;
 
-/// A course of each channel.
-type Course = [Vec<f64>; 3];
-
-/// A map of differences from the pearl's own course, in CIELAB.
-pub struct Map<'a> {
-    pub residual: &'a [[f64; 3]],
-    pub held: &'a [bool],
-    /// What lies on the pearl and is not looked at: the lamp's image, clipped light.
-    pub hidden: &'a [bool],
-    pub width: usize,
-    /// The pearl's radius, in pixels of the map.
-    pub radius: f64,
-}
-
-/// A region that may be a spot.
+/// A disc that may be a spot.
 pub struct Spot {
-    /// Where at least `BELONGS` of its difference is.
-    pub places: Vec<usize>,
-    /// Its difference, in CIELAB.
+    /// Its root mean square difference, in L*, less that of the ring around it.
     pub contrast: f64,
-    /// The same, in what is wanted by what its surroundings differ.
-    pub clearness: f64,
-    /// By which of regions over each other the clearest is taken.
-    pub sharpness: f64,
-    /// Of the region, in pixels of the map.
-    pub radius: f64,
+    /// What it is wanted to differ by here.
+    pub needed: f64,
+    /// How far it is closed, sharp and in sight, 0 to 1.
+    shape: f64,
+    /// Places, and how far they belong to it, 0 to 1.
+    pub places: Vec<(usize, f64)>,
 }
 
-/// A window with the ring of surroundings in it.
-struct Ring<'a> {
-    map: &'a Map<'a>,
-    window: Window,
-    aside: f64,
-    /// Numbers of places in the window.
-    own: Vec<usize>,
-    around: Vec<usize>,
-    /// The region's middle, and what the ring reaches, in pixels.
-    middle: (f64, f64),
-    reach: f64,
-    /// The share of the ring that is looked at.
-    seen: f64,
+impl Spot {
+    /// How far it counts, 0 to 1, with differences wanted that are larger by a factor.
+    pub fn weight(&self, factor: f64) -> f64 {
+        self.shape
+            * rise(self.contrast / factor, DIFFERENCE)
+            * rise(self.contrast / (factor * self.needed), CLEAR)
+    }
 }
 
-/// What a region differs by, if it is closed, about round and sharp; whether it stands out is left open.
-pub fn spot(map: &Map<'_>, region: &[usize]) -> Option<Spot> {
-    let ring = Ring::around(map, region)?;
-    let (course, rest) = ring.course()?;
-    let differs: Vec<[f64; 3]> =
-        (0..ring.window.places.len()).map(|at| ring.less(at, &course)).collect();
-    let middle = [0, 1, 2]
-        .map(|i| median(&mut ring.own.iter().map(|&at| differs[at][i]).collect::<Vec<f64>>()));
-    let contrast = length(middle);
-    let axis = clearest(&rest, middle)?;
-    let along: Vec<f64> = differs.iter().map(|one| product(one, &axis)).collect();
-    let own = product(&middle, &axis);
-    let fall = ring.fall(&along, own)?;
-    let belongs = |at: &usize| {
-        let place = ring.window.places[*at];
-        ring.window.away[*at] <= ring.aside && map.held[place] && along[*at] >= BELONGS * own
-    };
-    let places = (0..along.len()).filter(belongs).map(|at| ring.window.places[at]).collect();
-    let clearness = own / ring.needed(&rest, &axis).max(1e-9);
-    let radius = ring.radius();
-    Some(Spot { places, contrast, clearness, sharpness: contrast * fall, radius })
+/// From 0 to 1 between two values, with no corner.
+fn rise(value: f64, (from, to): (f64, f64)) -> f64 {
+    let share = ((value - from) / (to - from)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
 }
 
-/// What a spot of such places would have to differ by, in CIELAB and in the channel that tells it best; None where
-/// none could be told.
-pub fn needed(map: &Map<'_>, region: &[usize]) -> Option<f64> {
-    let ring = Ring::around(map, region)?;
-    let (_, rest) = ring.course()?;
-    let in_channel = |channel: usize| {
-        let mut difference = [0.0; 3];
-        difference[channel] = 1.0;
-        let axis = clearest(&rest, difference)?;
-        Some(ring.needed(&rest, &axis) / axis[channel])
-    };
-    (0..3).filter_map(in_channel).min_by(f64::total_cmp)
+/// A place of the map near a disc.
+struct Near {
+    at: usize,
+    right: f64,
+    down: f64,
+    away: f64,
+    /// Squared difference from the ring's course.
+    power: f64,
+    /// Around the disc, 0 to 1.
+    turn: f64,
 }
 
-impl<'a> Ring<'a> {
-    /// None where the region is not round, lies at what is hidden, or has too little around it.
-    fn around(map: &'a Map<'a>, region: &[usize]) -> Option<Self> {
-        let step = (ASIDE * map.radius).round().max(1.0);
-        let wide = (RING * map.radius).round().max(2.0);
-        let height = map.held.len() / map.width;
-        let window = Window::around(region, (step + wide) as usize + 1, map.width, height);
-        let border = window.border as f64;
-        if 4.0 * PI * (window.area as f64) < LEAST_ROUND * border * border {
-            return None;
+/// What a disc differs by; None where too little of it, or of its ring, is seen.
+pub fn spot(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<Spot> {
+    let (all, held) = whole_disc(face, disc);
+    let hidden = 1.0 - held / all;
+    if hidden >= HIDDEN.1 {
+        return None;
+    }
+    let (near, seen) = around(face, residual, disc)?;
+    let radius = disc.radius;
+    let is_ring = |one: &&Near| is_ring(one.away, radius);
+    let mut ring: Vec<f64> = near.iter().filter(is_ring).map(|one| one.power).collect();
+    let noise = median(&mut ring);
+    let own = mean_power(&near, |one| one.away <= radius);
+    let contrast = sqrt((own? - noise).max(1e-6));
+    let mut sectors = parts(&near, SECTORS, |one| is_ring(&one));
+    let needed = (STANDS_OUT * sqrt(quantile(&mut ring, USUAL)))
+        .max(STANDS_OUT_OF_SECTORS * sqrt(quantile(&mut sectors, USUAL)))
+        .max(FLOOR);
+    let border =
+        parts(&near, 8, |one| (radius + 0.5 * GAP..radius + 1.5 * GAP).contains(&one.away));
+    let falls: Vec<f64> =
+        border.iter().map(|power| 1.0 - sqrt((power - noise).max(0.0)) / contrast).collect();
+    let fall = falls.iter().sum::<f64>() / falls.len() as f64;
+    let least = falls.iter().copied().fold(1.0, f64::min);
+    let shape = rise(fall, FALL)
+        * rise(least, LEAST_FALL)
+        * rise(seen, SEEN)
+        * (1.0 - rise(hidden, HIDDEN));
+    let places = if shape > 0.0 { members(&near, disc, noise) } else { Vec::new() };
+    Some(Spot { contrast, needed, shape, places })
+}
+
+fn is_ring(away: f64, radius: f64) -> bool {
+    away > radius + GAP && away < radius + GAP + RING
+}
+
+/// The disc's and its border's places, all and those held.
+fn whole_disc(face: &Face, disc: &Candidate) -> (f64, f64) {
+    let (mut all, mut held) = (0.0, 0.0);
+    for (at, right, down) in window(disc) {
+        if sqrt(right * right + down * down) < disc.radius + GAP {
+            all += 1.0;
+            held += f64::from(u8::from(at.is_some_and(|at| face.held[at])));
         }
-        // Half a step more, for distances go from pixel to pixel.
-        let aside = step + 0.3;
-        let all = || 0..window.places.len();
-        if all().any(|at| window.away[at] <= aside && map.hidden[window.places[at]]) {
-            return None;
-        }
-        let beyond = |at: &usize| (aside..=aside + wide).contains(&window.away[*at]);
-        let shell = all().filter(beyond).count();
-        let around: Vec<usize> =
-            all().filter(beyond).filter(|&at| map.held[window.places[at]]).collect();
-        let seen = around.len() as f64 / shell.max(1) as f64;
-        if seen < LEAST_SEEN || around.len() < 2 * TERMS {
-            return None;
-        }
-        let own: Vec<usize> = all().filter(|&at| window.away[at] < 0.0).collect();
-        let mean = |of: &dyn Fn(usize) -> usize| {
-            own.iter().map(|&at| of(window.places[at]) as f64).sum::<f64>() / own.len() as f64
-        };
-        let middle = (mean(&|at| at % map.width), mean(&|at| at / map.width));
-        let reach = sqrt(window.area as f64 / PI) + step + wide;
-        Some(Self { map, window, aside, own, around, middle, reach, seen })
     }
+    (all, held)
+}
 
-    /// Of the region, in pixels of the map.
-    fn radius(&self) -> f64 {
-        sqrt(self.window.area as f64 / PI)
-    }
+/// Places around a disc, its ring included, with how far they lie to the right and down; None off the map.
+fn window(disc: &Candidate) -> impl Iterator<Item = (Option<usize>, f64, f64)> + use<> {
+    let reach = ((disc.radius + GAP + RING) * SCALE).ceil() as isize + 1;
+    let (row, column) = ((disc.at / WIDTH).cast_signed(), (disc.at % WIDTH).cast_signed());
+    let most = WIDTH.cast_signed();
+    (-reach..=reach).flat_map(move |down| {
+        (-reach..=reach).map(move |right| {
+            let (y, x) = (row + down, column + right);
+            let inside = (0..most).contains(&y) && (0..most).contains(&x);
+            let at = inside.then(|| (y * most + x).cast_unsigned());
+            (at, right as f64 / SCALE, down as f64 / SCALE)
+        })
+    })
+}
 
-    /// What a difference along an axis of colour must be to stand out of what is left of the surroundings.
-    fn needed(&self, rest: &[[f64; 3]], axis: &[f64]) -> f64 {
-        let doubt = self.seen < WHOLE || self.radius() < SMALL_PX;
-        let wanted = if doubt { STANDS_OUT_IN_DOUBT } else { STANDS_OUT };
-        let along: Vec<f64> = rest.iter().map(|one| product(one, axis)).collect();
-        let usual = quantile(&mut along.iter().map(|one| fabs(*one)).collect::<Vec<f64>>(), USUAL);
-        (wanted * usual).max(STANDS_OUT_OF_SECTORS * self.of_sectors(&along))
-    }
-
-    /// Where a place of the window lies from the region's middle, in reaches.
-    fn offset(&self, at: usize) -> (f64, f64) {
-        let place = self.window.places[at];
-        let (x, y) = ((place % self.map.width) as f64, (place / self.map.width) as f64);
-        ((x - self.middle.0) / self.reach, (y - self.middle.1) / self.reach)
-    }
-
-    fn terms(&self, at: usize) -> [f64; TERMS] {
-        let (x, y) = self.offset(at);
+/// What is held around a disc, less the course of its ring, and the share of the ring that is seen.
+fn around(face: &Face, residual: &[[f64; 3]], disc: &Candidate) -> Option<(Vec<Near>, f64)> {
+    let reach = disc.radius + GAP + RING;
+    let mut near: Vec<Near> = window(disc)
+        .filter_map(|(at, right, down)| {
+            let at = at.filter(|&at| face.held[at])?;
+            let away = sqrt(right * right + down * down);
+            let turn = atan2(down, right) / TAU + 0.5;
+            (away < reach).then_some(Near { at, right, down, away, power: 0.0, turn })
+        })
+        .collect();
+    let terms = |one: &Near| {
+        let (x, y) = (one.right / reach, one.down / reach);
         [1.0, x, y, x * x, x * y, y * y]
+    };
+    let ring: Vec<([f64; TERMS], [f64; 3])> = near
+        .iter()
+        .filter(|one| is_ring(one.away, disc.radius))
+        .map(|one| (terms(one), residual[one.at]))
+        .collect();
+    let seen = ring.len() as f64 / disc.whole_ring();
+    if seen < 0.5 || ring.len() < 4 * TERMS {
+        return None;
     }
-
-    fn less(&self, at: usize, course: &Course) -> [f64; 3] {
-        let terms = self.terms(at);
-        let own = self.map.residual[self.window.places[at]];
-        [0, 1, 2].map(|i| own[i] - product(&terms, &course[i]))
+    // Every other place is enough.
+    let course = course(&ring.iter().copied().step_by(2).collect::<Vec<_>>())?;
+    for one in &mut near {
+        one.power = power(residual[one.at], &terms(one), &course);
     }
+    Some((near, seen))
+}
 
-    /// The course of the surroundings, robustly, and what is left of them.
-    fn course(&self) -> Option<(Course, Vec<[f64; 3]>)> {
-        let taken: Vec<usize> = self
-            .around
-            .iter()
-            .copied()
-            .step_by(self.around.len().div_ceil(ENOUGH).max(1))
-            .collect();
-        let mut weights = vec![1.0; taken.len()];
-        let mut course = [Vec::new(), Vec::new(), Vec::new()];
-        for _ in 0..3 {
-            let mut matrix = vec![vec![0.0; TERMS]; TERMS];
-            let mut sides = [vec![0.0; TERMS], vec![0.0; TERMS], vec![0.0; TERMS]];
-            for (&at, weight) in taken.iter().zip(&weights) {
-                let terms = self.terms(at);
-                let light = self.map.residual[self.window.places[at]];
-                for one in 0..TERMS {
-                    for other in 0..TERMS {
-                        matrix[one][other] += weight * terms[one] * terms[other];
-                    }
-                    for channel in 0..3 {
-                        sides[channel][one] += weight * terms[one] * light[channel];
-                    }
+fn power(colour: [f64; 3], terms: &[f64; TERMS], course: &[Vec<f64>; 3]) -> f64 {
+    (0..3).map(|i| colour[i] - product(terms, &course[i])).map(|rest| rest * rest).sum()
+}
+
+/// The robust course of colour over a ring, by Huber's weights in three rounds.
+fn course(ring: &[([f64; TERMS], [f64; 3])]) -> Option<[Vec<f64>; 3]> {
+    let mut weights = vec![1.0; ring.len()];
+    let mut course = [Vec::new(), Vec::new(), Vec::new()];
+    for _ in 0..3 {
+        let mut matrix = vec![vec![0.0; TERMS]; TERMS];
+        let mut sides = [vec![0.0; TERMS], vec![0.0; TERMS], vec![0.0; TERMS]];
+        for ((terms, colour), weight) in ring.iter().zip(&weights) {
+            for one in 0..TERMS {
+                for other in 0..TERMS {
+                    matrix[one][other] += weight * terms[one] * terms[other];
+                }
+                for channel in 0..3 {
+                    sides[channel][one] += weight * terms[one] * colour[channel];
                 }
             }
-            let inverse = inverse(&matrix)?;
-            course = sides.map(|side| times(&inverse, &side));
-            let sizes: Vec<f64> = taken.iter().map(|&at| length(self.less(at, &course))).collect();
-            let spread = median(&mut sizes.clone()).max(0.05);
-            weights = sizes.iter().map(|size| 1.0 / (size / spread).max(1.0)).collect();
         }
-        let rest = self.around.iter().map(|&at| self.less(at, &course)).collect();
-        Some((course, rest))
+        let inverse = inverse(&matrix)?;
+        course = sides.map(|side| times(&inverse, &side));
+        let sizes: Vec<f64> =
+            ring.iter().map(|(terms, colour)| sqrt(power(*colour, terms, &course))).collect();
+        let spread = median(&mut sizes.clone()).max(LEAST_SPREAD);
+        weights = sizes.iter().map(|size| 1.0 / (size / spread).max(1.0)).collect();
     }
-
-    /// What the means over sectors of the ring differ from its course.
-    fn of_sectors(&self, rest: &[f64]) -> f64 {
-        let mut sums = [(0.0, 0.0); SECTORS];
-        for (&at, rest) in self.around.iter().zip(rest) {
-            let (sum, count) = &mut sums[self.sector(at, SECTORS)];
-            *sum += rest;
-            *count += 1.0;
-        }
-        let held = sums.iter().filter(|(_, count)| *count > 2.0);
-        let mut means: Vec<f64> = held.map(|(sum, count)| fabs(*sum) / count).collect();
-        quantile(&mut means, USUAL)
-    }
-
-    fn sector(&self, at: usize, of: usize) -> usize {
-        let (x, y) = self.offset(at);
-        (((atan2(y, x) / TAU).rem_euclid(1.0) * of as f64) as usize).min(of - 1)
-    }
-
-    /// The share of the difference that is lost across the border; None where that is too little.
-    fn fall(&self, along: &[f64], contrast: f64) -> Option<f64> {
-        let depth = (self.radius() / 2.0).round().clamp(1.0, self.aside.floor());
-        let within = |at: &&usize| (depth + 0.3..=depth + 1.5).contains(&-self.window.away[**at]);
-        let mut inside: Vec<f64> = self.own.iter().filter(within).map(|&at| along[at]).collect();
-        let mut own: Vec<f64> = self.own.iter().map(|&at| along[at]).collect();
-        if inside.len() < 3 {
-            let least = quantile(&mut own, 0.7);
-            inside = own.iter().copied().filter(|one| *one >= least).collect();
-        }
-        let inside = inside.iter().sum::<f64>() / inside.len() as f64;
-        let (mut sums, mut whole) = ([(0.0, 0.0); 8], (0.0, 0.0));
-        for at in 0..along.len() {
-            let near =
-                self.window.away[at] > self.aside - 1.0 && self.window.away[at] <= self.aside;
-            if near && self.window.away[at] > 0.0 && self.map.held[self.window.places[at]] {
-                let sum = &mut sums[self.sector(at, 8)];
-                *sum = (sum.0 + along[at], sum.1 + 1.0);
-                whole = (whole.0 + along[at], whole.1 + 1.0);
-            }
-        }
-        let most = quantile(&mut own, 0.9).max(contrast);
-        let fall = (inside - whole.0 / whole.1) / most;
-        let held = sums.iter().filter(|(_, count)| *count > 0.0);
-        let least = held.map(|(sum, count)| (inside - sum / count) / contrast).fold(2.0, f64::min);
-        (fall >= LEAST_FALL.0 && least >= LEAST_FALL.1).then_some(fall)
-    }
+    Some(course)
 }
 
-/// The direction of colour, of length 1, in which a difference is clearest against what is left of its surroundings:
-/// texture is lighter and darker, relief of another colour, or the other way round.
-fn clearest(rest: &[[f64; 3]], difference: [f64; 3]) -> Option<Vec<f64>> {
-    let mut scatter = vec![vec![0.0; 3]; 3];
-    for one in rest {
-        for (row, line) in scatter.iter_mut().enumerate() {
-            for (column, sum) in line.iter_mut().enumerate() {
-                *sum += one[row] * one[column] / rest.len() as f64;
-            }
-        }
+/// The mean squared difference of some places; None of none.
+fn mean_power(near: &[Near], is_one: impl Fn(&Near) -> bool) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for one in near.iter().filter(|one| is_one(one)) {
+        sum += one.power;
+        count += 1.0;
     }
-    for (at, line) in scatter.iter_mut().enumerate() {
-        line[at] += FLOOR * FLOOR;
-    }
-    let axis = times(&inverse(&scatter)?, &difference);
-    let size = sqrt(product(&axis, &axis));
-    Some(axis.iter().map(|part| part / size).collect())
+    (count > 0.0).then(|| sum / count)
 }
 
-fn length([l, a, b]: [f64; 3]) -> f64 {
-    sqrt(l * l + a * a + b * b)
+/// The mean squared difference in each of some parts around the middle, of those that have any.
+fn parts(near: &[Near], count: usize, is_one: impl Fn(&Near) -> bool) -> Vec<f64> {
+    let mut sums = vec![(0.0, 0.0); count];
+    for one in near.iter().filter(|one| is_one(one)) {
+        let (sum, held) = &mut sums[((one.turn * count as f64) as usize).min(count - 1)];
+        *sum += one.power;
+        *held += 1.0;
+    }
+    sums.iter().filter(|(_, held)| *held > 0.0).map(|(sum, held)| sum / held).collect()
+}
+
+/// Places that differ as a disc does, within its border.
+fn members(near: &[Near], disc: &Candidate, noise: f64) -> Vec<(usize, f64)> {
+    let border = (disc.radius + 0.5 * GAP, disc.radius + 1.5 * GAP);
+    let inner: Vec<&Near> =
+        near.iter().filter(|one| one.away < border.1 + 3.0 * AVERAGED).collect();
+    let averaged = averaged(&inner, noise);
+    // Of a disc that is larger than the spot, what is beside the spot does not count.
+    let within = inner.iter().zip(&averaged).filter(|(one, _)| one.away <= disc.radius);
+    let full = quantile(&mut within.map(|(_, power)| *power).collect::<Vec<f64>>(), USUAL);
+    inner
+        .iter()
+        .zip(averaged)
+        .filter(|(one, _)| one.away < border.1)
+        .map(|(one, power)| {
+            let share = (sqrt(power / full.max(1e-9)) - BELONGS.0) / (BELONGS.1 - BELONGS.0);
+            (one.at, share.clamp(0.0, 1.0) * (1.0 - rise(one.away, border)))
+        })
+        .filter(|(_, share)| *share > 0.0)
+        .collect()
+}
+
+/// Squared differences beyond noise, averaged by a Gaussian, first along rows and then along columns.
+fn averaged(near: &[&Near], noise: f64) -> Vec<f64> {
+    let spread = AVERAGED * SCALE;
+    let reach = (3.5 * spread) as isize;
+    let weights: Vec<f64> = (-reach..=reach)
+        .map(|step| exp(-0.5 * (step as f64 / spread) * (step as f64 / spread)))
+        .collect();
+    let sum: f64 = weights.iter().sum();
+    let mut map: Vec<f64> = vec![0.0; WIDTH * WIDTH];
+    for one in near {
+        map[one.at] = (one.power - noise).max(0.0);
+    }
+    for stride in [1, WIDTH.cast_signed()] {
+        let along = |at: usize| {
+            let place = |step: usize| at.checked_add_signed((step.cast_signed() - reach) * stride);
+            let part = |(step, weight): (usize, &f64)| {
+                place(step).and_then(|at| map.get(at)).map_or(0.0, |one| weight * one / sum)
+            };
+            weights.iter().enumerate().map(part).sum::<f64>()
+        };
+        let means: Vec<f64> = near.iter().map(|one| along(one.at)).collect();
+        for (one, mean) in near.iter().zip(means) {
+            map[one.at] = mean;
+        }
+    }
+    near.iter().map(|one| map[one.at]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::face::offset;
+
+    #[test]
+    fn a_rise_has_its_ends_and_middle() {
+        for (value, risen) in [(0.0, 0.0), (1.0, 0.0), (2.0, 0.5), (3.0, 1.0), (4.0, 1.0)] {
+            assert!((rise(value, (1.0, 3.0)) - risen).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn offsets_of_a_window_are_those_of_the_map() {
+        let disc = Candidate { at: 80 * WIDTH + 60, radius: 0.1 };
+        let (x, y) = offset(disc.at);
+        for (at, right, down) in window(&disc) {
+            let (other_x, other_y) = offset(at.unwrap());
+            assert!((other_x - x - right).abs() + (other_y - y - down).abs() < 1e-12);
+        }
+    }
 }

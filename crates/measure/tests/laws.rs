@@ -75,3 +75,51 @@ fn light_that_is_no_number_is_told_with_its_place() {
     assert!(matches!(error, MeasureError::Light { row: 7, column: 5, .. }), "{error}");
     assert!(Picture::new(&light, SIDE, SIDE + 1).is_err());
 }
+
+/// A ball of some radius in pixels, its middle off by some, with three spots a share darker, of 0.1 radii.
+fn spotted(radius: f64, off: f64, darker: f64) -> nacreous_measure::Measures {
+    let side = (2.6 * radius) as usize;
+    let middle = side as f64 / 2.0 + off;
+    let mut light = Vec::with_capacity(3 * side * side);
+    for at in 0..side * side {
+        let (right, down) = (
+            ((at % side) as f64 + 0.5 - middle) / radius,
+            ((at / side) as f64 + 0.5 - middle) / radius,
+        );
+        let square = right * right + down * down;
+        let covered = ((1.0 - square.sqrt()) * radius + 0.5).clamp(0.0, 1.0);
+        let spots: f64 = [(0.1, 0.3), (-0.4, 0.0), (0.3, -0.4)]
+            .iter()
+            .map(|(x, y)| ((0.1 - (right - x).hypot(down - y)) * radius + 0.5).clamp(0.0, 1.0))
+            .sum();
+        let own = (0.5 + 0.1 * down) * (1.0 - darker * spots);
+        light.extend([(0.02 + covered * (own - 0.02)) as f32; 3]);
+    }
+    measure(&Picture::new(&light, side, side).unwrap(), &Given::default()).unwrap()
+}
+
+#[test]
+fn the_blemished_area_is_that_of_the_spots_whatever_the_pixels_are() {
+    // Of caps whose discs are seen 0.1 radii wide, 0.32, 0.4 and 0.5 radii off the middle.
+    let true_area: f64 =
+        [0.1_f64, 0.16, 0.25].iter().map(|square| 0.01 / (1.0 - square).sqrt()).sum();
+    for (radius, off) in [(60.0, 0.0), (60.0, 0.37), (90.5, 0.2), (140.0, 0.0), (300.0, 0.5)] {
+        let found = spotted(radius, off, 0.2).blemishes.unwrap();
+        assert_eq!(found.count, 3, "{radius}");
+        let seen = found.area.value / 100.0 * 2.0 * found.looked_at;
+        assert!((seen / true_area - 1.0).abs() < 0.15, "{radius}, {off}: {seen} for {true_area}");
+        let least = spotted(60.0, 0.0, 0.2).blemishes.unwrap().area.value;
+        assert!((found.area.value / least - 1.0).abs() < 0.05, "{radius}, {off}");
+    }
+}
+
+#[test]
+fn the_blemished_area_rises_with_what_spots_differ_by_and_does_not_jump() {
+    let areas: Vec<f64> = (0..=14)
+        .map(|step| spotted(80.0, 0.1, 0.005 * f64::from(step)).blemishes.unwrap().area.value)
+        .collect();
+    assert!(areas[0] == 0.0 && areas[14] > 2.0, "{areas:?}");
+    for pair in areas.windows(2) {
+        assert!(pair[1] >= pair[0] - 0.02 && pair[1] - pair[0] < 0.35 * areas[14], "{areas:?}");
+    }
+}

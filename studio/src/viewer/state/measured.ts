@@ -89,7 +89,7 @@ export function table(found: Measures): Row[] {
     ...rowsOf("blemishes", [
       ["blemishArea", blemishes?.area ?? null, "%"],
       ["blemishCount", blemishes?.count ?? null, ""],
-      ["threshold", blemishes?.threshold ?? null, "ΔE", 1],
+      ["threshold", blemishes?.threshold ?? null, "L*", 1],
     ]),
   ];
 }
