@@ -2,7 +2,7 @@
 
 import type { Developed, PearlJson, RecipeJson, Resources, Shared, Space } from "nacreous-wasm";
 
-/** A picture that is wanted: each worker makes the stripes of its number. */
+/** A picture that is wanted: each worker makes bands of its rows, as they are handed out. */
 export interface Show {
   readonly kind: "show";
   readonly ticket: number;
@@ -13,7 +13,7 @@ export interface Show {
   readonly firstPx: number;
   /** Whether the rows of the whole picture are wanted, or its first picture alone. */
   readonly refine: boolean;
-  /** Which stripes are this worker's: every `parts`th, from `part` on. */
+  /** This worker's number of all that work on the picture. */
   readonly part: number;
   readonly parts: number;
 }
@@ -32,6 +32,14 @@ export interface Parts {
   readonly ticket: number;
   readonly round: number;
   readonly parts: readonly Float64Array[];
+}
+
+/** Rows for a worker to make, `[first, end)`; none of them once all are handed out. */
+export interface Band {
+  readonly kind: "band";
+  readonly ticket: number;
+  readonly first: number;
+  readonly end: number;
 }
 
 /** The joined pixels of a picture with glare, which needs all of them. */
@@ -54,6 +62,7 @@ export type ToWorker =
   | Show
   | Agreed
   | Parts
+  | Band
   | Look
   | Resolve;
 
@@ -83,6 +92,12 @@ export type FromWorker =
       readonly light: Light | null;
     }
   | {
+      /** This worker takes another band. */
+      readonly kind: "free";
+      readonly ticket: number;
+      readonly part: number;
+    }
+  | {
       readonly kind: "whole";
       readonly ticket: number;
       readonly codes: Codes;
@@ -110,15 +125,3 @@ export type FromWorker =
       readonly keys: Readonly<Record<string, number>>;
     }
   | { readonly kind: "failed"; readonly ticket: number; readonly text: string };
-
-/** Rows of a stripe: enough to be worth a message, few enough that workers share a picture evenly. */
-export const STRIPE = 8;
-
-/** The stripes of one worker, as rows `[first, end)`. */
-export function stripes(size: number, part: number, parts: number): [number, number][] {
-  const found: [number, number][] = [];
-  for (let first = part * STRIPE; first < size; first += parts * STRIPE) {
-    found.push([first, Math.min(first + STRIPE, size)]);
-  }
-  return found;
-}

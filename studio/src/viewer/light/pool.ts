@@ -1,6 +1,7 @@
-/** Workers that share a picture by stripes of rows. */
+/** Workers that share a picture by bands of rows. */
 
 import type { PearlJson, RecipeJson, Resources, Shared, Space } from "nacreous-wasm";
+import { Bands } from "./bands";
 import type { First } from "./first";
 import type { Codes, FromWorker, Light, Show, ToWorker } from "./messages";
 
@@ -71,6 +72,7 @@ export class Pool {
   /** What the workers were last told of dropped files. */
   private told: Resources | undefined;
   private rowsThere = 0;
+  private bands = new Bands(0);
   private lacks = new Round<Shared | null>(0);
   private shares = new Round<Float64Array>(0);
   private question = 0;
@@ -95,6 +97,7 @@ export class Pool {
     this.wanted = wanted;
     this.codes = this.light = this.pixels = this.covered = null;
     this.rowsThere = 0;
+    this.bands = new Bands(wanted.size);
     this.lacks = new Round(this.workers.length);
     this.shares = new Round(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
@@ -161,6 +164,7 @@ export class Pool {
     if (told.kind === "failed") wanted.failed(told.text);
     else if (told.kind === "lacks") this.agree(told);
     else if (told.kind === "part") this.handRound(told);
+    else if (told.kind === "free") this.handBand(told.ticket, told.part);
     else if (told.kind === "whole") this.finish(wanted, told.codes, told.light);
     else this.join(wanted, told);
   }
@@ -181,6 +185,11 @@ export class Pool {
     for (const worker of this.workers.keys()) {
       this.tell(worker, { kind: "parts", ticket, round, parts });
     }
+  }
+
+  private handBand(ticket: number, part: number): void {
+    const [first, end] = this.bands.take();
+    this.tell(part, { kind: "band", ticket, first, end });
   }
 
   /** Puts rows in their place; with the last of them the picture is whole. */

@@ -11,16 +11,16 @@ import {
   type Resources,
 } from "nacreous-wasm";
 import { firstPicture } from "./first";
-import {
-  type Agreed,
-  type FromWorker,
-  type Light,
-  type Look,
-  type Parts,
-  type Resolve,
-  type Show,
-  type ToWorker,
-  stripes,
+import type {
+  Agreed,
+  Band,
+  FromWorker,
+  Light,
+  Look,
+  Parts,
+  Resolve,
+  Show,
+  ToWorker,
 } from "./messages";
 
 /** Rows are made in pieces of some so many ms; between two the worker looks at its messages. */
@@ -41,6 +41,11 @@ let rowsAtOnce = 2;
 let firstPx = 512;
 let agreed: Agreed | null = null;
 let joined: Parts | null = null;
+/** Bands that are this worker's, the next first. */
+let bands: Band[] = [];
+
+/** Goes on with whatever waits for a message. */
+let wake = () => {};
 
 page.onmessage = ({ data }) => {
   if (data.kind === "load") {
@@ -54,9 +59,12 @@ page.onmessage = ({ data }) => {
     agreed = data;
   } else if (data.kind === "parts") {
     joined = data;
+  } else if (data.kind === "band") {
+    bands.push(data);
   } else {
     answer(data);
   }
+  wake();
 };
 
 /** Goes on until nothing newer is wanted. */
@@ -91,13 +99,7 @@ async function make(wanted: Show): Promise<void> {
     await messages();
     if (latest !== null) return;
   } while (!job.step());
-  for (const [first, end] of stripes(job.size, wanted.part, wanted.parts)) {
-    for (let row = first; row < end;) {
-      row = rows(job, wanted, row, end);
-      await messages();
-      if (latest !== null) return;
-    }
-  }
+  if (!(await picture(job, wanted))) return;
   // Made once for nothing, the next first picture finds what the whole one has learnt in its place.
   if (wanted.part === 0) job.preview(firstPx, wanted.space, "soft");
 }
@@ -108,29 +110,47 @@ async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> 
     await messages();
     if (latest !== null) return false;
     page.postMessage({ kind: "lacks", ticket, round, part, shared: job.lacks() ?? null });
-    const next = await reply(() => agreed, ticket, round);
+    const isThis = (one: Agreed | Parts | null) => one?.ticket === ticket && one.round === round;
+    const next = await reply(() => (isThis(agreed) ? agreed : null));
     if (next === null) return false;
     if (next.shared === null) return true;
     const numbers = job.part(next.shared, part, parts) as Float64Array<ArrayBuffer>;
     page.postMessage({ kind: "part", ticket, round, part, numbers }, [numbers.buffer]);
-    const all = await reply(() => joined, ticket, round);
+    const all = await reply(() => (isThis(joined) ? joined : null));
     if (all === null) return false;
     job.join(next.shared, [...all.parts]);
     joined = null; // a megabyte or two
   }
 }
 
+/** Makes bands until none is left; false where something newer came. */
+async function picture(job: Job, wanted: Show): Promise<boolean> {
+  const { ticket, part } = wanted;
+  const ask = () => page.postMessage({ kind: "free", ticket, part });
+  bands = [];
+  ask(); // one in hand while the other is asked for
+  ask();
+  for (;;) {
+    const band = await reply(() => bands.shift());
+    if (band === null) return false;
+    if (band.ticket !== ticket) continue;
+    if (band.first === band.end) return true;
+    ask();
+    for (let row = band.first; row < band.end;) {
+      row = rows(job, wanted, row, band.end);
+      await messages();
+      if (latest !== null) return false;
+    }
+  }
+}
+
 /** Waits for what the others come to; null where something newer came. */
-async function reply<T extends Agreed | Parts>(
-  last: () => T | null,
-  ticket: number,
-  round: number,
-): Promise<T | null> {
+async function reply<T>(last: () => T | null | undefined): Promise<T | null> {
   for (;;) {
     const found = last();
-    if (found !== null && found.ticket === ticket && found.round === round) return found;
+    if (found) return found;
     if (latest !== null) return null;
-    await pause();
+    await new Promise<void>((go) => (wake = go));
   }
 }
 
@@ -189,11 +209,6 @@ function fail(ticket: number, error: unknown): void {
   const text = error instanceof Error ? error.message : String(error);
   if (text.includes("broken off")) job = null; // a fault of ours: that job is of no use any more
   page.postMessage({ kind: "failed", ticket, text });
-}
-
-/** Waits for others, who take tens of milliseconds. */
-function pause(): Promise<void> {
-  return new Promise((go) => setTimeout(go, 1));
 }
 
 const channel = new MessageChannel();

@@ -68,7 +68,7 @@ export const resolved = signal<Readonly<Record<string, number>>>({});
 export const notice = signal("");
 
 /** How long a hand rests before the picture is refined, in ms. */
-const REST_MS = 220;
+const REST_MS = 100;
 let resting: ReturnType<typeof setTimeout> | undefined;
 
 /** Says that a hand is on a knob; it rests a moment after the last of these. */

@@ -1,20 +1,21 @@
 import { expect, test, vi } from "vitest";
+import { Bands } from "../../../src/viewer/light/bands";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
 import { FirstSize } from "../../../src/viewer/light/first";
 import { Pool, Round, agreed, type Whole } from "../../../src/viewer/light/pool";
-import { stripes } from "../../../src/viewer/light/messages";
 
-test("the stripes of all workers are every row once", () => {
-  for (const [size, parts] of [
-    [512, 1],
-    [512, 3],
-    [7, 4],
-    [100, 4],
-  ] as const) {
-    const rows = Array.from({ length: parts }, (_, part) => stripes(size, part, parts))
-      .flat()
-      .flatMap(([first, end]) => Array.from({ length: end - first }, (_, i) => first + i));
-    expect(rows.sort((a, b) => a - b)).toEqual(Array.from({ length: size }, (_, i) => i));
+test("every row is handed out once, and then none", () => {
+  for (const size of [7, 16, 100]) {
+    const bands = new Bands(size);
+    let next = 0;
+    while (next < size) {
+      const [first, end] = bands.take();
+      expect(first).toBe(next);
+      expect(end).toBeGreaterThan(first);
+      next = end;
+    }
+    expect(next).toBe(size);
+    expect(bands.take()).toEqual([size, size]);
   }
 });
 
@@ -64,6 +65,24 @@ test("rows of two workers become one picture, told once", async () => {
   expect(refined).toHaveBeenCalledTimes(1);
   const { codes, light } = refined.mock.calls[0]?.[0] as Whole;
   expect([codes[0], codes.at(-1), light[0], light.at(-1)]).toEqual([1, 2, 1, 2]);
+});
+
+test("a worker that is free gets the next rows of what is wanted now", async () => {
+  const { made, workers } = await pool(2);
+  made.show({ ...WANTED, failed: vi.fn() });
+  await settled();
+  const [one, two] = workers as [FakeWorker, FakeWorker];
+  two.says({ kind: "free", ticket: 1, part: 1 });
+  two.says({ kind: "free", ticket: 1, part: 1 });
+  one.says({ kind: "free", ticket: 1, part: 0 });
+  const ends = [one, two].map((worker) => worker.told.at(-1)) as { first: number; end: number }[];
+  expect(ends[0]?.first).toBe(ends[1]?.end);
+  made.show({ ...WANTED, failed: vi.fn() });
+  await settled();
+  one.says({ kind: "free", ticket: 1, part: 0 }); // out of date
+  expect(one.told.at(-1)).toMatchObject({ kind: "show", ticket: 2 });
+  one.says({ kind: "free", ticket: 2, part: 0 });
+  expect(one.told.at(-1)).toMatchObject({ kind: "band", ticket: 2, first: 0 });
 });
 
 test("rows out of date are dropped; a first picture is shown though the hand went on", async () => {
