@@ -4,7 +4,8 @@
     python benchmarks/image.py --peers    # and Mitsuba's pearl, and docs/benchmarks.md
 
 Prints whole-process wall time, processor time and peak memory over several runs, of the main job,
-of every preset scene, of 24 to 400 pearls in one, of 4096 x 4096 pixels, the import of the package
+of every preset scene, of shapes, of 24 to 400 pearls in one, of 4096 x 4096 pixels, the import of
+the package
 (which loads no room until asked) and of its last room (which brings NumPy and pydantic), and where
 the time goes in the rooms; the main job by stages is in `main_job.py`. The budget of the main job
 is 1.5 s on two cores, of the import 0.3 s, of memory 200 MB. `--peers` compares with Mitsuba 3, see
@@ -146,6 +147,37 @@ kind = "cloth"
 """
 
 
+#: A pearl with each thing that makes one dearer to render.
+EVERYTHING = {
+    "body.nucleus_bands": 0.3,
+    "coat.thickness_spread": 0.03,
+    "coat.banding": 0.5,
+    "coat.hammering_rad": 0.03,
+    "coat.terrace_um": 100,
+    "blemishes.pits": 5,
+    "blemishes.bumps": 5,
+    "blemishes.scratches": 3,
+    "blemishes.wrinkles": 3,
+    "blemishes.chalky_spots": 3,
+}
+SHAPES = {
+    "round": {},
+    "oval": {"shape.length": 1.3},
+    "baroque": {"shape.lumps": 0.06, "shape.lump_mm": 5},
+    "small lumps": {"shape.lumps": 0.06, "shape.lump_mm": 2},
+}
+
+
+def report_shapes(render: list[str], folder: str) -> None:
+    """Shapes, plain and with everything on, in 1024 x 1024; wanted: 2.5 s."""
+    output = ["--size", "1024", "-o", str(Path(folder, "shape.png"))]
+    for word, more in {"plain": {}, "everything on": EVERYTHING}.items():
+        for shape, keys in SHAPES.items():
+            sets = [f"--set={key}={value}" for key, value in {**keys, **more}.items()]
+            arguments = [*render, "akoya-rg", *sets, "--scene", "north-window-white", *output]
+            report(f"{shape}, {word}", arguments)
+
+
 STAR = '"*"'
 
 
@@ -176,6 +208,7 @@ def main() -> None:
         larger = ["--size", "1024", "-o", output]
         report("the same, 1024 x 1024", [*nacreous, "render", "paper", *larger])
         report_scenes([*nacreous, "render"], folder)
+        report_shapes([*nacreous, "render"], folder)
         report_fields([*nacreous, "render"], folder)
         report_large([*nacreous, "render"], folder)
         report("import nacreous", [sys.executable, "-c", "import nacreous"])

@@ -49,7 +49,8 @@ def run(begin_s: float, output: str, record: str) -> None:
     stopwatch.watch(image, "render_recipe", "rendering")
     stopwatch.watch(image.Image, "save", "writing")
     sys.argv = ["nacreous", "render", "paper", "-o", output]
-    code = cli.run_program()
+    cli.prepare()
+    code = cli.main()
     stopwatch.lap("rest")
     import json
     from pathlib import Path

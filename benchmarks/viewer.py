@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
 
 import nacreous as nc
 from nacreous.colour import decode, delta_e_2000, lab_from_xyz, xyz_from_rgb
@@ -108,14 +108,17 @@ SHOWN = """async side => {
 def viewer(workers: int) -> Iterator[Page]:
     """The page of a static host, with so many workers."""
     with hosted() as address, chromium() as browser:
-        page = browser.new_page(viewport={"width": 1440, "height": 900})
-        processors = (
-            f"Object.defineProperty(navigator, 'hardwareConcurrency', {{ value: {workers} }})"
-        )
-        page.add_init_script(processors + ";" + WATCH)
-        page.goto(f"{address}/?lang=en")
-        refined(page)
-        yield page
+        yield opened(browser, address, workers)
+
+
+def opened(browser: Browser, address: str, workers: int) -> Page:
+    """The page, with nothing of it kept from before, once its picture is whole."""
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    processors = f"Object.defineProperty(navigator, 'hardwareConcurrency', {{ value: {workers} }})"
+    page.add_init_script(processors + ";" + WATCH)
+    page.goto(f"{address}/?lang=en")
+    refined(page)
+    return page
 
 
 def refined(page: Page) -> None:
@@ -213,6 +216,17 @@ def whole(page: Page) -> None:
     print(f"{'refined':28}{statistics.median(took):8.0f}{max(took):8.0f}")
 
 
+def start(workers: int) -> None:
+    """Print how long a page takes from its address to its first picture; knobs answer then."""
+    with hosted() as address, chromium() as browser:
+        took = []
+        for _ in range(RUNS):
+            page = opened(browser, address, workers)
+            took.append(page.evaluate("drawn[0].at"))
+            page.close()
+    print(f"{'from address to picture':28}{statistics.median(took):8.0f}{max(took):8.0f}")
+
+
 def pixels() -> None:
     """Compare refined pictures with those of the command line."""
     worst = 0
@@ -249,6 +263,7 @@ def main() -> None:
         pixels()
     else:
         speed(options.workers, options.lobes)
+        start(options.workers)
 
 
 if __name__ == "__main__":

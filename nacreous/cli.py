@@ -29,8 +29,8 @@ from nacreous.problem import InputError
 from nacreous.stopping import code_of, how_stopped, stop_cleanly
 
 
-def run_program() -> int:
-    """Run the command that this process was started for, and give its exit code."""
+def prepare() -> None:
+    """Make this process ready for the command that it was started for."""
     # Python's last search for garbage would take as long as reading the files did; what lies in
     # no circle is cleaned up all the same.
     atexit.register(gc.freeze)
@@ -39,7 +39,6 @@ def run_program() -> int:
     without_pandas()
     stop_cleanly()
     _speak_utf8()
-    return main()
 
 
 def _speak_utf8() -> None:

@@ -195,7 +195,7 @@ def test_help_loads_nothing_heavy() -> None:
 def test_the_program_ends_without_a_search_for_garbage() -> None:
     code = (
         "import atexit, gc, sys; from nacreous import cli; sys.argv = ['nacreous', '--version']; "
-        "atexit.register(lambda: print(gc.get_freeze_count() > 0)); cli.run_program()"
+        "atexit.register(lambda: print(gc.get_freeze_count() > 0)); cli.prepare(); cli.main()"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "True"

@@ -21,14 +21,16 @@ _AT_THE_LAST = """
 import os, signal, sys
 os.fsync = lambda _: os.kill(os.getpid(), signal.SIGTERM)
 from nacreous import cli
-sys.exit(cli.run_program())
+cli.prepare()
+sys.exit(cli.main())
 """
 #: SIGTERM comes after a second of work.
 _AT_WORK = """
 import os, signal, sys, threading
 from nacreous import cli
 threading.Timer(1, os.kill, (os.getpid(), signal.SIGTERM)).start()
-sys.exit(cli.run_program())
+cli.prepare()
+sys.exit(cli.main())
 """
 _TINY = ["--size", "16", "--samples", "1"]
 _HUGE = ["--size", "4096"]
