@@ -90,7 +90,7 @@ def test_hand_wheel_and_keys_turn_and_zoom_and_are_undone(page: Page) -> None:
 
 def test_two_pearls_are_compared_and_go_into_a_study(page: Page, tmp_path: Path) -> None:
     page.click(".beside")
-    page.fill("[data-key='nacre.harvest'] input[type=date]", "2024-08-15")
+    page.fill("[data-key='nacre.harvest'] .typed input", "2024-08-15")
     page.click("#tab-compare")
     page.get_by_text("Wipe").click()
     page.get_by_text("Add A and B").click()
