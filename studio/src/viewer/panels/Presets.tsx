@@ -96,13 +96,5 @@ export function SmallPicture({ specs }: { specs: Specs }) {
       wanted = false;
     };
   }, [specs.pearl, specs.scene]);
-  return (
-    <canvas
-      ref={canvas}
-      class={`small ${state}`}
-      width={2}
-      height={2}
-      aria-hidden="true"
-    />
-  );
+  return <canvas ref={canvas} class={`small ${state}`} width={2} height={2} aria-hidden="true" />;
 }

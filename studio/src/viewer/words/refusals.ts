@@ -9,14 +9,14 @@ import { language } from "./speech";
 /** `crates/measure` and what else the instruments are refused. */
 const MEASURES: readonly Rule[] = [
   [
-    /^no spot differs by (\S+) and more in L\*; relief that differs by less cannot be told here$/,
-    ([, n]) =>
-      `L*の差が${n}以上の点はありません。それより淡い凹凸は、この画像では見分けられません。`,
+    /^no spot differs by (\S+) and more in (\S+); relief that differs by less cannot be told here$/,
+    ([, n, space]) =>
+      `${space}の差が${n}以上の点はありません。それより淡い凹凸は、この画像では見分けられません。`,
   ],
   [
-    /^some spots differ by little more than (\S+) in L\*; how a picture is made \(pixels, JPEG\) may change the area by (\S+) % of the pearl$/,
-    ([, n, area]) =>
-      `L*の差が${n}をわずかに超えるだけの点があります。画像の作り方（画素数、JPEG）により、面積が真珠の${area} %ほど変わることがあります。`,
+    /^some spots differ by little more than (\S+) in (\S+); how a picture is made \(pixels, JPEG\) may change the area by (\S+) % of the pearl$/,
+    ([, n, space, area]) =>
+      `${space}の差が${n}をわずかに超えるだけの点があります。画像の作り方（画素数、JPEG）により、面積が真珠の${area} %ほど変わることがあります。`,
   ],
   [
     /^the pearl is no sphere: its diameters differ by more than (\S+) %$/,
