@@ -28,7 +28,12 @@ function Refused() {
   const more = complaints.length - MOST_LINES;
   return (
     <div class="message wrong" role="alert">
-      <strong>{t(from === "file" ? "refusedFile" : "refusedLink")}</strong>
+      <div class="head">
+        <strong>{t(from === "file" ? "refusedFile" : "refusedLink")}</strong>
+        <button type="button" onClick={() => (refused.value = null)}>
+          {t("close")}
+        </button>
+      </div>
       <ul>
         {complaints.slice(0, MOST_LINES).map((one) => (
           <li key={one.text}>
@@ -37,9 +42,6 @@ function Refused() {
         ))}
         {more > 0 && <li>… {more}</li>}
       </ul>
-      <button type="button" onClick={() => (refused.value = null)}>
-        {t("close")}
-      </button>
     </div>
   );
 }
@@ -57,10 +59,10 @@ function Notice() {
     notice.value = "";
   };
   return (
-    <div class={said === "" ? "" : "message"}>
+    <div class={said === "" ? "" : "message notice"}>
       <span role="status">{said}</span>
       {isUndo && (
-        <button type="button" class="back" onClick={back}>
+        <button type="button" onClick={back}>
           {t("undo")}
         </button>
       )}

@@ -70,7 +70,7 @@ export const EN = {
   failedSee: "See the knob: {names}.",
   pearlPicture: "The pearl. Arrow keys turn the camera, plus and minus zoom, 0 puts it back.",
   hint: "Drag to turn · wheel to zoom · double click to reset",
-  hintTouch: "Drag to turn · pinch to zoom · double tap to reset",
+  hintTouch: "Drag turns · pinch zooms · double tap resets",
   dome: "Light from above",
   domeHint: "Seen from above. The middle is overhead, the rim is the horizon.",
   moveLamp: "Move {name}: {azimuth}° to the side, {elevation}° high",

@@ -83,7 +83,7 @@ export function fileJa(text: string): string | null {
   if (whole !== null) return whole;
   for (let at = text.indexOf(": "); at >= 0; at = text.indexOf(": ", at + 2)) {
     const said = applied(FILES, text.slice(at + 2), plain);
-    if (said !== null) return `${text.slice(0, at)}：${said}`;
+    if (said !== null) return `${text.slice(0, at)}: ${said}`;
   }
   return null;
 }

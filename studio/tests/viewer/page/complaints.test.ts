@@ -55,7 +55,7 @@ test("a file's complaints are the command line's in English, and at their key in
     expect.stringMatching(/^a\.toml: body\.pigment：値は"wite"です。.*"white"のことですか。$/),
     expect.stringMatching(/^a\.toml: sheen：このようなキーはありません。/),
   ]);
-  expect(said("depth = = 3")[0]).toMatch(/^a\.toml：1行目の9文字目：TOMLとして読めません/);
+  expect(said("depth = = 3")[0]).toMatch(/^a\.toml: 1行目の9文字目：TOMLとして読めません/);
   expect(said("depth = 3").join()).not.toContain("allowed");
 });
 
