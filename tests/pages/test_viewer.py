@@ -33,6 +33,24 @@ UNFOLD = """() => {
 }"""
 
 
+#: Controls that a message lies over.
+COVERED = """() => {
+    const messages = [...document.querySelectorAll(".message")];
+    const over = one => {
+        const box = one.getBoundingClientRect();
+        return box.width > 0 && messages.some(message => {
+            const other = message.getBoundingClientRect();
+            return other.left < box.right && box.left < other.right
+                && other.top < box.bottom && box.top < other.bottom;
+        });
+    };
+    const controls = [...document.querySelectorAll("button, select, input, .handle, summary")];
+    return controls.filter(one => one.closest(".messages") === null && over(one))
+        .map(one => one.outerHTML);
+}"""
+BAD = FilePayload(name="bad.toml", mimeType="text/plain", buffer=b"depth = 3")
+
+
 @pytest.fixture(scope="module")
 def visitor(browser: Browser, host: str) -> Iterator[Guarded]:
     with guarded(browser, host, viewport={"width": 1440, "height": 900}) as guard:
@@ -90,7 +108,7 @@ def test_hand_wheel_and_keys_turn_and_zoom_and_are_undone(page: Page) -> None:
 
 def test_two_pearls_are_compared_and_go_into_a_study(page: Page, tmp_path: Path) -> None:
     page.click(".beside")
-    page.fill("[data-key='nacre.harvest'] input[type=date]", "2024-08-15")
+    page.fill("[data-key='nacre.harvest'] .typed input", "2024-08-15")
     page.click("#tab-compare")
     page.get_by_text("Wipe").click()
     page.get_by_text("Add A and B").click()
@@ -118,9 +136,35 @@ def test_a_link_and_files_bring_the_same_pearl_again(
     other.close()
 
 
+def test_what_is_wrong_is_told_once_and_goes_with_its_cause(page: Page) -> None:
+    """At its knob; over the picture where the knob is not to be seen."""
+    failed = page.locator(".failed")
+    page.fill("[data-key='nacre.harvest'] .typed input", "9999-12-31")
+    expect(page.locator(".complaint")).to_have_text(
+        re.compile('^Harvest is "9999-12-31"; allowed: 1 day to 20 years after Seeding')
+    )
+    expect(failed).to_contain_text("See the knob: Harvest")
+    expect(failed).not_to_contain_text("9999")
+    page.click("#tab-scene")
+    expect(failed).to_contain_text('Harvest is "9999-12-31"; allowed: ')
+    page.get_by_role("button", name="Start over").click()
+    expect(failed).to_have_count(0)
+
+
+def test_why_a_number_was_not_taken_stays_until_the_next(page: Page) -> None:
+    why = page.locator("[data-key='shininess'] .range")
+    page.fill("[data-key='shininess'] .typed input", "７")
+    page.keyboard.press("Enter")
+    shows(page, "shininess", "0.65")
+    expect(why).to_have_text("“７” was not taken; allowed: 0 to 1")
+    page.fill("[data-key='shininess'] .typed input", "０．３")
+    page.keyboard.press("Enter")
+    shows(page, "shininess", "0.3")
+    expect(why).to_be_empty()
+
+
 def test_what_is_damaged_is_told_once_and_changes_nothing(page: Page, visitor: Guarded) -> None:
-    bad = FilePayload(name="bad.toml", mimeType="text/plain", buffer=b"depth = 3")
-    page.set_input_files("input[type=file]", [bad])
+    page.set_input_files("input[type=file]", [BAD])
     expect(page.locator(".message.wrong li")).to_have_text(
         ["bad.toml: depth is 3; allowed: 0 to 1"]
     )
@@ -137,6 +181,9 @@ def test_nothing_is_in_anybodys_way(browser: Browser, host: str, width: int, lan
     size = {"width": width, "height": 844}
     with guarded(browser, host, viewport=size, bypass_csp=True) as guard:
         page = guard.open(f"/?lang={language}").page
+        page.set_input_files("input[type=file]", [BAD])
+        page.locator(".message.wrong").wait_for()
+        assert page.evaluate(COVERED) == []
         for tab in TABS[width > 1000 :]:
             page.click(f"#tab-{tab}")
             while page.evaluate(UNFOLD):

@@ -92,8 +92,11 @@ def test_dropped_files_make_the_picture_that_the_command_line_makes_of_them(
     made = nc.render(pearl, scene, size=SIDE_PX, samples=16).develop()[0]
     apart = np.abs(shown.astype(int) - made)
     assert apart.max() <= 1, (apart.max(), (apart > 1).sum())
+    page.locator(".message").get_by_role("button", name="Undo").wait_for()
     page.get_by_role("button", name="Copy link").click()
-    expect(page.locator("[role=status].message")).to_contain_text("without sky.hdr, wool.png, lamp")
+    expect(page.locator(".message [role=status]")).to_contain_text(
+        "without sky.hdr, wool.png, lamp"
+    )
 
 
 def test_files_that_no_key_can_use_are_told_as_by_the_command_line(

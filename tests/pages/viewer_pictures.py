@@ -46,7 +46,7 @@ def main() -> None:
         page.screenshot(path=folder / "viewer-instruments.png")
         page.click("#tab-pearl")
         page.click(".beside")
-        page.fill("[data-key='nacre.harvest'] input[type=date]", "2024-08-15")
+        page.fill("[data-key='nacre.harvest'] .typed input", "2024-08-15")
         page.click("#tab-compare")
         at_rest(page)
         page.screenshot(path=folder / "viewer-compare.png")

@@ -4,15 +4,17 @@ import { useEffect, useRef } from "preact/hooks";
 import { type Signal, useSignal } from "@preact/signals";
 import { isIdle, mainPool, otherPool, SAMPLES, SPACE } from "../state/engines";
 import { saveExr, savePng } from "../state/files";
-import { active, board, compare, moving, resolved, specs } from "../state/store";
+import { active, board, moving, resolved, specs } from "../state/store";
 import { SIZES, size, wipe, wiping } from "../state/view";
 import { t } from "../words/speech";
+import { beginComparing } from "./Compare";
 import { Dome } from "./Dome";
+import { Messages } from "./Messages";
 import type { Making } from "./Picture";
 import { Stage } from "./Stage";
 
-/** Whether fingers are what the page is used with. */
-const IS_TOUCHED = matchMedia("(pointer: coarse)").matches;
+/** Whether fingers are what the page is used with; on a page as narrow as a phone they are. */
+const IS_TOUCHED = matchMedia("(pointer: coarse), (hover: none), (width < 48rem)").matches;
 
 const NOTHING: Making = { stage: null, share: 0, failed: "" };
 
@@ -32,6 +34,7 @@ export function Bench() {
   activeCanvas.current = canvases[two ? active.value : "a"].current;
   return (
     <div class="bench">
+      <Messages />
       <div class={two ? (wiping.value ? "pictures wiping" : "pictures two") : "pictures"}>
         <div class={two && active.value === "a" ? "side on" : "side"}>
           <Stage
@@ -89,7 +92,12 @@ export function Bench() {
               </select>
             </label>
             {!two && (
-              <button type="button" class="beside" title={t("compareStart")} onClick={compare}>
+              <button
+                type="button"
+                class="beside"
+                title={t("compareStart")}
+                onClick={beginComparing}
+              >
                 {t("tabCompare")}
               </button>
             )}

@@ -15,7 +15,6 @@ import {
   compareNoMore,
   edit,
   notice,
-  side,
   specs,
   together,
 } from "../state/store";
@@ -25,6 +24,8 @@ import { wiping } from "../state/view";
 import { PEARL_NAMES } from "../words/presets";
 import { language, nameOf, t, unitName } from "../words/speech";
 import { Difference } from "./Difference";
+import { Typed, allowedOf } from "./knobs/Typed";
+import { fitting } from "./knobs/numbers";
 import { SmallPicture } from "./Presets";
 
 export function Compare() {
@@ -57,12 +58,18 @@ export function SideSwitch() {
   );
 }
 
+/** Begins to compare, and says which side is the copy. */
+export function beginComparing(): void {
+  compare();
+  notice.value = t("compareBegun");
+}
+
 function Sides() {
   if (board.value.b === null) {
     return (
       <section>
         <h2>{t("tabCompare")}</h2>
-        <button type="button" class="main" onClick={compare}>
+        <button type="button" class="main" onClick={beginComparing}>
           {t("compareStart")}
         </button>
       </section>
@@ -148,17 +155,13 @@ function Strip() {
   const ends = typed ?? endsOf(along);
   const one = declaration("pearl", along);
   const end = (which: 0 | 1) => (
-    <input
-      type="text"
+    <Typed
+      label={t(which === 0 ? "stripFrom" : "stripTo")}
       inputMode="decimal"
-      aria-label={t(which === 0 ? "stripFrom" : "stripTo")}
-      value={short(ends[which])}
-      onChange={(event) => {
-        const value = Number(event.currentTarget.value);
-        const isFit = value >= (one?.least ?? value) && value <= (one?.most ?? value);
-        if (isFit) setTyped(which === 0 ? [value, ends[1]] : [ends[0], value]);
-        else event.currentTarget.value = short(ends[which]);
-      }}
+      shown={short(ends[which])}
+      read={one === undefined ? () => undefined : fitting(one)}
+      set={(value) => setTyped(which === 0 ? [value, ends[1]] : [ends[0], value])}
+      allowed={one === undefined ? "" : allowedOf(one)}
     />
   );
   return (
@@ -197,8 +200,8 @@ function Variants({ path, list }: { path: string; list: readonly Variant[] }) {
   const unit = unitName(declaration("pearl", path)?.unit);
   return (
     <ul class="strip">
-      {list.map(({ value, specs: variant }) => (
-        <li key={value}>
+      {list.map(({ value, specs: variant }, at) => (
+        <li key={at}>
           <button
             type="button"
             class="choice"
@@ -228,15 +231,31 @@ function labelOf({ specs: now, origin }: Side): string {
   return [name, ...turned.slice(0, 2)].join(", ").slice(0, 100);
 }
 
+interface AddGiven {
+  readonly word: "studyAdd" | "studyAddA" | "studyAddB" | "studyAddBoth";
+  readonly sides: readonly Side[];
+}
+
+function Add({ word, sides }: AddGiven) {
+  const add = () => sides.forEach((one) => choose(one.specs, labelOf(one)));
+  return (
+    <button type="button" onClick={add}>
+      {t(word)}
+    </button>
+  );
+}
+
+/** A study compares two pearls or more. */
+const LEAST_CHOSEN = 2;
+
 function StudyTray() {
   const { a, b } = board.value;
-  const add = (one: Side) => choose(one.specs, labelOf(one));
   const send = () => {
     const { toml, leftOut } = studyOf(chosen.value);
     saveAs("study.toml", new Blob([toml], { type: "application/toml" }));
     if (leftOut.length > 0) notice.value = t("studyLeftOut", { names: leftOut.join(", ") });
   };
-  const isEnough = chosen.value.length >= 2;
+  const count = chosen.value.length;
   return (
     <section>
       <h2>{t("study")}</h2>
@@ -259,25 +278,30 @@ function StudyTray() {
         ))}
       </ul>
       <div class="row">
-        <button type="button" onClick={() => add(side.value)}>
-          {t("studyAdd")}
-        </button>
-        {b !== null && (
-          <button
-            type="button"
-            onClick={() => {
-              add(a);
-              add(b);
-            }}
-          >
-            {t("studyAddBoth")}
-          </button>
+        {b === null ? (
+          <Add word="studyAdd" sides={[a]} />
+        ) : (
+          <>
+            <Add word="studyAddA" sides={[a]} />
+            <Add word="studyAddB" sides={[b]} />
+            <Add word="studyAddBoth" sides={[a, b]} />
+          </>
         )}
-        <button type="button" class="main" disabled={!isEnough} onClick={send}>
-          {t("studySend")}
-        </button>
       </div>
-      {!isEnough && chosen.value.length > 0 && <p class="says">{t("studyNeedsTwo")}</p>}
+      <p class="says" id="study-count" role="status">
+        {count >= LEAST_CHOSEN
+          ? t("studyChosen", { n: count })
+          : t("studyNeedsMore", { n: count, m: LEAST_CHOSEN - count })}
+      </p>
+      <button
+        type="button"
+        class="main"
+        disabled={count < LEAST_CHOSEN}
+        aria-describedby="study-count"
+        onClick={send}
+      >
+        {t("studySend")}
+      </button>
     </section>
   );
 }

@@ -7,6 +7,8 @@ import { SPACE } from "../state/engines";
 import { type Finished, finished } from "../state/finished";
 import { short } from "../state/scale";
 import { fileWord } from "../words/files";
+import { refusalSays } from "../words/refusals";
+import { Said } from "./Said";
 import { FALSE_COLOURS, falseColours } from "./falseColours";
 
 /** Differences from which the map's colour stays the same. */
@@ -34,8 +36,8 @@ export function Difference() {
       <h2>{fileWord("difference")}</h2>
       <p class="says">{fileWord("differenceAbout")}</p>
       {failed !== "" && (
-        <p role="alert" lang="en">
-          {failed}
+        <p role="alert">
+          <Said {...refusalSays(failed)} />
         </p>
       )}
       {found === null || a === null ? (
@@ -87,19 +89,22 @@ function Shown({ found, size }: { found: Found; size: number }) {
         role="img"
         aria-label={fileWord("differenceMap", { most: MOST })}
       />
-      <Legend />
+      <Legend largest={found.largest} />
     </>
   );
 }
 
-function Legend() {
+function Legend({ largest }: { largest: number }) {
   const stops = FALSE_COLOURS.map((rgb) => `rgb(${rgb.join(" ")})`);
   return (
-    <div class="legend" aria-hidden="true">
+    <div class="legend">
       <div style={{ backgroundImage: `linear-gradient(to right, ${stops.join(", ")})` }} />
       <span>0</span>
       <span>{MOST / 2}</span>
-      <span>≥ {MOST}</span>
+      <span>{fileWord("andMore", { most: MOST })}</span>
+      {largest > MOST && (
+        <p>{fileWord("coloursEnd", { most: MOST, largest: short(Number(largest.toFixed(2))) })}</p>
+      )}
     </div>
   );
 }

@@ -73,7 +73,11 @@ function Listed({ list, count, keys, word }: ListedGiven) {
         const paths = keys.map((key) => key.replace(`${list}.`, `${list}.${i}.`));
         const given = paths.filter((path) => valueAt(specs.value.scene, path) !== null);
         return (
-          <Fold key={i} title={t(word, { n: i + 1 })} isOpen={i === 0 && list !== "rows"}>
+          <Fold
+            key={i}
+            title={t(word, { n: i + 1 })}
+            isOpen={(i === 0 && list !== "rows") || isWrong("scene", given)}
+          >
             {given.map((path) => (
               <Knob key={path} kind="scene" path={path} />
             ))}
@@ -93,18 +97,20 @@ function has(kind: Kind, path: string): boolean {
   return valueAt(specs.value[kind], path) !== undefined;
 }
 
+function isWrong(kind: Kind, paths: readonly string[]): boolean {
+  return faults.value.some((one) => one.kind === kind && paths.includes(one.path));
+}
+
 function Grouped({ kind, group, isOpen = false }: { kind: Kind; group: Group; isOpen?: boolean }) {
   const knobs = group.knobs.filter((path) => has(kind, path));
   const physics = group.physics.filter((path) => has(kind, path));
   if (knobs.length + physics.length === 0) return null;
-  const isWrong = (paths: readonly string[]) =>
-    faults.value.some((one) => paths.includes(one.path));
   const title = t(group.title);
   return (
     <Fold
       title={title}
       {...(group.trade === undefined ? {} : { trade: t(group.trade) })}
-      isOpen={isOpen || isWrong([...knobs, ...physics])}
+      isOpen={isOpen || isWrong(kind, [...knobs, ...physics])}
     >
       {knobs.map((path) => (
         <Knob key={path} kind={kind} path={path} />
@@ -113,7 +119,7 @@ function Grouped({ kind, group, isOpen = false }: { kind: Kind; group: Group; is
         <Fold
           class="physics"
           title={t(kind === "pearl" ? "physics" : "more")}
-          isOpen={knobs.length === 0 || isWrong(physics)}
+          isOpen={knobs.length === 0 || isWrong(kind, physics)}
         >
           {physics.map((path) => (
             <Knob key={path} kind={kind} path={path} />

@@ -8,8 +8,10 @@ import { SPACE } from "../state/engines";
 import { type Opened as Found, opened } from "../state/opened";
 import { takeGrain, takeOpened } from "../state/opening";
 import { refused } from "../state/store";
+import { fileSays } from "../words/complaints";
 import { fileWord, layerName } from "../words/files";
 import { Probe, type Place } from "./Probe";
+import { Said } from "./Said";
 
 const MOST_LINES = 6;
 
@@ -36,9 +38,11 @@ export function Opened() {
       {found.complaints.length > 0 && (
         <div class="message wrong" role="alert">
           <strong>{fileWord("noRecipe")}</strong>
-          <ul lang="en">
+          <ul>
             {found.complaints.slice(0, MOST_LINES).map((one) => (
-              <li key={one.text}>{one.text}</li>
+              <li key={one.text}>
+                <Said {...fileSays(one)} />
+              </li>
             ))}
           </ul>
         </div>

@@ -2,10 +2,9 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { openFiles } from "../state/files";
-import { board, notice, redo, refused, undo } from "../state/store";
+import { board, redo, undo } from "../state/store";
 import { openings, reading } from "../state/opened";
 import { type Tab, tab } from "../state/view";
-import { fileWord } from "../words/files";
 import { language, t } from "../words/speech";
 import { Bar } from "./Bar";
 import { Bench } from "./Bench";
@@ -44,7 +43,6 @@ export function Page() {
         <Bench />
       </main>
       <Panels />
-      <Messages />
       <Opened />
       {isOver && <div class="drop">{t("dropHere")}</div>}
     </div>
@@ -103,38 +101,6 @@ function Panels() {
         <Shown />
       </div>
     </aside>
-  );
-}
-
-/** What is wrong with a file, and short notices that go by themselves. */
-function Messages() {
-  const said = reading.value === "" ? notice.value : fileWord("reading", { name: reading.value });
-  useEffect(() => {
-    if (said === "") return;
-    const gone = setTimeout(() => (notice.value = ""), 7000);
-    return () => clearTimeout(gone);
-  }, [said]);
-  const { complaints, from } = refused.value ?? { complaints: [], from: "file" };
-  return (
-    <div class="messages">
-      {complaints.length > 0 && (
-        <div class="message wrong" role="alert">
-          <strong>{t(from === "file" ? "refusedFile" : "refusedLink")}</strong>
-          <ul lang="en">
-            {complaints.slice(0, 6).map((one) => (
-              <li key={one.text}>{one.text}</li>
-            ))}
-            {complaints.length > 6 && <li>… {complaints.length - 6}</li>}
-          </ul>
-          <button type="button" onClick={() => (refused.value = null)}>
-            {t("close")}
-          </button>
-        </div>
-      )}
-      <div role="status" class={said === "" ? "" : "message"}>
-        {said}
-      </div>
-    </div>
   );
 }
 

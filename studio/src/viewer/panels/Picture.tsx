@@ -6,7 +6,7 @@ import type { Resources } from "nacreous-wasm";
 import { FirstSize } from "../light/first";
 import { put } from "../light/screen";
 import { type Specs, recipeJson } from "../specs/spec";
-import { faultsOf } from "../state/faults";
+import { faultsIn } from "../state/faults";
 import { resourcesOf } from "../state/resources";
 import { SAMPLES, SPACE } from "../state/engines";
 import type { Finished } from "../state/finished";
@@ -39,6 +39,7 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: 
     sizes: new FirstSize(),
     whole: "",
     stage: null as Making["stage"],
+    failed: "",
     resources: undefined as Resources | undefined,
   });
   const { resources, waits, failed } = resourcesOf(specs);
@@ -48,22 +49,19 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: 
 
     function show(): void {
       const seen = shown.current;
-      const [wrong] = [...faultsOf("pearl", specs.pearl), ...faultsOf("scene", specs.scene)];
-      if (wrong !== undefined) return tell({ stage: seen.stage, share: 1, failed: wrong.text });
-      let recipe: string;
-      try {
-        recipe = recipeJson(specs, size, SAMPLES);
-      } catch (error) {
-        return tell({ stage: seen.stage, share: 1, failed: (error as Error).message });
-      }
-      if (failed !== "") return tell({ stage: seen.stage, share: 1, failed });
-      if (waits) return tell({ stage: seen.stage, share: 0, failed: "" });
+      // What was asked for before may still come, and must not take away what is wrong now.
+      const say = (share: number) => tell({ stage: seen.stage, share, failed: seen.failed });
+      const wrong = whyNot(specs) || failed;
+      seen.failed = wrong;
+      if (wrong !== "") return say(1);
+      if (waits) return say(0);
+      const recipe = recipeJson(specs, size, SAMPLES);
       if (seen.resources !== resources) seen.whole = seen.first = "";
       seen.resources = resources;
-      if (seen.whole === recipe && seen.asked === recipe) return; // it is there, and nothing else comes
+      if (seen.whole === recipe && seen.asked === recipe) return say(1); // it is there, and nothing else comes
       seen.asked = recipe;
       if (seen.stage === "refined") seen.stage = "first"; // what is seen is of before
-      tell({ stage: seen.stage, share: 0, failed: "" });
+      say(0);
       const firstPx = Math.min(size, seen.sizes.next(changesView(seen.seen, specs)));
       seen.seen = specs;
       const draw = (codes: Uint8ClampedArray<ArrayBuffer>, widthPx: number) => {
@@ -83,20 +81,35 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: 
           seen.whole = "";
           seen.stage = "first";
           finish(null);
-          tell({ stage: "first", share: 0, failed: "" });
+          say(0);
         },
-        progress: (share) => tell({ stage: seen.stage, share, failed: "" }),
+        progress: say,
         refined(whole) {
           draw(whole.codes, whole.size);
           finish({ recipe, ...whole });
           seen.first = seen.whole = recipe;
           seen.stage = "refined";
-          tell({ stage: "refined", share: 1, failed: "" });
+          say(1);
         },
-        failed: (text) => tell({ stage: seen.stage, share: 1, failed: text }),
+        failed(text) {
+          if (seen.failed === "") seen.failed = text;
+          say(1);
+        },
       });
     }
   }, [specs, moving, size, resources, waits, failed]);
+}
+
+/** Why no picture can be made of these specs; "" where one can. */
+function whyNot(specs: Specs): string {
+  const [wrong] = faultsIn(specs);
+  if (wrong !== undefined) return wrong.text;
+  try {
+    recipeJson(specs, 1, SAMPLES);
+    return "";
+  } catch (error) {
+    return (error as Error).message;
+  }
 }
 
 /** Whether pixels look at other places, or at other light, than before; else their colours alone may differ. */

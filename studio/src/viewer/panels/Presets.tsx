@@ -80,28 +80,21 @@ function Choice({ name, specs, isTaken, onTake }: ChoiceGiven) {
   );
 }
 
-/** A small picture, once there is time to make it. */
+/** A small picture, once there is time to make it; until then the last one stays. */
 export function SmallPicture({ specs }: { specs: Specs }) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const [isThere, setThere] = useState(false);
+  const [state, setState] = useState<"empty" | "before" | "">("empty");
   useEffect(() => {
     let wanted = true;
+    setState((was) => (was === "empty" ? was : "before"));
     void smallPicture(specs).then((made) => {
       if (!wanted || made === null || canvas.current === null) return;
       put(canvas.current, made.codes, made.widthPx, SPACE);
-      setThere(true);
+      setState("");
     });
     return () => {
       wanted = false;
     };
   }, [specs.pearl, specs.scene]);
-  return (
-    <canvas
-      ref={canvas}
-      class={isThere ? "small" : "small empty"}
-      width={2}
-      height={2}
-      aria-hidden="true"
-    />
-  );
+  return <canvas ref={canvas} class={`small ${state}`} width={2} height={2} aria-hidden="true" />;
 }

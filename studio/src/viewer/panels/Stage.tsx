@@ -3,17 +3,26 @@
 import { useRef } from "preact/hooks";
 import type { Signal } from "@preact/signals";
 import type { Pool } from "../light/pool";
+import type { Specs } from "../specs/spec";
 import { turned, zoomed } from "../state/camera";
+import { type Fault, faultsIn } from "../state/faults";
 import { finished } from "../state/finished";
+import { hasKnob } from "../state/groups";
+import { declared } from "../state/path";
 import { type Which, active, board, editScene, moving, touch } from "../state/store";
 import { tab } from "../state/view";
-import { t } from "../words/speech";
+import { knobSays } from "../words/complaints";
+import { refusalSays } from "../words/refusals";
+import { nameOf, t } from "../words/speech";
 import { Probe } from "./instruments/Probe";
 import { type Making, usePicture } from "./Picture";
+import { Said } from "./Said";
 
 /** Degrees of a press of an arrow key, over degrees of a dragged pixel. */
 const KEY_PX = 14;
 const FINE_PX = 3;
+/** So many reasons are told over a picture. */
+const MOST_SAID = 2;
 
 interface Given {
   readonly which: Which;
@@ -55,10 +64,36 @@ export function Stage({ which, pool, size, canvas, making }: Given) {
         <p class="waiting">{t("working")}</p>
       )}
       {making.value.failed !== "" && (
-        <div class="failed" role="alert">
-          <strong>{t("failed")}</strong> <span lang="en">{making.value.failed}</span>
-        </div>
+        <Failed text={making.value.failed} specs={side.specs} isActive={isActive} />
       )}
+    </div>
+  );
+}
+
+interface FailedGiven {
+  readonly text: string;
+  readonly specs: Specs;
+  /** Whether the knobs turn this side. */
+  readonly isActive: boolean;
+}
+
+/** Why there is no picture; what a knob on the page says already is not said again. */
+function Failed({ text, specs, isActive }: FailedGiven) {
+  const faults = faultsIn(specs);
+  const isAtKnob = ({ kind, path }: Fault) =>
+    isActive && tab.value === kind && hasKnob(kind, specs[kind], path);
+  const others = faults.filter((one) => !isAtKnob(one)).slice(0, MOST_SAID);
+  const said = faults.length === 0 ? [refusalSays(text)] : others.map(knobSays);
+  const names = faults.map((one) => nameOf(declared(one.path)));
+  return (
+    <div class="failed" role="alert">
+      <strong>{t("failed")}</strong>{" "}
+      {said.length === 0 && t("failedSee", { names: names.join(", ") })}
+      {said.map((one) => (
+        <p key={one.text}>
+          <Said {...one} />
+        </p>
+      ))}
     </div>
   );
 }

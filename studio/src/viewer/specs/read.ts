@@ -111,7 +111,7 @@ function complaints(problems: readonly Problem[], where: string): Complaint[] {
   );
   const found = [...verdicts]
     .filter(([path]) => !above.has(path))
-    .map(([path, verdict]) => ({ path, text: `${where}: ${path} ${verdict}` }));
+    .map(([path, verdict]) => ({ path, verdict, text: `${where}: ${path} ${verdict}` }));
   if (found.length <= MOST_LINES) return found;
   const more = { path: "", text: `... and ${found.length - MOST_LINES} more problems` };
   return [...found.slice(0, MOST_LINES), more];

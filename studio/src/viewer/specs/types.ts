@@ -27,6 +27,8 @@ export interface Specs {
 export interface Complaint {
   readonly path: string;
   readonly text: string;
+  /** What is wrong with the key, without file and key before it; of a whole file there is none. */
+  readonly verdict?: string;
 }
 
 export type Read<T> =

@@ -11,6 +11,7 @@ import {
   toToml,
 } from "../specs/spec";
 import { fileWord } from "../words/files";
+import { refusalSays } from "../words/refusals";
 import { droppedNames, namedBy } from "./dropped";
 import { opened, openings, reading } from "./opened";
 import { openFile } from "./opening";
@@ -82,7 +83,8 @@ export async function saveExr(sizePx: number, samples: number): Promise<void> {
     saveAs(`${now.pearl.name}.exr`, new Blob([bytes], { type: "image/x-exr" }));
     notice.value = "";
   } catch (error) {
-    notice.value = (error as Error).message;
+    const { lead, text } = refusalSays((error as Error).message);
+    notice.value = lead + text;
   }
 }
 

@@ -2,7 +2,7 @@
 
 import { type Declaration, type Kind, declarations } from "../specs/spec";
 import type { Word } from "../words/en";
-import { declared } from "./path";
+import { declared, valueAt } from "./path";
 
 export interface Group {
   readonly title: Word;
@@ -193,4 +193,20 @@ const byPath = {
 /** How a key is declared, wherever in a list it stands. */
 export function declaration(kind: Kind, path: string): Declaration | undefined {
   return byPath[kind].get(declared(path));
+}
+
+const grouped = (groups: readonly Group[]) =>
+  groups.flatMap((group) => [...group.knobs, ...group.physics]);
+const LISTED = [...LAMP_KEYS, ...WINDOW_KEYS, ...ROW_KEYS];
+const KNOBS = {
+  pearl: new Set([...ESSENTIALS, ...grouped(PEARL_GROUPS)]),
+  scene: new Set([...grouped(SCENE_GROUPS), ...LISTED]),
+};
+
+/** Whether the page has a knob for just this key; of what stands in the place of another it has none. */
+export function hasKnob(kind: Kind, spec: unknown, path: string): boolean {
+  const value = valueAt(spec, path);
+  const key = declared(path);
+  const isThere = value !== undefined && !(value === null && LISTED.includes(key));
+  return isThere && KNOBS[kind].has(key) && !/\.\d+$/.test(path);
 }

@@ -4,7 +4,7 @@ import { ask } from "../light/desk";
 import { type Complaint, type Read, type Specs, fromToml, label, open } from "../specs/spec";
 import { type Dropped, droppedNames, keepDropped } from "./dropped";
 import { opened } from "./opened";
-import { edit, editScene, notice, side, specs, take } from "./store";
+import { announce, edit, editScene, notice, side, specs, take } from "./store";
 import { fileWord } from "../words/files";
 
 type Bytes = Uint8Array<ArrayBuffer>;
@@ -97,7 +97,8 @@ async function openLight(file: File): Promise<readonly Complaint[]> {
     ...windows.map((_, i) => `windows.${i}.spectrum`),
   ];
   editScene("light", Object.fromEntries(lights.map((path) => [path, file.name])));
-  notice.value = fileWord(lights.length > 0 ? "tookLight" : "noLight", { name: file.name });
+  if (lights.length > 0) announce(fileWord("tookLight", { name: file.name }));
+  else notice.value = fileWord("noLight", { name: file.name });
   return [];
 }
 
@@ -139,7 +140,7 @@ async function openPanorama(bytes: Bytes, name: string): Promise<readonly Compla
   }
   await keep(bytes, name, { kind: "panorama", panorama: { name, width, height, rgb } });
   editScene("panorama", { "sky.kind": "panorama", "sky.path": name });
-  notice.value = fileWord("tookPanorama", { name });
+  announce(fileWord("tookPanorama", { name }));
   return [];
 }
 
@@ -175,7 +176,7 @@ export async function takeGrain(bytes: Bytes, name: string): Promise<readonly Co
   }
   await keep(bytes, name, { kind: "photograph", bytes });
   edit("pearl", "texture.source", name);
-  notice.value = fileWord("tookGrain", { name });
+  announce(fileWord("tookGrain", { name }));
   return [];
 }
 

@@ -10,7 +10,7 @@ import {
   type Scene,
   type Specs,
 } from "../specs/spec";
-import { faultsOf } from "./faults";
+import { faultsIn } from "./faults";
 import { type History, begin, redone, step, undone } from "./history";
 import { valueAt, withValue } from "./path";
 
@@ -58,14 +58,24 @@ export interface Refused {
 }
 export const refused = signal<Refused | null>(null);
 /** What is wrong with the active pearl and its scene as they stand. */
-export const faults = computed(() => [
-  ...faultsOf("pearl", specs.value.pearl),
-  ...faultsOf("scene", specs.value.scene),
-]);
+export const faults = computed(() => faultsIn(specs.value));
 /** What the open keys of the active pearl come to. */
 export const resolved = signal<Readonly<Record<string, number>>>({});
 /** One short message, spoken by screen readers too. */
 export const notice = signal("");
+/** What a notice offers to be undone: only while nothing was changed since. */
+const taken = signal<{ readonly said: string; readonly board: Board } | null>(null);
+export const offersUndo = computed(
+  () => taken.value?.said === notice.value && taken.value.board === board.value,
+);
+
+/** Says what was just done, and offers to undo it. */
+export function announce(said: string): void {
+  batch(() => {
+    notice.value = said;
+    taken.value = { said, board: board.value };
+  });
+}
 
 /** How long a hand rests before the picture is refined, in ms. */
 const REST_MS = 100;
@@ -152,17 +162,26 @@ export function originAt(kind: Kind, path: string): unknown {
 
 /** Everything as the preset or file had it. */
 export function resetAll(): void {
-  put({ ...side.value, specs: side.value.origin }, "");
+  batch(() => {
+    put({ ...side.value, specs: side.value.origin }, "");
+    refused.value = null;
+  });
 }
 
 export function undo(): void {
-  history.value = undone(history.value);
-  if (board.value.b === null) active.value = "a";
+  goTo(undone(history.value));
 }
 
 export function redo(): void {
-  history.value = redone(history.value);
-  if (board.value.b === null) active.value = "a";
+  goTo(redone(history.value));
+}
+
+function goTo(step: History<Board>): void {
+  batch(() => {
+    history.value = step;
+    refused.value = null;
+    if (board.value.b === null) active.value = "a";
+  });
 }
 
 /** Begins to compare: B is what A is now, and the knobs turn B. */

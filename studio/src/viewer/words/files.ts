@@ -7,7 +7,7 @@ const EN = {
   tookLight: "All lamps and windows shine with {name}.",
   noLight: "{name} is there; this scene has no lamp or window that could shine with it.",
   tookPanorama: "{name} is the sky around the pearl.",
-  tookGrain: "The pearl has the grain of {name}.",
+  tookGrain: "{name} was taken as a photograph of grain: the pearl has its grain now.",
   tookRecipe: "This is the picture's pearl, {name}, in its scene.",
   reading: "Reading {name} …",
   saving: "The picture is being made with its layers …",
@@ -42,6 +42,8 @@ const EN = {
   largest: "Largest",
   overPearl: "over the {n} pixels of the pearl",
   noPearl: "No pixel belongs to a pearl in both.",
+  andMore: "{most} and more",
+  coloursEnd: "The colours end at {most}; the largest difference here is {largest}.",
   differenceMap: "Map of the differences: from dark, none, to yellow, {most} and more.",
 } as const;
 
@@ -51,7 +53,7 @@ const JA: Record<FileWord, string> = {
   tookLight: "すべてのランプと窓が {name} の光になりました。",
   noLight: "{name} を読み込みました。この場面には、その光にするランプも窓もありません。",
   tookPanorama: "{name} を真珠のまわりの空にしました。",
-  tookGrain: "真珠のキメを {name} からとりました。",
+  tookGrain: "{name} をきめの写真として使い、真珠のきめをそこからとりました。",
   tookRecipe: "画像のもとの真珠 {name} とその場面です。",
   reading: "{name} を読み込んでいます…",
   saving: "レイヤーつきの画像をつくっています…",
@@ -86,6 +88,8 @@ const JA: Record<FileWord, string> = {
   largest: "最大",
   overPearl: "真珠の{n}画素について",
   noPearl: "両方で真珠にあたる画素がありません。",
+  andMore: "{most}以上",
+  coloursEnd: "色は{most}で終わりです。ここでの最大は{largest}です。",
   differenceMap: "色差の地図。暗いところは差がなく、黄色は{most}以上です。",
 };
 

@@ -4,6 +4,8 @@ import type { MeasuredRing, Measures } from "nacreous-wasm";
 import { found, isDrawn, isFresh } from "../../state/instruments";
 import { type Part, type Row, lines, shown, table } from "../../state/measured";
 import { type InstrumentWord, say } from "../../words/instruments";
+import { refusalSays } from "../../words/refusals";
+import { Said } from "../Said";
 import { Head, copy } from "./Point";
 
 const PARTS: readonly Part[] = ["shape", "colour", "overtone", "lamp", "blemishes"];
@@ -28,8 +30,8 @@ export function MeasuresTable() {
     return (
       <section class="instrument">
         <Head title={say("measures")} />
-        <p class="nothing" lang="en">
-          {why}
+        <p class="nothing">
+          <Said {...refusalSays(why)} />
         </p>
       </section>
     );
@@ -153,7 +155,9 @@ function Refused({ measures }: { measures: Measures }) {
             {say(REFUSED[quantity] ?? "refused")}
             <span class="trade">{say("refused")}</span>
           </dt>
-          <dd lang="en">{reason}</dd>
+          <dd>
+            <Said {...refusalSays(reason)} />
+          </dd>
         </div>
       ))}
     </dl>

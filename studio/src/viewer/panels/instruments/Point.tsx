@@ -7,6 +7,8 @@ import { type Layer, outer } from "../../state/growing";
 import { copyNumbers, layers, reading, trouble } from "../../state/instruments";
 import { lines } from "../../state/measured";
 import { say } from "../../words/instruments";
+import { refusalSays } from "../../words/refusals";
+import { Said } from "../Said";
 import { Plot } from "./Plot";
 
 export function copy(text: string): void {
@@ -41,8 +43,8 @@ export function Point() {
       <Head title={say("point")} {...(film === null ? {} : { copies: copySpectra })} />
       <p class="says">{say("pointAbout")}</p>
       {trouble.value !== "" && (
-        <p class="nothing" lang="en">
-          {trouble.value}
+        <p class="nothing">
+          <Said {...refusalSays(trouble.value)} />
         </p>
       )}
       {read === null && <p class="nothing">{say("beside")}</p>}
@@ -61,7 +63,7 @@ export function Point() {
       )}
       {read != null && film === null && (
         <p class="nothing">
-          {say("noFilm")} <span lang="en">{read.why}</span>
+          {say("noFilm")} <Said {...refusalSays(read.why)} />
         </p>
       )}
       {both !== null && (

@@ -5,9 +5,11 @@ import type { Declaration, Kind } from "../../specs/spec";
 import { declaration } from "../../state/groups";
 import { declared, valueAt } from "../../state/path";
 import { short } from "../../state/scale";
-import { edit, faults, originAt, refused, resolved, specs } from "../../state/store";
+import { edit, faults, originAt, resolved, specs } from "../../state/store";
 import { wordFor } from "../../state/trade";
+import { knobSays } from "../../words/complaints";
 import { language, nameOf, saysOf, t, unitName } from "../../words/speech";
+import { Said } from "../Said";
 import { ColourControl, LightControl, SelectControl, TextControl, Told } from "./choices";
 import { DateControl } from "./dates";
 import { NumberControl, SeedControl, TripleControl } from "./numbers";
@@ -44,9 +46,7 @@ export function Knob({ kind, path }: { kind: Kind; path: string }) {
   const key = declared(path);
   const name = nameOf(key);
   const origin = originAt(kind, path);
-  const wrong = [...faults.value, ...(refused.value?.complaints ?? [])].filter(
-    (one) => one.path === path,
-  );
+  const wrong = faults.value.filter((one) => one.kind === kind && one.path === path);
   const set = (next: unknown) => edit(kind, path, next);
   const control = { id, name, describedBy: `${id}-says`, value, declared: one, set };
   return (
@@ -76,8 +76,8 @@ export function Knob({ kind, path }: { kind: Kind; path: string }) {
         )}
       </p>
       {wrong.map((complaint) => (
-        <p class="complaint" role="alert" lang="en">
-          {complaint.text}
+        <p class="complaint" role="alert" key={complaint.text}>
+          <Said {...knobSays(complaint)} />
         </p>
       ))}
     </div>

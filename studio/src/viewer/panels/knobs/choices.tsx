@@ -1,7 +1,9 @@
 /** Controls of what is chosen or typed as text. */
 
 import { choiceName } from "../../words/speech";
+import { narrow } from "../../state/typed";
 import type { Control } from "./Knob";
+import { Typed, allowedOf } from "./Typed";
 
 export function SelectControl({ id, describedBy, value, declared, set }: Control) {
   const choices = declared.choices ?? [];
@@ -22,7 +24,7 @@ export function SelectControl({ id, describedBy, value, declared, set }: Control
   );
 }
 
-export function ColourControl({ id, name, describedBy, value, set }: Control) {
+export function ColourControl({ id, name, describedBy, value, declared, set }: Control) {
   return (
     <div class="colour">
       <input
@@ -31,17 +33,13 @@ export function ColourControl({ id, name, describedBy, value, set }: Control) {
         value={String(value).toLowerCase()}
         onInput={(event) => set(event.currentTarget.value)}
       />
-      <input
+      <Typed
         id={id}
-        type="text"
-        autocomplete="off"
-        aria-describedby={describedBy}
-        value={String(value)}
-        onChange={(event) => {
-          const text = event.currentTarget.value.trim();
-          if (/^#[0-9a-f]{6}$/i.test(text)) set(text);
-          else event.currentTarget.value = String(value);
-        }}
+        describedBy={describedBy}
+        shown={String(value)}
+        read={(text) => (/^#[0-9a-f]{6}$/i.test(narrow(text)) ? narrow(text) : undefined)}
+        set={set}
+        allowed={allowedOf(declared)}
       />
     </div>
   );
@@ -60,22 +58,27 @@ export function LightControl(control: Control) {
   return <SelectControl {...control} declared={{ ...control.declared, choices }} />;
 }
 
-export function TextControl({ id, describedBy, value, set }: Control) {
+export function TextControl({ id, describedBy, value, declared, set }: Control) {
   return (
-    <input
+    <Typed
       id={id}
-      type="text"
+      describedBy={describedBy}
       class="wide"
-      autocomplete="off"
-      maxLength={120}
-      aria-describedby={describedBy}
-      value={String(value)}
-      onChange={(event) => {
-        const text = event.currentTarget.value.trim();
-        if (text !== "") set(text);
-      }}
+      shown={String(value)}
+      read={lineOf}
+      set={set}
+      allowed={allowedOf(declared)}
     />
   );
+}
+
+/** What names may have, in letters. */
+const MOST_LETTERS = 120;
+
+function lineOf(text: string): string | undefined {
+  const line = text.trim();
+  const letters = Array.from(line).length;
+  return letters > 0 && letters <= MOST_LETTERS ? line : undefined;
 }
 
 /** What is told and not turned here. */

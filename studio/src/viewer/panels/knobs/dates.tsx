@@ -1,15 +1,20 @@
 /** Controls of days. */
 
-import { useState } from "preact/hooks";
 import { type Day, dayOf, dayOfYear, daysIn, onDay, written } from "../../state/dates";
-import { language } from "../../words/speech";
+import { dateOf } from "../../state/typed";
+import { language, t } from "../../words/speech";
 import type { Control } from "./Knob";
+import { Typed } from "./Typed";
 
 const MONTHS = Array.from({ length: 12 }, (_, i) => i + 1);
 
 function monthName(month: number): string {
   const day = new Date(Date.UTC(2025, month - 1, 1));
   return new Intl.DateTimeFormat(language.value, { month: "short", timeZone: "UTC" }).format(day);
+}
+
+function spoken({ year, month, day }: Day): string {
+  return year === null ? `${monthName(month)} ${day}` : written({ year, month, day });
 }
 
 /** A slider through the year, and the date itself. */
@@ -24,14 +29,14 @@ export function DateControl({ id, name, describedBy, value, set }: Control) {
         max={364}
         aria-label={name}
         aria-describedby={describedBy}
-        aria-valuetext={`${monthName(day.month)} ${day.day}`}
+        aria-valuetext={spoken(day)}
         value={dayOfYear(day)}
         onInput={(event) => set(written(onDay(Number(event.currentTarget.value), day.year)))}
       />
       {day.year === null ? (
         <Recurring id={id} name={name} day={day} set={set} />
       ) : (
-        <Dated id={id} value={String(value)} describedBy={describedBy} set={set} />
+        <Dated id={id} value={value} describedBy={describedBy} set={set} />
       )}
     </div>
   );
@@ -39,30 +44,19 @@ export function DateControl({ id, name, describedBy, value, set }: Control) {
 
 type Set = Control["set"];
 
-function Dated({
-  id,
-  value,
-  describedBy,
-  set,
-}: {
-  id: string;
-  value: string;
-  describedBy: string;
-  set: Set;
-}) {
-  const [draft, setDraft] = useState<string | null>(null);
+/** A date as ISO 8601 writes it: a browser's own field would follow the browser's country, not the page. */
+function Dated({ id, value, describedBy, set }: Omit<Control, "name" | "declared">) {
   return (
-    <input
+    <Typed
       id={id}
-      type="date"
-      required
-      aria-describedby={describedBy}
-      value={draft ?? value}
-      onInput={(event) => {
-        setDraft(event.currentTarget.value);
-        if (/^\d{4}-\d{2}-\d{2}$/.test(event.currentTarget.value)) set(event.currentTarget.value);
-      }}
-      onBlur={() => setDraft(null)}
+      class="date"
+      describedBy={describedBy}
+      inputMode="numeric"
+      placeholder={t("datePattern")}
+      shown={String(value)}
+      read={(text) => dateOf(text) ?? undefined}
+      set={set}
+      allowed={t("datePattern")}
     />
   );
 }

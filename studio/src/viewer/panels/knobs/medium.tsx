@@ -69,7 +69,13 @@ function Indices(control: Control) {
         name={nameOf(`${declared.path}.${name}`)}
         value={number}
         set={(next) => set(to(next as number))}
-        declared={{ ...declared, unit: "", isWhole: false, ...range }}
+        declared={{
+          ...declared,
+          ...range,
+          unit: "",
+          isWhole: false,
+          allowed: `${range.least} to ${range.most}`,
+        }}
       />
     </div>
   );

@@ -1,9 +1,11 @@
 /** Controls of numbers. */
 
-import { useRef, useState } from "preact/hooks";
+import type { Declaration } from "../../specs/spec";
 import { STEPS, scaleOf, short } from "../../state/scale";
 import { t, unitName } from "../../words/speech";
+import { narrow, numberOf } from "../../state/typed";
 import type { Control } from "./Knob";
+import { Typed, allowedOf } from "./Typed";
 
 /** A slider, and the number itself to type. */
 export function NumberControl({ id, name, describedBy, value, declared, set }: Control) {
@@ -32,79 +34,47 @@ export function NumberControl({ id, name, describedBy, value, declared, set }: C
           }}
         />
       )}
-      <Typed id={id} value={number} control={{ declared, set, describedBy }} />
+      <Typed
+        id={id}
+        describedBy={describedBy}
+        inputMode="decimal"
+        shown={short(number)}
+        read={fitting(declared)}
+        set={set}
+        allowed={allowedOf(declared)}
+      />
       <span class="unit">{unitName(declared.unit)}</span>
     </div>
   );
 }
 
-interface TypedGiven {
-  readonly id: string;
-  readonly value: number;
-  readonly label?: string;
-  readonly control: Pick<Control, "declared" | "set" | "describedBy">;
-}
-
-/** A number that is typed: taken when it is one within its range. */
-function Typed({ id, value, label, control: { declared, set, describedBy } }: TypedGiven) {
-  const [draft, setDraft] = useState<string | null>(null);
-  const shown = useRef("");
-  shown.current = short(value);
-  const allows = (next: number) =>
-    Number.isFinite(next) &&
-    next >= (declared.least ?? -Infinity) &&
-    next <= (declared.most ?? Infinity) &&
-    !(declared.leastExcluded && next === declared.least) &&
-    !(declared.mostExcluded && next === declared.most) &&
-    (!declared.isWhole || Number.isInteger(next));
-  const isWrong = draft !== null && !allows(read(draft));
-  return (
-    <span class="typed">
-      <input
-        id={id}
-        type="text"
-        inputMode="decimal"
-        autocomplete="off"
-        aria-describedby={describedBy}
-        aria-invalid={isWrong}
-        {...(label === undefined ? {} : { "aria-label": label })}
-        value={draft ?? shown.current}
-        onInput={(event) => {
-          setDraft(event.currentTarget.value);
-          const next = read(event.currentTarget.value);
-          if (allows(next)) set(next);
-        }}
-        onBlur={() => setDraft(null)}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") setDraft(null);
-        }}
-      />
-      {isWrong && <span class="range">{declared.allowed}</span>}
-    </span>
-  );
-}
-
-function read(text: string): number {
-  return text.trim() === "" ? NaN : Number(text.trim().replace("−", "-"));
+/** The number of a text within a key's range; undefined of any other. */
+export function fitting(declared: Declaration): (text: string) => number | undefined {
+  return (text) => {
+    const next = numberOf(text);
+    const isFit =
+      Number.isFinite(next) &&
+      next >= (declared.least ?? -Infinity) &&
+      next <= (declared.most ?? Infinity) &&
+      !(declared.leastExcluded && next === declared.least) &&
+      !(declared.mostExcluded && next === declared.most) &&
+      (!declared.isWhole || Number.isInteger(next));
+    return isFit ? next : undefined;
+  };
 }
 
 /** A seed: its number says nothing, another is drawn by a click. */
 export function SeedControl({ id, name, describedBy, value, declared, set }: Control) {
   return (
     <div class="seed">
-      <input
+      <Typed
         id={id}
-        type="text"
+        describedBy={describedBy}
         inputMode="numeric"
-        autocomplete="off"
-        aria-describedby={describedBy}
-        value={String(value)}
-        onChange={(event) => {
-          const text = event.currentTarget.value.trim();
-          const isFit = /^\d{1,19}$/.test(text) && BigInt(text) <= 2n ** 63n - 1n;
-          if (!isFit) event.currentTarget.value = String(value);
-          else set(Number.isSafeInteger(Number(text)) ? Number(text) : BigInt(text));
-        }}
+        shown={String(value)}
+        read={seedOf}
+        set={set}
+        allowed={allowedOf(declared)}
       />
       <button
         type="button"
@@ -120,6 +90,13 @@ export function SeedControl({ id, name, describedBy, value, declared, set }: Con
   );
 }
 
+/** A whole number of 63 bits. */
+function seedOf(text: string): number | bigint | undefined {
+  const plain = narrow(text);
+  if (!/^\d{1,19}$/.test(plain) || BigInt(plain) > 2n ** 63n - 1n) return undefined;
+  return Number.isSafeInteger(Number(plain)) ? Number(plain) : BigInt(plain);
+}
+
 /** Three numbers: a place or a direction. */
 export function TripleControl({ id, name, describedBy, value, declared, set }: Control) {
   const numbers = value as readonly number[];
@@ -131,12 +108,12 @@ export function TripleControl({ id, name, describedBy, value, declared, set }: C
           key={axis}
           id={i === 0 ? id : `${id}-${axis}`}
           label={`${name} ${axis}`}
-          value={numbers[i] ?? 0}
-          control={{
-            declared,
-            describedBy,
-            set: (next) => set(numbers.map((one, k) => (k === i ? next : one))),
-          }}
+          describedBy={describedBy}
+          inputMode="decimal"
+          shown={short(numbers[i] ?? 0)}
+          read={fitting(declared)}
+          set={(next) => set(numbers.map((one, k) => (k === i ? next : one)))}
+          allowed={allowedOf(declared)}
         />
       ))}
       <span class="unit">{unitName(declared.unit)}</span>
