@@ -53,7 +53,8 @@ test-rust *options: setup
 test-python *options: setup
     @# Three on two processors, for tests of pages mostly wait; a file's tests stay together, for they share what they made.
     @# Files in their order: the last, of docstrings, are short, and no processor waits for another's long one.
-    tests/own-temporary-folder pytest --numprocesses 3 --dist loadfile --no-loadscope-reorder {{ options }}
+    @# One thread each for NumPy's algebra, whose threads else wait for each other.
+    OPENBLAS_NUM_THREADS=1 tests/own-temporary-folder pytest --numprocesses 3 --dist loadfile --no-loadscope-reorder {{ options }}
 
 # Check the pages' types and format, and run the tests that need no server
 [group("trust")]
