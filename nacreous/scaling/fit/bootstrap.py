@@ -36,7 +36,7 @@ Array = NDArray[np.float64]
 Progress = Callable[[float], None]
 
 KINDS = ("studentised", "percentile", "basic")
-_INSTEAD = 'by="answers", which takes the answers as independent'
+INSTEAD = 'by="answers", which takes the answers as independent'
 #: With fewer people, or fewer for a stimulus, more than a few samples are of one or two people over
 #: and over; from 8 on 95 of 100 intervals are within 1.5 times those of t, where with 5 some are 47
 #: times as wide, and with 4 thousands (docs/scaling.md).
@@ -54,7 +54,8 @@ MOST_STUDENTISED = 150
 class Bootstrap:
     """The scales of samples drawn again from the answers.
 
-    - `samples`: float64 [sample, n], each with mean 0, in `unit`
+    - `samples`: float64 [sample, n], in `unit`: each with mean 0, or of a difference scale with 0
+      at the first stimulus
     - `scale`: float64 [n], the fit to all answers
     - `by`: "people" or "answers", what was drawn
     - `without_maximum`: how many samples had no finite scale of their own, see above
@@ -235,7 +236,7 @@ def resampled(
         require_ends(fit)
     people = None
     if over_people:
-        people = personal(_require_many(require_people(fit.answers, _INSTEAD)))
+        people = personal(_require_many(require_people(fit.answers, INSTEAD)))
     values, se, effects, unplaced = drawn(fit.room, people, fit.parameters, samples, seed, progress)
     times = factor(fit.own_unit, fit.unit)
     errors = errors or errors_of(fit, chosen if over_people else "observed")
@@ -256,16 +257,22 @@ def resampled(
 
 def _require_many(answers: Answers) -> Answers:
     """The answers, if enough people judged each stimulus to be drawn."""
-    judges = judges_of(answers)
+    people = len(np.unique(answers.person))  # type: ignore[arg-type]
+    require_drawable(answers.stimuli, people, judges_of(answers))
+    return answers
+
+
+def require_drawable(stimuli: tuple[str, ...], people: int, judges: NDArray[np.int64]) -> None:
+    """Refuse people too few to be drawn anew, or too few judges of a stimulus."""
     if judges.min() >= LEAST_DRAWN:
-        return answers
-    at, people = int(np.argmin(judges)), len(np.unique(answers.person))  # type: ignore[arg-type]
-    who = f"{quoted(answers.stimuli[at])} was judged by {judges[at]} of {people} people"
+        return
+    at = int(np.argmin(judges))
+    who = f"{quoted(stimuli[at])} was judged by {judges[at]} of {people} people"
     if people < LEAST_DRAWN:
         who = f"the answers are those of {people} people"
     raise InputError(
         f"{who}, too few to be drawn anew; allowed: {LEAST_DRAWN} or more, the fit's own "
-        f"intervals, which are Student's t, or {_INSTEAD}"
+        f"intervals, which are Student's t, or {INSTEAD}"
     )
 
 

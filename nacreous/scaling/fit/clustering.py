@@ -10,6 +10,7 @@ with C - 1.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -112,24 +113,30 @@ def _root(spread: Array) -> Array:
 
 def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
     """The answers, if they tell how people differ: each stimulus judged by three of them."""
-    least = LEAST_PEOPLE
     if answers is None or answers.person is None:
         raise InputError("it is not known who gave the answers; allowed: answers with people")
     people = len(numbered(answers.person, int(answers.person.max(initial=0)) + 1)[0])
+    require_judges(answers.stimuli, people, judges_of(answers), instead)
+    return answers
+
+
+def require_judges(
+    stimuli: tuple[str, ...], people: int, judges: NDArray[np.int64], instead: str = INSTEAD
+) -> None:
+    """Refuse so few people, or judges of a stimulus, that they cannot tell how people differ."""
+    least = LEAST_PEOPLE
     if people < least:
         whose = "1 person" if people == 1 else f"{people} people"
         raise InputError(
             f"the answers are those of {whose}, who cannot tell how people differ; allowed: "
             f"{least} or more people, or {instead}"
         )
-    judges = judges_of(answers)
     if judges.min() < least:
         at = int(np.argmin(judges))
         raise InputError(
-            f"{quoted(answers.stimuli[at])} was judged by {judges[at]} of {people} people, too few "
+            f"{quoted(stimuli[at])} was judged by {judges[at]} of {people} people, too few "
             f"to tell how people differ; allowed: {least} or more a stimulus, or {instead}"
         )
-    return answers
 
 
 def judges_of(answers: Answers) -> NDArray[np.int64]:
@@ -137,9 +144,15 @@ def judges_of(answers: Answers) -> NDArray[np.int64]:
     count = len(answers.stimuli)
     if answers.person is None:
         return np.zeros(count, np.int64)
-    size = (int(answers.person.max()) + 1) * count
-    sides = (answers.person * count + side for side in (answers.left, answers.right))
-    met = np.concatenate([numbered(side, size)[0] for side in sides])
+    return judges_among(count, answers.person, (answers.left, answers.right))
+
+
+def judges_among(
+    count: int, person: NDArray[np.int64], shown: Sequence[NDArray[np.int64]]
+) -> NDArray[np.int64]:
+    """How many people saw each of so many stimuli; shown: int64 [answer] each, what stood there."""
+    size = (int(person.max()) + 1) * count
+    met = np.concatenate([numbered(person * count + each, size)[0] for each in shown])
     return np.bincount(np.unique(met) % count, minlength=count)
 
 
@@ -179,7 +192,17 @@ def clusters(
     if degrees is not None:
         influence = scores @ observed * np.sqrt(people / (people - 1))
         return Clusters(influence, degrees, none, none, expected)
-    seen = _information(answers, parameters, like)
+    return corrected_clusters(scores, _information(answers, parameters, like), inverse)
+
+
+def corrected_clusters(scores: Array, seen: Array, inverse: tuple[Array, Array]) -> Clusters:
+    """People each with their own correction.
+
+    scores: float64 [person, parameter]; seen: float64 [person, parameter, parameter], each person's
+    expected information. inverse: of the observed and of the expected information.
+    """
+    observed, expected = inverse
+    people, size = scores.shape
     values, vectors = np.linalg.eigh(seen)
     values = np.where(values > 1e-10 * values.max(), values, 0.0)
     influence, lever = np.empty((people, size)), vectors  # in the same place, for it is large

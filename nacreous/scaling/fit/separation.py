@@ -38,7 +38,7 @@ def require_design(
             "design: its columns cannot be told apart by these answers; allowed: columns that "
             "differ between compared stimuli and are no sums of each other"
         )
-    if _has_recession(equal / scale, rising / scale):
+    if recession(equal / scale, rising / scale) is not None:
         raise InputError(
             "design: some combination of its columns explains every answer, so the coefficients "
             "have no upper end; allowed: fewer columns, more answers, or a prior, as prior=1.0"
@@ -63,11 +63,17 @@ def _directions(
     return np.zeros((0, wide.shape[1])), np.vstack(rows)
 
 
-def _has_recession(equal: NDArray[np.float64], rising: NDArray[np.float64]) -> bool:
+def recession(
+    equal: NDArray[np.float64], rising: NDArray[np.float64]
+) -> NDArray[np.float64] | None:
+    """A direction without loss and with gain, its largest part 1 at most; None where there is none.
+
+    equal, rising: float64 [row, parameter], what must be 0, and what must be 0 or more.
+    """
     from scipy.optimize import linprog
 
     if len(rising) == 0:
-        return False
+        return None
     nothing: Any = None
     found = linprog(
         -rising.sum(axis=0),
@@ -78,4 +84,4 @@ def _has_recession(equal: NDArray[np.float64], rising: NDArray[np.float64]) -> b
         bounds=(-1, 1),
         method="highs",
     )
-    return bool(found.status == 0 and -found.fun > 1e-7)
+    return np.asarray(found.x) if found.status == 0 and -found.fun > 1e-7 else None
