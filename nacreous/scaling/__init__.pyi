@@ -2,6 +2,8 @@ from .check.always_tied import AlwaysTied as AlwaysTied
 from .check.always_tied import always_tied as always_tied
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
+from .check.difference_fit import DifferenceGoodness as DifferenceGoodness
+from .check.difference_fit import difference_goodness as difference_goodness
 from .check.kendall import Agreement as Agreement
 from .check.kendall import agreement as agreement
 from .check.misfit import Goodness as Goodness
@@ -19,6 +21,8 @@ from .check.response import response_time as response_time
 from .check.share import Share as Share
 from .check.side import SideBias as SideBias
 from .check.side import side_bias as side_bias
+from .check.six_points import SixPoints as SixPoints
+from .check.six_points import six_points as six_points
 from .check.transitive import Transitivity as Transitivity
 from .check.transitive import Violation as Violation
 from .check.transitive import transitivity as transitivity
@@ -47,6 +51,7 @@ from .data.comparisons import Comparisons as Comparisons
 from .data.example import paper as paper
 from .data.example import paper_proportions as paper_proportions
 from .data.given import comparisons_of as comparisons_of
+from .data.quadruples import Quadruples as Quadruples
 from .figure import interval_plot as interval_plot
 from .figure import matrix_plot as matrix_plot
 from .figure import scale_plot as scale_plot
@@ -55,6 +60,8 @@ from .fit.bradley import bradley_terry as bradley_terry
 from .fit.case_v import thurstone as thurstone
 from .fit.covariate import Covariate as Covariate
 from .fit.covariate import person_covariates as person_covariates
+from .fit.difference import DifferenceScale as DifferenceScale
+from .fit.difference import difference_scale as difference_scale
 from .fit.scale import Scale as Scale
 from .fit.shared import SharedScale as SharedScale
 from .fit.shared import shared_scale as shared_scale
@@ -63,10 +70,14 @@ from .planning.design import PairDesign as PairDesign
 from .planning.design import cyclic_design as cyclic_design
 from .planning.design import full_design as full_design
 from .planning.design import random_design as random_design
+from .planning.difference_simulation import simulate_quadruples as simulate_quadruples
 from .planning.forecast import Needed as Needed
 from .planning.forecast import Power as Power
 from .planning.forecast import Precision as Precision
 from .planning.plan import Plan as Plan
+from .planning.quadruple_design import QuadrupleDesign as QuadrupleDesign
+from .planning.quadruple_design import full_quadruples as full_quadruples
+from .planning.quadruple_design import random_quadruples as random_quadruples
 from .planning.selection import NextPair as NextPair
 from .planning.selection import next_pairs as next_pairs
 from .planning.simulation import simulate as simulate

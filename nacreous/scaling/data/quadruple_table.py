@@ -94,7 +94,7 @@ def _check_columns(
             near = nearest(words[role], others)
             hint = f"did you mean {near}?" if near else f"its columns: {listed(table.columns)}"
             faults.say(f"has no column {words[role]}; {hint}")
-    if "person" == words["person"] and "person" not in table.columns:
+    if words["person"] == "person" and "person" not in table.columns:
         near = nearest("person", [name for name in table.columns if name not in words.values()])
         if near:
             faults.say(f"has a column {near}, which is not read; did you mean person?")

@@ -56,8 +56,8 @@ def errors_of(fit: DifferenceScale, kind: str | None) -> Errors:
 
 def information(fit: DifferenceScale, kind: str) -> Array:
     """float64 [parameter, parameter]: "observed" or "expected"."""
-    design, counts = fit.questions.design[:, 1:], fit.questions.counts()
-    lead = fit.questions.design @ fit.scale
+    asked = fit.questions
+    design, counts, lead = asked.design[:, 1:], asked.counts(), asked.design @ fit.scale
     if kind == "observed":
         weight = model_of.observed(lead, counts, fit.model)
     else:
@@ -105,37 +105,41 @@ def resampled(
     if samples * len(fit.scale) > 1 << 27:
         most = (1 << 27) // len(fit.scale)
         raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
-    chosen = by if by is not None else ("people" if fit.quadruples.person is not None else "answers")
+    chosen = (
+        by if by is not None else ("people" if fit.quadruples.person is not None else "answers")
+    )
     if chosen not in ("people", "answers"):
         raise InputError(f"by is {said(by)}; allowed: people, answers")
-    table = _drawable(fit, chosen == "people")
+    asked, over_people = fit.questions, chosen == "people"
+    table, design = _drawable(fit, asked, over_people), asked.design[:, 1:]
     draws, rest = np.random.default_rng(seed), 0
     found = np.zeros((samples, len(fit.scale)))
-    total = len(table) if chosen == "people" else int(table.sum())
-    chances = np.full(len(table), 1 / len(table)) if chosen == "people" else table / total
+    total = len(table) if over_people else int(table.sum())
+    chances = np.full(len(table), 1 / len(table)) if over_people else table / total
     for at in range(samples):
         times = draws.multinomial(total, chances)
-        counts = np.tensordot(times, table, 1) if chosen == "people" else times.astype(float)
-        values, ended = sample_scale(fit, counts.reshape(-1, 2))
+        counts = times @ table if over_people else times.astype(np.float64)
+        values, ended = sample_scale(fit, design, counts.reshape(-1, 2))
         found[at, 1:], rest = values, rest + (not ended)
         if progress is not None and at % 20 == 0:
             progress((at + 1) / samples)
     return Bootstrap(
         stimuli=fit.stimuli,
         unit=fit.unit,
-        by="people" if chosen == "people" else "answers",
+        by="people" if over_people else "answers",
         scale=fit.scale,
         samples=found,
         without_maximum=rest,
     )
 
 
-def sample_scale(fit: DifferenceScale, counts: Array) -> tuple[Array, bool]:
+def sample_scale(fit: DifferenceScale, design: Array, counts: Array) -> tuple[Array, bool]:
     """The parameters of other counts of the same questions, and whether they have an end.
 
+    design: float64 [question, parameter].
     Where they have none, a normal prior about the fit, 3 wider than the whole scale, holds them.
     """
-    design, start = fit.questions.design[:, 1:], fit.scale[1:]
+    start = fit.scale[1:]
     found = model_of.maximum(design, counts, fit.model, start)
     if found is not None:
         return found, True
@@ -143,9 +147,8 @@ def sample_scale(fit: DifferenceScale, counts: Array) -> tuple[Array, bool]:
     return model_of.held_maximum(design, counts, fit.model, start, spread), False
 
 
-def _drawable(fit: DifferenceScale, over_people: bool) -> Array:
+def _drawable(fit: DifferenceScale, asked: model_of.Questions, over_people: bool) -> Array:
     """Counts [person, 2 question], of each person; or [2 question] of all together."""
-    asked = fit.questions
     if not over_people:
         return asked.counts().ravel()
     data = fit.quadruples

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed, quoted
+from nacreous.scaling.fit.difference_model import design_of
 from nacreous.scaling.fit.separation import recession
 
 Array = NDArray[np.float64]
@@ -34,14 +35,18 @@ def require_placed(stimuli: tuple[str, ...], design: Array) -> None:
     )
 
 
+def are_placed(pairs: NDArray[np.int64], count: int) -> bool:
+    """Whether questions [question, 4], each in order, place so many stimuli."""
+    return len(_placed_together(design_of(pairs, count))) == 1
+
+
 def _placed_together(design: Array) -> list[list[int]]:
     """Sets of stimuli whose distances are known; another set may move without a judgement's saying.
 
     Directions that leave all questions as they are move stimuli of one set alike.
     """
-    _, sizes, rows = np.linalg.svd(design, full_matrices=True)
-    rank = int((sizes > _NOTHING * max(float(sizes.max(initial=0.0)), 1.0)).sum())
-    free = rows[rank:].T  # [stimulus, direction], among them that of all alike
+    sizes, directions = np.linalg.eigh(design.T @ design)
+    free = directions[:, sizes <= _NOTHING * max(float(sizes[-1]), 1.0)]  # among them all alike
     sets: list[list[int]] = []
     for at, moves in enumerate(free):
         near = [part for part in sets if np.abs(free[part[0]] - moves).max() < _NOTHING]

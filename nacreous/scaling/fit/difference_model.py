@@ -28,10 +28,12 @@ _SETTLED = 1e-9
 class Questions:
     """What was asked, each question once, and which question each judgement answered.
 
-    - `design`: float64 [question, stimulus], +1 and -1, of the first pair less the second
+    - `pairs`: int64 [question, 4], the earlier and the later stimulus of the first pair and of the
+      second; `design`: float64 [question, stimulus], +1 and -1, the first pair less the second
     - `question`: int64 [judgement]; `upper`: bool [judgement], the answer is the question's first
     """
 
+    pairs: Index
     design: Array
     question: Index
     upper: NDArray[np.bool_]
@@ -57,13 +59,21 @@ def questions_of(data: Quadruples) -> Questions:
     turned = code[:, 0] > code[:, 1]
     pairs = np.sort(code, axis=1)
     both, question = np.unique(pairs, axis=0, return_inverse=True)
-    design = np.zeros((len(both), count))
-    rows = np.arange(len(both))
-    for pair, sign in ((both[:, 0], 1.0), (both[:, 1], -1.0)):
-        np.add.at(design, (rows, pair % count), sign)
-        np.add.at(design, (rows, pair // count), -sign)
+    shown = np.stack((both // count, both % count), axis=2).reshape(-1, 4)
     upper = (data.outcome > 0) != turned
-    return Questions(design, np.asarray(question, np.int64).reshape(-1), upper)
+    design = design_of(shown, count)
+    return Questions(shown, design, np.asarray(question, np.int64).reshape(-1), upper)
+
+
+def design_of(pairs: Index, count: int) -> Array:
+    """float64 [question, stimulus]: the difference of the first pair less that of the second.
+
+    pairs: int64 [question, 4], of each pair the earlier stimulus first; a stimulus may be in both.
+    """
+    design = np.zeros((len(pairs), count))
+    for each, sign in zip(pairs.T, (-1.0, 1.0, 1.0, -1.0), strict=True):
+        np.add.at(design, (np.arange(len(pairs)), each), sign)
+    return design
 
 
 def log_chance(lead: Array, model: Model) -> Array:
@@ -127,7 +137,11 @@ def held_maximum(design: Array, counts: Array, model: Model, centre: Array, spre
 
 
 def _climbed(
-    design: Array, counts: Array, model: Model, start: Array | None, prior: tuple[Array, float] | None
+    design: Array,
+    counts: Array,
+    model: Model,
+    start: Array | None,
+    prior: tuple[Array, float] | None,
 ) -> Array | None:
     size = design.shape[1]
     centre, weight = prior or (np.zeros(size), 0.0)
