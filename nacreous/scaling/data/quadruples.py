@@ -190,4 +190,5 @@ def _table_of_tuples(rows: object, columns: tuple[str, ...]) -> Table:
             )
     if not kept:
         raise InputError("judgements is empty; allowed: one or more")
-    return table_of({name: list(each) for name, each in zip(columns, zip(*kept), strict=False)})
+    named = columns[: len(kept[0])]
+    return table_of({name: [row[at] for row in kept] for at, name in enumerate(named)})

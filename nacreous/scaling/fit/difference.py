@@ -170,7 +170,7 @@ class DifferenceScale:
 
     @property
     def _last(self) -> Array:
-        return np.eye(len(self.scale))[-1]
+        return np.asarray(np.eye(len(self.scale))[-1])
 
     @property
     def _length(self) -> float:

@@ -69,7 +69,7 @@ def _clusters(fit: DifferenceScale, observed: Array, expected: Array) -> Cluster
     """Each person's pull on the parameters, and what their questions tell."""
     data, asked = fit.quadruples, fit.questions
     people, person = _people(data, _INSTEAD)
-    require_judges(fit.stimuli, people, judges_among(len(fit.stimuli), person, data.shown.T))
+    require_judges(fit.stimuli, people, judges_among(len(fit.stimuli), person, [*data.shown.T]))
     design = asked.design[:, 1:]
     lead = asked.design @ fit.scale
     one = np.where(
@@ -105,9 +105,8 @@ def resampled(
     if samples * len(fit.scale) > 1 << 27:
         most = (1 << 27) // len(fit.scale)
         raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
-    chosen = (
-        by if by is not None else ("people" if fit.quadruples.person is not None else "answers")
-    )
+    known = fit.quadruples.person is not None
+    chosen = by if by is not None else ("people" if known else "answers")
     if chosen not in ("people", "answers"):
         raise InputError(f"by is {said(by)}; allowed: people, answers")
     asked, over_people = fit.questions, chosen == "people"
@@ -153,7 +152,8 @@ def _drawable(fit: DifferenceScale, asked: model_of.Questions, over_people: bool
         return asked.counts().ravel()
     data = fit.quadruples
     people, person = _people(data, 'by="answers"')
-    require_drawable(fit.stimuli, people, judges_among(len(fit.stimuli), person, data.shown.T))
+    require_drawable(fit.stimuli, people, judges_among(len(fit.stimuli), person, [*data.shown.T]))
     cell = 2 * asked.question + np.where(asked.upper, 0, 1)
     size = 2 * len(asked.design)
-    return np.bincount(person * size + cell, minlength=people * size).reshape(people, size) * 1.0
+    table = np.bincount(person * size + cell, minlength=people * size).reshape(people, size)
+    return table.astype(np.float64)

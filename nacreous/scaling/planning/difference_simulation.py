@@ -7,6 +7,7 @@ Whoever judges is called "simulated 1", "simulated 2" and so on, as in
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,7 +40,7 @@ def simulate_quadruples(
 ) -> Quadruples:
     """Judgements of simulated observers of a known scale: which of two pairs differs more.
 
-    scale          the truth, in the order of the stimuli: label -> value, or values of "1", "2", ...
+    scale          the truth, in the order of the stimuli: label -> value, or values of "1", "2" ...
     people         how many simulated observers; each judges the whole design.
     design         by default `full_quadruples`, all non-overlapping ones once.
     model, noise   what is judged is how much larger one size of a difference, whatever its
@@ -71,13 +72,10 @@ def simulate_quadruples(
     person = np.repeat(np.arange(people), len(shown))
     asked = np.tile(shown, (people, 1))
     a, b, c, d = (own[person, each] for each in asked.T)
-    felt = (
-        random.standard_normal(len(person))
-        if model == "probit"
-        else random.logistic(size=len(person))
-    )
+    drawn = random.standard_normal if model == "probit" else partial(random.logistic, 0.0, 1.0)
+    felt = np.asarray(drawn(len(person)))
     lead = np.abs(b - a) - np.abs(d - c) + noise * felt
-    careless = random.random(len(person)) < lapse
+    careless = (random.random(len(person)) < lapse) | (lead == 0)
     lead[careless] = random.random(int(careless.sum())) - 0.5
     return Quadruples(
         stimuli=stimuli,
