@@ -239,7 +239,7 @@ def test_columns_and_stimuli_that_are_not_there_are_named() -> None:
 
 def test_stimuli_that_no_judgement_places_are_named() -> None:
     both = [("1", "2", "3", "4"), ("1", "3", "2", "4"), ("1", "4", "2", "3")]
-    rows = [(*row, word) for row in both for word in EITHER]
+    rows: list[tuple[str, ...]] = [(*row, word) for row in both for word in EITHER]
     with pytest.raises(nc.InputError, match='no scale holds "5"'):
         difference_scale(Quadruples.of_tuples(rows, stimuli=list("12345")))
     rows += [tuple(str(int(x) + 4) for x in row[:4]) + row[4:] for row in rows]
