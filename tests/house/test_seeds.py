@@ -15,6 +15,7 @@ SCALE = [0.6, 0.2, -0.2, -0.6]
 #: Answers on which nothing can be computed: two people, who agree.
 ALIKE = {"left": ["a", "a"], "right": ["b", "b"], "chosen": ["a", "a"], "person": ["x", "y"]}
 PLAN = nc.scaling.Plan(SCALE, people=20)
+DIFFERENCES = nc.scaling.difference_scale(nc.scaling.simulate_quadruples([0, 1, 2, 3, 4], 20))
 ASKED: dict[str, Callable[[Any], Any]] = {
     "Bootstrap": lambda seed: nc.scaling.thurstone(nc.scaling.paper()).bootstrap(100, seed=seed),
     "Plan.answers": lambda seed: PLAN.answers(seed=seed),
@@ -26,15 +27,20 @@ ASKED: dict[str, Callable[[Any], Any]] = {
     "compare_groups": lambda seed: nc.scaling.compare_groups({"x": ALIKE, "y": ALIKE}, seed=seed),
     "compare_sets": lambda seed: nc.scaling.compare_sets(ALIKE, ALIKE, seed=seed),
     "cyclic_design": lambda seed: nc.scaling.cyclic_design(6, 2, seed=seed),
+    "difference_goodness": lambda seed: nc.scaling.difference_goodness(DIFFERENCES, seed=seed),
     "ensemble": lambda seed: nc.optics.ensemble("akoya-rg", 0.0, 550.0, seed=seed),
     "full_design": lambda seed: nc.scaling.full_design(6, seed=seed),
+    "full_quadruples": lambda seed: nc.scaling.full_quadruples(6, seed=seed),
     "grow": lambda seed: nc.grow(seed=seed),
     "next_pairs": lambda seed: nc.scaling.next_pairs(stimuli=["a", "b"], seed=seed),
     "person_covariates": lambda seed: nc.scaling.person_covariates(ALIKE, seed=seed),
     "population": lambda seed: nc.scaling.population(ALIKE, seed=seed),
     "random_design": lambda seed: nc.scaling.random_design(6, 8, seed=seed),
+    "random_quadruples": lambda seed: nc.scaling.random_quadruples(6, 12, seed=seed),
     "shared_scale": lambda seed: nc.scaling.shared_scale(ALIKE, seed=seed),
     "simulate": lambda seed: nc.scaling.simulate(SCALE, 10, seed=seed),
+    "simulate_quadruples": lambda seed: nc.scaling.simulate_quadruples(SCALE, seed=seed),
+    "six_points": lambda seed: nc.scaling.six_points(DIFFERENCES, seed=seed),
     "synthesise": lambda seed: texture.synthesise(
         texture.GrainSpectrum([1, 2, 3], np.ones((3, 3))), 4.0, seed=seed
     ),

@@ -174,11 +174,18 @@ def _of_answers() -> list[object]:
 
 def _of_plans() -> list[object]:
     plan = scaling.Plan({"a": -0.5, "b": 0.0, "c": 0.5}, people=6)
+    judged = scaling.simulate_quadruples([0.0, 0.4, 0.9, 1.5, 2.2, 3.0], people=20)
+    differences = scaling.difference_scale(judged)
     return [
         plan,
         plan.power("a", "c", studies=20),
         plan.precision(studies=20),
         plan.people_needed("a", "c", studies=20),
         scaling.full_design(["a", "b", "c"]),
+        judged,
+        differences,
+        scaling.difference_goodness(differences, samples=20),
+        scaling.six_points(differences, samples=20),
+        scaling.full_quadruples(5),
         *scaling.next_pairs(stimuli=["a", "b", "c"]),
     ]

@@ -45,10 +45,10 @@ class Quadruples:
     """
 
     stimuli: tuple[str, ...]
-    shown: Index
+    shown: NDArray[np.int64]
     outcome: NDArray[np.int8]
     people: tuple[str, ...] = ()
-    person: Index | None = None
+    person: NDArray[np.int64] | None = None
 
     def __post_init__(self) -> None:
         """Refuse labels of stimuli and people with characters that a terminal would obey."""

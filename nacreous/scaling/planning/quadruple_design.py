@@ -36,7 +36,7 @@ class QuadrupleDesign:
     """
 
     stimuli: tuple[str, ...]
-    shown: Index
+    shown: NDArray[np.int64]
 
     def __len__(self) -> int:
         """How many trials there are."""
