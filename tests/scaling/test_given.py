@@ -49,10 +49,12 @@ ANSWERED: dict[str, Callable[[Any], Any]] = {
     "side_bias": nc.scaling.side_bias,
     "triads_by_person": nc.scaling.triads_by_person,
 }
-#: Those that take no answers, but fits, matrices, designs or nothing.
+#: Those that take no answers, but fits, quadruples, matrices, designs or nothing.
 OTHERS = {
     *("goodness", "interval_plot", "matrix_plot", "scale_plot", "simulate"),
     *("cyclic_design", "full_design", "random_design", "paper", "paper_proportions"),
+    *("difference_scale", "difference_goodness", "six_points", "simulate_quadruples"),
+    *("full_quadruples", "random_quadruples"),
 }
 
 

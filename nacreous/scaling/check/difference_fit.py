@@ -61,7 +61,8 @@ def difference_goodness(
     """Deviance and runs of residuals of a fit, with p values by simulation.
 
     samples: 20 to 100 000; same seed, same p values. Both p are one-sided, and never below 1 in
-    samples + 1.
+    samples + 1. Both are too large rather than too small: of 100 simulated studies that follow the
+    model 1 had runs_p up to 0.05 and none deviance_p.
 
     >>> from nacreous.scaling import difference_scale, simulate_quadruples
     >>> fit = difference_scale(simulate_quadruples([0, 1, 2, 4, 6], people=20, seed=1))
