@@ -209,7 +209,7 @@ fn faint(found: &Blemishes) -> Option<String> {
     let least = found.threshold;
     if found.count == 0 {
         return Some(format!(
-            "no spot differs by {least:.1} and more in L*; relief that differs by less cannot be told here"
+            "no spot of up to 0.15 radians differs by {least:.1} and more in L*; larger ones, and relief that differs by less, cannot be told here"
         ));
     }
     let error = found.area.error.unwrap_or(0.0);

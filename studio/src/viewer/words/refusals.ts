@@ -9,9 +9,9 @@ import { language } from "./speech";
 /** `crates/measure` and what else the instruments are refused. */
 const MEASURES: readonly Rule[] = [
   [
-    /^no spot differs by (\S+) and more in (\S+); relief that differs by less cannot be told here$/,
-    ([, n, space]) =>
-      `${space}の差が${n}以上の点はありません。それより淡い凹凸は、この画像では見分けられません。`,
+    /^no spot of up to (\S+) radians differs by (\S+) and more in (\S+); larger ones, and relief that differs by less, cannot be told here$/,
+    ([, radius, n, space]) =>
+      `半径${radius}ラジアンまでで、${space}の差が${n}以上の点はありません。それより大きな点と、それより淡い凹凸は、この画像では見分けられません。`,
   ],
   [
     /^some spots differ by little more than (\S+) in (\S+); how a picture is made \(pixels, JPEG\) may change the area by (\S+) % of the pearl$/,
