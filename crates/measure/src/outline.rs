@@ -38,7 +38,7 @@ const MORE: f64 = 0.1;
 const ROUND: f64 = 0.03;
 /// The outline is closed where no gap is longer than this share of a turn: of what is both clear and round, and of the rest
 /// **(ours)**.
-const LONGEST_GAP: (f64, f64) = (0.25, 0.1);
+const LONGEST_GAP: (f64, f64) = (0.25, 0.075);
 /// What deviates by more than this from three waves is no pearl: corners, several things **(ours)**.
 const SMOOTH: f64 = 0.045;
 /// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it
