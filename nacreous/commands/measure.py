@@ -156,7 +156,7 @@ def _opacity(picture: str, shape: tuple[int, ...]) -> NDArray[np.float32] | None
             if not opened.has_transparency_data:
                 return None
             turned = ImageOps.exif_transpose(opened).convert("RGBA")
-            alpha = np.asarray(turned.getchannel("A"), np.float32) / 255
+            alpha = np.asarray(turned.getchannel("A")).astype(np.float32) / np.float32(255)
     except (OSError, ValueError):  # of a kind that Pillow does not read
         return None
     return alpha if alpha.shape == shape[:2] and alpha.min() < 0.5 else None

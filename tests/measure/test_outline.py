@@ -30,11 +30,9 @@ def blurred(linear: Light, sigma_px: float) -> Light:
 
 def of_word(word: str, pearl: str, scene: str, size: int = 192) -> nc.Image:
     """A pearl of a shape by the trade's word."""
-    sets = [
-        (key, value)
-        for key, value in (one.split("=", 1) for one in with_words([f"shape={word}"], []))
-    ]
-    return nc.render(nc.Pearl.load(pearl, sets), scene, size=size, samples=4)
+    sets = with_words([f"shape={word}"], [])
+    keys = [(key, value) for key, _, value in (one.partition("=") for one in sets)]
+    return nc.render(nc.Pearl.load(pearl, keys), scene, size=size, samples=4)
 
 
 @pytest.mark.parametrize("ground", [0.03, 0.9])
@@ -103,7 +101,7 @@ def test_a_flat_ring_is_no_pearl() -> None:
     ring = binned(
         np.where(((away < RADIUS) & (away > 0.7 * RADIUS))[..., None], [0.5] * 3, [0.05] * 3)
     )
-    with pytest.raises(nc.InputError, match="no pearl: within the outline .* as in a ring"):
+    with pytest.raises(nc.InputError, match=r"no pearl: within the outline .* as in a ring"):
         measure(ring)
 
 

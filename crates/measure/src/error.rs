@@ -71,7 +71,7 @@ pub enum MeasureError {
     },
     /// Seen in part.
     #[error(
-        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, an edge is seen on it in {percent:.0} % of all directions, with a gap of {degrees:.0} degrees; wanted: in 80 %, or in 40 % of an outline that is round to 3 %, and no gap of more than 27 degrees, of one that is both 90; a soft edge, as a shadow's, counts for none"
+        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, an edge is seen on it in {percent:.0} % of all directions, with a gap of {degrees:.0} degrees; wanted: in 80 %, or in 40 % of an outline that is round to 3 %, and no gap of more than 27 degrees, 45 where it is round, 90 where it is both; a soft edge, as a shadow's, counts for none"
     )]
     NotFollowed {
         /// Middle.

@@ -36,9 +36,9 @@ const LEAST_OF_OVALS: f64 = 0.8;
 const MORE: f64 = 0.1;
 /// What is seen less clearly must be this round: half of what is not round passes for rounder **(ours)**.
 const ROUND: f64 = 0.03;
-/// The outline is closed where no gap is longer than this share of a turn: of what is both clear and round, and of the rest
-/// **(ours)**.
-const LONGEST_GAP: (f64, f64) = (0.25, 0.075);
+/// The outline is closed where no gap is longer than this share of a turn: of what is clear and round, of what is round alone, and
+/// of what is not **(ours)**.
+const LONGEST_GAP: [f64; 3] = [0.25, 0.125, 0.075];
 /// What deviates by more than this from three waves is no pearl: corners, several things **(ours)**.
 const SMOOTH: f64 = 0.045;
 /// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it
@@ -155,8 +155,11 @@ fn require_pearl(picture: &Picture<'_>, outline: &Outline) -> Result<(), Measure
 fn require_followed(outline: &Outline) -> Result<(), MeasureError> {
     let is_clear = outline.share >= LEAST_OF_OVALS;
     let is_round = outline.widths().roundness.value <= ROUND;
-    let (long, short) = LONGEST_GAP;
-    let longest = if is_clear && is_round { long } else { short };
+    let longest = match (is_clear, is_round) {
+        (true, true) => LONGEST_GAP[0],
+        (false, true) => LONGEST_GAP[1],
+        _ => LONGEST_GAP[2],
+    };
     if outline.share >= LEAST_FOUND && (is_clear || is_round) && outline.gap <= longest {
         return Ok(());
     }
