@@ -87,7 +87,7 @@ def _shape(pearl: Pearl, found: Measures | None) -> Factor:
         for name, unit in _DIMENSIONS.items()
         if name in bound
     ]
-    if found is not None and found.roundness is not None:
+    if found is not None:
         seen = found.roundness
         figures.append(
             Figure("outline_variation_percent", seen.value, "%", "picture", error=seen.error)
