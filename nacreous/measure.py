@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -217,11 +218,19 @@ directions; wanted: 40 %)
     found = _core.measure(
         linear_of(picture),
         _three("white", white),
-        None if circle is None else _three("circle", circle),
+        None if circle is None else _circle(circle),
         None if mm_per_pixel is None else number_of("mm_per_pixel", mm_per_pixel),
         None if clipped_at is None else number_of("clipped_at", clipped_at),
     )
     return _measures(json.loads(found))
+
+
+def _circle(values: Sequence[float]) -> tuple[float, float, float]:
+    circle = _three("circle", values)
+    for name, value in zip(("x", "y", "radius"), circle, strict=True):
+        if not math.isfinite(value):
+            raise InputError(f"the circle's {name} is {value:g}; allowed: finite pixels")
+    return circle
 
 
 def _three(name: str, values: Sequence[float]) -> tuple[float, float, float]:

@@ -143,6 +143,7 @@ def sort(args: argparse.Namespace) -> int:
     from nacreous.number import whole_of, within
     from nacreous.strand import Form, cut_lot, read_lot, sort_lot, write_sorted
     from nacreous.strand.form import LONGEST, MOST_GRADUATED_MM
+    from nacreous.strand.sorting import require_sizes
 
     standard.check_output(args.output, (".csv",))
     standard.require_apart([args.output], [args.lot])
@@ -150,6 +151,7 @@ def sort(args: argparse.Namespace) -> int:
     form = Form(length, within("--graduated", args.graduated, 0, MOST_GRADUATED_MM))
     with standard.reading(args.lot, ".csv") as given:
         lot = read_lot(given)
+    require_sizes(lot, form.graduation_mm, "--graduated")
     begin = time.monotonic()
     with bar("sorting") as progress:
         sorting = sort_lot(lot, form, args.strands, progress)
