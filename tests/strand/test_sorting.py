@@ -118,7 +118,7 @@ def test_a_graduation_that_the_lots_sizes_do_not_have_is_refused() -> None:
     range_mm = float(np.ptp(lot.size_mm))
     sort_lot(lot, Form(20, range_mm))
     for way in (sort_lot, cut_lot):
-        with pytest.raises(nc.InputError, match="graduation_mm is 20; allowed: 0 to [01][.]"):
+        with pytest.raises(nc.InputError, match=r"graduation_mm is 20; allowed: 0 to [01]\."):
             way(lot, Form(20, 20))
 
 
