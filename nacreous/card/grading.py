@@ -78,13 +78,14 @@ def _size(pearl: Pearl, shape: Factor) -> Factor:
     figures = [_figure(found, "mm")]
     if shape.word is not None and shape.word.en not in _AS_WIDE_AS_LONG:
         wide_mm, long_mm = pearl.diameter_mm, pearl.diameter_mm * pearl.shape.length
-        key = "diameter_mm, shape.length"
-        figures.append(Figure("length_mm", long_mm, "mm", "file", key, across=wide_mm))
+        figures.append(Figure("length_mm", long_mm, "mm", "file", "shape.length", across=wide_mm))
     return Factor("size", found.word, tuple(figures))
 
 
 def _unmeasured(name: str, found: Measures | None, part: str, reason: str) -> Factor:
     """A factor without a number, and why: part is what `Measures.refused` has it under."""
+    if reason and name != "overtone":  # of the whole picture: told once
+        return Factor(name, None, (), "as_overtone")
     why = reason if found is None else found.refused.get(part, "")
     return Factor(name, None, (), "unmeasured", why)
 

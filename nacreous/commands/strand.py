@@ -208,12 +208,14 @@ def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
     from nacreous import image
     from nacreous.commands.progress import bar
     from nacreous.recipe import recipe
-    from nacreous.spec import Pearl, Scene
+    from nacreous.spec import Pearl, Scene, Shape
     from nacreous.strand.picture import hung, laid_out
     from nacreous.stream import STREAM
 
     found = hung(strand, Pearl.load(args.pearl), args.seed)
-    scene = laid_out(len(strand), Scene.load(args.scene), args.laid)
+    is_ball = found.pearls[0].shape == Shape()
+    widest_mm = float(strand.size_mm.max()) if is_ball else None
+    scene = laid_out(len(strand), Scene.load(args.scene), args.laid, widest_mm)
     made = recipe(found.pearls, scene, args.size, args.samples)
     say(shown, [args.output])
     begin = time.monotonic()

@@ -33,7 +33,8 @@ class Blemishes(Section):
     scratches: int = _count("Narrow grooves, 6 times size_mm long and 0.15 wide.")
     wrinkles: int = _count("Long rises, 4 times size_mm long and 0.6 wide.")
     chalky_spots: int = _count(
-        "Chalky spots without layers: they mirror nothing, and look darker where the pearl mirrors a window."
+        "Chalky spots without layers: they mirror nothing, and look darker where the pearl mirrors "
+        "a window."
     )
     size_mm: float = quantity(
         0.3,
