@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -222,7 +223,7 @@ directions; wanted: 40 %)
     found = _core.measure(
         linear,
         _three("white", white),
-        None if circle is None else _three("circle", circle),
+        None if circle is None else _circle(circle),
         None if mm_per_pixel is None else number_of("mm_per_pixel", mm_per_pixel),
         None if clipped_at is None else number_of("clipped_at", clipped_at),
         None if opacity is None else _opacity(opacity, linear),
@@ -239,6 +240,14 @@ def _opacity(opacity: ArrayLike, linear: NDArray[np.float32]) -> NDArray[np.floa
     if not ((shares >= 0) & (shares <= 1)).all():
         raise InputError("opacity has numbers outside 0 to 1; allowed: 0 to 1")
     return shares.astype("float32")
+
+
+def _circle(values: Sequence[float]) -> tuple[float, float, float]:
+    circle = _three("circle", values)
+    for name, value in zip(("x", "y", "radius"), circle, strict=True):
+        if not math.isfinite(value):
+            raise InputError(f"the circle's {name} is {value:g}; allowed: finite pixels")
+    return circle
 
 
 def _three(name: str, values: Sequence[float]) -> tuple[float, float, float]:

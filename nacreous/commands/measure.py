@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -115,6 +116,9 @@ def _circle(
     if centre is None or radius is None:
         one, other = ("--radius", "--centre") if centre is None else ("--centre", "--radius")
         raise InputError(f"{one} is given without {other}; wanted: both or none")
+    for name, value in (("--centre x", centre[0]), ("--centre y", centre[1]), ("--radius", radius)):
+        if not math.isfinite(value):
+            raise InputError(f"{name} is {value:g}; allowed: finite pixels")
     return centre[0], centre[1], radius
 
 

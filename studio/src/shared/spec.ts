@@ -27,7 +27,7 @@ export interface Blemishes {
    */
   wrinkles?: number;
   /**
-   * Matt white spots without layers. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   * Chalky spots without layers: they mirror nothing, and look darker where the pearl mirrors a window. Allowed: 0 to 500. Source: trade, kinds of blemishes.
    */
   chalky_spots?: number;
   /**
