@@ -216,7 +216,7 @@ def test_a_pearl_that_is_cut_off_is_refused() -> None:
         ({"white": (1, 1)}, "white has 2 numbers"),
         ({"mm_per_pixel": -1}, "mm_per_pixel is -1"),
         ({"clipped_at": 0}, "clipped_at is 0"),
-        ({"circle": (1, 2, float("nan"))}, "circle is NaN"),
+        ({"circle": (1, 2, float("nan"))}, "radius is nan"),
         ({"circle": (10, 10, 50)}, "leaves the picture"),
         ({"circle": (64, 64, -4)}, "radius is -4; allowed: 12 pixels and more"),
     ],
