@@ -135,7 +135,9 @@ function plain(_key: string, value: unknown): unknown {
 }
 
 export function saveActivePng(): void {
-  if (activeCanvas.current !== null) savePng(activeCanvas.current, specs.value.pearl.name);
+  const canvas = activeCanvas.current;
+  if (canvas === null) return;
+  void savePng(canvas, { size: canvas.width, samples: SAMPLES, space: SPACE });
 }
 
 export function saveActiveExr(): void {

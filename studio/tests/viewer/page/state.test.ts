@@ -1,3 +1,4 @@
+import { crc32 } from "node:zlib";
 import { expect, test } from "vitest";
 import { PEARLS, SCENES, declarations } from "../../../src/viewer/specs/spec";
 import { around, lights, moved, turned, zoomed } from "../../../src/viewer/state/camera";
@@ -6,6 +7,8 @@ import { begin, redone, step, undone } from "../../../src/viewer/state/history";
 import { changes, declared, valueAt, withValue } from "../../../src/viewer/state/path";
 import { pressed, scaleOf } from "../../../src/viewer/state/scale";
 import { studyOf } from "../../../src/viewer/state/study";
+import { numberOf } from "../../../src/viewer/state/typed";
+import { withTexts } from "../../../src/viewer/light/png";
 import { wordFor } from "../../../src/viewer/state/trade";
 import { directionOf, placeOf } from "../../../src/viewer/panels/Dome";
 
@@ -144,4 +147,19 @@ test("a study names presets and what differs from them, and says what it cannot 
   expect(leftOut).toEqual(["two windows"]);
   expect(toml).toContain('overrides = [ "nacre.harvest=\\"2024-08-15\\"" ]');
   expect(toml.match(/pearl = "akoya-rg"/g)).toHaveLength(2);
+});
+
+test("a decimal comma is a point, where it cannot part thousands", () => {
+  const read = ["12,5", "0,123", "-1,25", "１２，５", "1,234", "1,2,3"].map(numberOf);
+  expect(read).toEqual([12.5, 0.123, -1.25, 12.5, NaN, NaN]);
+});
+
+test("a PNG with texts has them whole ahead of its pixels, and all else as it was", () => {
+  const png = Uint8Array.from({ length: 60 }, (_, i) => i);
+  const marked = withTexts(png, [["nacreous:scene", "真珠"]]);
+  const length = new DataView(marked.buffer).getUint32(33);
+  const body = marked.subarray(37, 41 + length);
+  expect(new TextDecoder().decode(body)).toBe("iTXtnacreous:scene\0\0\0\0\0真珠");
+  expect(new DataView(marked.buffer).getUint32(41 + length)).toBe(crc32(body));
+  expect([...marked.subarray(0, 33), ...marked.subarray(45 + length)]).toEqual([...png]);
 });
