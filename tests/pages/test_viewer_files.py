@@ -14,10 +14,10 @@ from playwright.sync_api import Browser, Page, expect
 
 import nacreous as nc
 from nacreous import _core
+from nacreous.embedded import read_embedded
 from nacreous.file import read_panorama
 from nacreous.viewer import FOLDER
 from tests.pages.browser import Guarded, guarded, violations
-from nacreous.embedded import read_embedded
 from tests.pages.viewer_files import (
     SPECTRUM,
     Dropped,

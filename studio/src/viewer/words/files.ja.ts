@@ -106,6 +106,8 @@ const WHOLE: readonly Rule[] = [
 
 const DAMAGE: Readonly<Record<string, string>> = {
   "the JPEG ends before its picture": "画像の途中で終わっています",
+  "the file ends before its pixels": "画像の途中で終わっています",
+  "its header does not end": "ヘッダーが途中で終わっています",
   "it ends before its picture does": "画像の途中で終わっています",
   "a checksum does not match what it is of": "検査の値が合いません",
   "its data cannot be decoded": "データを読めません",

@@ -1,10 +1,9 @@
 /** The instruments: what the film does at a point, and what the picture at rest measures. */
 
 import "./instruments.css";
+import { declared } from "../../state/path";
 import { faults } from "../../state/store";
-import { knobSays } from "../../words/complaints";
-import { t } from "../../words/speech";
-import { Said } from "../Said";
+import { nameOf, t } from "../../words/speech";
 import { Diagrams } from "./Diagrams";
 import { MeasuresTable } from "./MeasuresTable";
 import { LayersPlot, Point } from "./Point";
@@ -21,18 +20,14 @@ export function Instruments() {
   );
 }
 
-/** Where no picture can be made there is nothing to read, and nothing to wait for. */
+/** Where no picture can be made there is nothing to read, and nothing to wait for; the picture says why. */
 function NoPearl() {
+  const names = new Set(faults.value.map((one) => nameOf(declared(one.path))));
   return (
     <div class="instruments">
-      <section class="instrument">
-        <p class="nothing">{t("failed")}</p>
-        {faults.value.map((one) => (
-          <p class="nothing" key={one.text}>
-            <Said {...knobSays(one)} />
-          </p>
-        ))}
-      </section>
+      <p class="nothing">
+        {t("failed")} {t("failedSee", { names: [...names].join(", ") })}
+      </p>
     </div>
   );
 }
