@@ -115,7 +115,7 @@ def test_files_that_no_key_can_use_are_told_as_by_the_command_line(
     small = ("small.png", photograph(32))
     drop(page, Dropped(*small))
     assert wrong(page) == (
-        "texture: the photograph has 32 x 32 pixels; allowed: at least side_px = 64 each way"
+        "small.png: the photograph has 32 x 32 pixels; allowed: at least side_px = 64 each way"
     )
     np.testing.assert_array_equal(picture(page), before)
 

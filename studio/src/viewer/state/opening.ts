@@ -172,10 +172,10 @@ export async function takeGrain(bytes: Bytes, name: string): Promise<readonly Co
     await ask("grain", { bytes, how });
   } catch (error) {
     const text = (error as Error).message;
-    const isNoPearl = /^texture: (no patch|the photograph has \d+ x)/.test(text);
+    const isNoPearl = text.startsWith("texture: no patch");
     const why = isNoPearl
       ? `no pearl found in it; wanted: a photograph of one pearl, with ${side_px} x ${side_px} pixels of it or more without highlight`
-      : text;
+      : text.replace(/^texture: /, "");
     return told(`${label(name)}: ${why}`);
   }
   await keep(bytes, name, { kind: "photograph", bytes });

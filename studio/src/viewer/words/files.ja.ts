@@ -63,6 +63,11 @@ const FILES: readonly Rule[] = [
     ([, n]) =>
       `真珠が見つかりません。ハイライトのない部分が${n} × ${n}画素以上ある、真珠一つの写真が必要です。`,
   ],
+  [
+    /^the photograph has (\d+) x (\d+) pixels; allowed: at least side_px = (\d+) each way$/,
+    ([, h, w, least]) =>
+      `写真が${w} × ${h}画素しかありません。どちらも${least}画素以上が必要です。`,
+  ],
   [/^is empty \(0 bytes\)$/, () => "空のファイルです（0バイト）。"],
   [
     /^is not a picture that can be read here; allowed: (.+)$/,
