@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -73,8 +73,8 @@ def trays_of_table(table: Table, columns: RankColumns, stimuli: Iterable[object]
     person = columns.person or ("person" if "person" in table.columns else None)
     tray, names = _coded(table, columns.tray, faults)
     stimulus, labels = _coded(table, columns.stimulus, faults)
-    who, people = (np.zeros(table.rows, np.int64), ()) if person is None else _coded(
-        table, person, faults
+    who, people = (
+        (np.zeros(table.rows, np.int64), ()) if person is None else _coded(table, person, faults)
     )
     rank = number_column(table, columns.rank, None, faults, 1)
     bad = np.flatnonzero(rank != np.rint(np.nan_to_num(rank, nan=1.0)))
@@ -127,56 +127,67 @@ def _check_rows(
     table: Table, rows: _Rows, labels: tuple[str, ...], columns: RankColumns, faults: Faults
 ) -> None:
     """Note what no ranking has: a stimulus twice, ties, gaps, trays of one and without order."""
-    number = table.numbers
+    number, rank = table.numbers[rows.row], rows.rank
 
-    def say(at: Index, verdict: str, earlier: Index | None = None) -> None:
-        """What is wrong at places of the sorted rows, with the label there and at the earlier."""
-        for place, other in zip(at, at if earlier is None else earlier, strict=True):
-            words = verdict.format(
-                label=quoted(labels[rows.stimulus[place]]),
-                other=quoted(labels[rows.stimulus[other]]),
-                row=number[rows.row[other]],
-                rank=f"{rows.rank[place]:g}",
-            )
-            faults.say_of_rows(rows.row[place : place + 1], lambda _, words=words: words)
+    def say(places: Index, verdict: Callable[[int, int], str], earlier: Index) -> None:
+        """What is wrong at places of the sorted rows, given an earlier place of each."""
+        both = {
+            int(rows.row[at]): (int(at), int(other))
+            for at, other in zip(places, earlier, strict=True)
+        }
+        faults.say_of_rows(rows.row[places], lambda row: verdict(*both[row]))
+
+    def named(at: int) -> str:
+        return quoted(labels[rows.stimulus[at]])
 
     by = np.lexsort((rows.row, rows.stimulus, rows.tray))
     same = (np.diff(rows.tray[by]) == 0) & (np.diff(rows.stimulus[by]) == 0)
     say(
         by[1:][same],
-        f"{columns.stimulus} is {{label}} again, as in row {{row}} of the same tray; "
-        "allowed: each stimulus once on a tray",
+        lambda at, other: (
+            f"{columns.stimulus} is {named(at)} again, as in row {number[other]} of the same tray; "
+            "allowed: each stimulus once on a tray"
+        ),
         by[:-1][same],
     )
-    if same.any():
-        return
-    near = np.diff(rows.tray) == 0
-    step = np.diff(rows.rank)
+    near, step = np.diff(rows.tray) == 0, np.diff(rank)
     tie = np.flatnonzero(near & (step == 0))
     say(
         tie + 1,
-        f"{columns.rank} of {{label}} is {{rank}}, as that of {{other}} in row {{row}}; "
-        "allowed: no ties, each rank once on a tray",
+        lambda at, other: (
+            f"{columns.rank} of {named(at)} is {rank[at]:g}, as that of {named(other)} in row "
+            f"{number[other]}; allowed: no ties, each rank once on a tray"
+        ),
         tie,
     )
     start = np.flatnonzero(np.diff(rows.tray, prepend=-1))
-    empty = np.isnan(rows.rank[start])
-    say(start[empty], f"{columns.rank} is empty on the whole tray; allowed: 1 for the best")
-    gap = np.concatenate((start[rows.rank[start] > 1], np.flatnonzero(near & (step > 1)) + 1))
+    gap = np.concatenate((start[rank[start] > 1], np.flatnonzero(near & (step > 1)) + 1))
     say(
         gap,
-        f"{columns.rank} of {{label}} is {{rank}}, and the one before it is missing on the tray; "
-        "allowed: 1, 2, 3 and so on, empty for those not put in order",
+        lambda at, _: (
+            f"{columns.rank} of {named(at)} is {rank[at]:g}, and the one before it is missing on "
+            "the tray; allowed: 1, 2, 3 and so on, empty for those not put in order"
+        ),
+        gap,
     )
+    _check_trays(rows, start, columns, faults)
+
+
+def _check_trays(rows: _Rows, start: Index, columns: RankColumns, faults: Faults) -> None:
+    """Note trays of too few or too many stimuli, and those without an order."""
     size = np.bincount(rows.tray)
-    wrong = start[(size < 2) | (size > MOST_ON_A_TRAY)]
-    for place in wrong:
-        many = size[rows.tray[place]]
-        say(
-            np.array([place]),
-            f"its tray holds {many} {'stimulus' if many == 1 else 'stimuli'}; "
-            f"allowed: 2 to {MOST_ON_A_TRAY}",
-        )
+    many = dict(zip(rows.row[start].tolist(), size.tolist(), strict=True))
+    faults.say_of_rows(
+        rows.row[start[np.isnan(rows.rank[start])]],
+        lambda _: f"{columns.rank} is empty on the whole tray; allowed: 1 for the best",
+    )
+    faults.say_of_rows(
+        rows.row[start[(size < 2) | (size > MOST_ON_A_TRAY)]],
+        lambda row: (
+            f"its tray holds {many[row]} {'stimulus' if many[row] == 1 else 'stimuli'}; "
+            f"allowed: 2 to {MOST_ON_A_TRAY}"
+        ),
+    )
 
 
 def _renamed(

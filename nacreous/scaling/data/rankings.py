@@ -104,7 +104,9 @@ class Rankings:
         >>> Rankings.of_table({"tray": [1, 1, 1], "stimulus": list("abc"), "rank": [2, 1, None]})
         Rankings(1 tray of 3, 3 stimuli, people unknown)
         """
-        return _made(cls, "ranking", trays_of_table(table_of(table), RankColumns.of(names), stimuli))
+        return _made(
+            cls, "ranking", trays_of_table(table_of(table), RankColumns.of(names), stimuli)
+        )
 
     @classmethod
     def read(

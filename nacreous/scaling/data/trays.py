@@ -190,9 +190,7 @@ def _joined(
     )
 
 
-def _known(
-    place: str, trays: list[list[str]], stimuli: Iterable[object] | None
-) -> tuple[str, ...]:
+def _known(place: str, trays: list[list[str]], stimuli: Iterable[object] | None) -> tuple[str, ...]:
     """All labels in natural order, or those of a caller, who allows no others."""
     met = dict.fromkeys(label for tray in trays for label in tray)
     if stimuli is None:
