@@ -2,6 +2,8 @@ from .check.always_tied import AlwaysTied as AlwaysTied
 from .check.always_tied import always_tied as always_tied
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
+from .check.concordance import Concordance as Concordance
+from .check.concordance import concordance as concordance
 from .check.kendall import Agreement as Agreement
 from .check.kendall import agreement as agreement
 from .check.misfit import Goodness as Goodness
