@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 
 SCALE = [0.6, 0.2, -0.2, -0.6]
 #: Answers on which nothing can be computed: two people, who agree.
+RANKED = nc.scaling.simulate_rankings(SCALE, 3)
 ALIKE = {"left": ["a", "a"], "right": ["b", "b"], "chosen": ["a", "a"], "person": ["x", "y"]}
 PLAN = nc.scaling.Plan(SCALE, people=20)
 ASKED: dict[str, Callable[[Any], Any]] = {

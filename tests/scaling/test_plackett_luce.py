@@ -122,7 +122,9 @@ def test_the_likelihood_of_best_and_worst_is_that_of_a_choice_among_all_pairs():
 @pytest.mark.parametrize("task", [{}, {"first": 2}, {"best_worst": True}])
 def test_slopes_and_information_are_the_derivatives_of_the_likelihood(task):
     trays = [TRAY, TRAY[:3], TRAY[1:], ["1", "4"]]
-    model = RankingModel(simulate_rankings(dict(zip(TRAY, VALUES, strict=True)), 3, trays=trays, **task))
+    model = RankingModel(
+        simulate_rankings(dict(zip(TRAY, VALUES, strict=True)), 3, trays=trays, **task)
+    )
     _, gradient, information = model.slopes(VALUES)
     assert np.allclose(gradient, approx_fprime(VALUES, model.log_likelihood, 1e-6), atol=1e-4)
     second = approx_fprime(VALUES, lambda at: model.slopes(at)[1], 1e-6)

@@ -70,7 +70,7 @@ class _Set:
     def most(self) -> float:
         """The greatest sum there can be."""
         count, size = self.ranks.shape
-        return count**2 * (size**3 - size) / 12
+        return float(count**2 * (size**3 - size)) / 12
 
 
 def concordance(rankings: Rankings, permutations: int = 9999, seed: int = 1) -> Concordance:

@@ -34,9 +34,9 @@ class RankedScale:
     >>> import nacreous as nc
     >>> print(nc.scaling.plackett_luce(nc.scaling.simulate_rankings([0.5, 0, -0.5], seed=2)))
     scale in logit (Plackett-Luce, 30 trays)
-    1   0.576 +- 0.192
-    2  -0.232 +- 0.177
-    3  -0.344 +- 0.187
+    1   0.520 +- 0.153
+    2  -0.085 +- 0.230
+    3  -0.435 +- 0.224
     +- is over people; the scale is that of their average answer
     """
 
@@ -106,7 +106,7 @@ class RankedScale:
         >>> import nacreous as nc
         >>> fit = nc.scaling.plackett_luce(nc.scaling.simulate_rankings([0.5, 0, -0.5], seed=2))
         >>> fit.difference("1", "3")
-        Difference(1 - 3: 0.920, 0.232 to 1.607 logit)
+        Difference(1 - 3: 0.954, 0.325 to 1.584 logit)
         """
         pairs = [(self._index(first), self._index(second))]
         return uncertainty.differences(
