@@ -35,8 +35,8 @@ def plackett_luce(rankings: Rankings) -> RankedScale:
     >>> from nacreous.scaling import Rankings
     >>> fit = plackett_luce(Rankings.of_lists([["a", "b", "c"], ["a", "c", "b"], ["b", "a", "c"]]
     ...                                       + [["c", "a", "b"]]))
-    >>> fit.ranking, fit.scale.round(3).tolist()
-    (('a', 'b', 'c'), [0.524, -0.262, -0.262])
+    >>> fit.ranking, fit.scale.round(3).tolist()  # a over b by ln(1 + root of 5)
+    (('a', 'b', 'c'), [0.783, -0.391, -0.391])
     """
     if not isinstance(rankings, Rankings):
         raise InputError(
