@@ -85,7 +85,7 @@ pub struct Measures {
     /// How large it is.
     pub size: Size,
     /// (greatest - least) / mean diameter, as a share.
-    pub roundness: Option<Value>,
+    pub roundness: Value,
     /// Whether it counts as a sphere, seen from here.
     pub sphere: bool,
     /// The colour of the whole pearl.
@@ -103,22 +103,35 @@ pub struct Measures {
 /// Measures the one pearl in a picture.
 ///
 /// # Errors
-/// No pearl or more than one, a pearl that leaves the picture or is under 12 pixels in radius, and numbers
-/// given that cannot be.
+/// No pearl or more than one, a pearl that leaves the picture or is under 12 pixels in radius, one whose outline cannot
+/// be followed, and numbers given that cannot be.
 pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, MeasureError> {
+    measure_cut_out(picture, picture, given)
+}
+
+/// Measures the one pearl in a picture of which another one, as large, shows the outline: how opaque it is.
+///
+/// # Errors
+/// Those of `measure`, and another size.
+pub fn measure_cut_out(
+    picture: &Picture<'_>,
+    opacity: &Picture<'_>,
+    given: &Given,
+) -> Result<Measures, MeasureError> {
+    let (width, height) = (opacity.width(), opacity.height());
+    if (width, height) != (picture.width(), picture.height()) {
+        return Err(MeasureError::Size { width, height, numbers: 3 * width * height });
+    }
     let white = White::new(given.white)?;
     check(given)?;
     let outline = match given.circle {
-        Some(circle) => near(picture, circle)?,
-        None => find(picture)?,
+        Some(circle) => near(opacity, circle)?,
+        None => find(opacity)?,
     };
     let mut refused = Refusals::default();
-    let widths = outline.contour.widths();
-    let roundness = outline.is_seen().then_some(widths.roundness);
-    if roundness.is_none() {
-        refused.add("roundness", "no edge stands out along the circle given");
-    }
-    let sphere = roundness.is_none_or(|roundness| roundness.value <= ROUND);
+    let widths = outline.widths();
+    let roundness = widths.roundness;
+    let sphere = roundness.value <= ROUND;
     let clipped_at = given.clipped_at.unwrap_or(f64::INFINITY);
     let disc = Disc::of(picture, &white, &outline.contour, clipped_at, COLOUR_PX);
     let colour = whole(&disc, &outline.contour.middle);
@@ -130,7 +143,7 @@ pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, Measure
     } else {
         OfSphere::none(&mut refused)
     };
-    let (place, size) = (place(&outline, given), size(&widths, &outline, given.mm_per_pixel));
+    let (place, size) = (place(&outline, given), size(&widths, given.mm_per_pixel));
     let refused = refused.0;
     Ok(Measures { place, size, roundness, sphere, colour, rings, lamp, blemishes, refused })
 }
@@ -209,7 +222,7 @@ fn faint(found: &Blemishes) -> Option<String> {
     let least = found.threshold;
     if found.count == 0 {
         return Some(format!(
-            "no spot differs by {least:.1} and more in L*; relief that differs by less cannot be told here"
+            "no spot of up to 0.15 radians differs by {least:.1} and more in L*; larger ones, and relief that differs by less, cannot be told here"
         ));
     }
     let error = found.area.error.unwrap_or(0.0);
@@ -233,13 +246,9 @@ impl Refusals {
     }
 }
 
-fn size(widths: &Widths, outline: &Outline, mm_per_pixel: Option<f64>) -> Size {
+fn size(widths: &Widths, mm_per_pixel: Option<f64>) -> Size {
     let (unit, factor) = mm_per_pixel.map_or(("px", 1.0), |mm| ("mm", mm));
-    let scaled = |mut width: Value| {
-        // A circle that was given and not seen has no error of its own.
-        width.error = width.error.filter(|_| outline.is_seen());
-        width.times(factor)
-    };
+    let scaled = |width: Value| width.times(factor);
     Size {
         unit,
         mean: scaled(widths.mean),

@@ -9,9 +9,9 @@ import { language } from "./speech";
 /** `crates/measure` and what else the instruments are refused. */
 const MEASURES: readonly Rule[] = [
   [
-    /^no spot differs by (\S+) and more in (\S+); relief that differs by less cannot be told here$/,
-    ([, n, space]) =>
-      `${space}の差が${n}以上の点はありません。それより淡い凹凸は、この画像では見分けられません。`,
+    /^no spot of up to (\S+) radians differs by (\S+) and more in (\S+); larger ones, and relief that differs by less, cannot be told here$/,
+    ([, radius, n, space]) =>
+      `半径${radius}ラジアンまでで、${space}の差が${n}以上の点はありません。それより大きな点と、それより淡い凹凸は、この画像では見分けられません。`,
   ],
   [
     /^some spots differ by little more than (\S+) in (\S+); how a picture is made \(pixels, JPEG\) may change the area by (\S+) % of the pearl$/,
@@ -26,7 +26,6 @@ const MEASURES: readonly Rule[] = [
     /^the pearl has (\d+) pixels of radius; wanted: (\d+) or more$/,
     ([, n, least]) => `真珠の半径が${n}画素です。${least}画素以上が必要です。`,
   ],
-  [/^no edge stands out along the circle given$/, () => "与えた円に沿って輪郭が見えません。"],
   [/^all of the pearl is clipped$/, () => "真珠全体が白飛びしています。"],
   [/^the lamp's image lies too near to the outline$/, () => "照明の映り込みが輪郭に近すぎます。"],
   [
@@ -60,6 +59,10 @@ const MEASURES: readonly Rule[] = [
     /^no pearl: no round outline stands out \(an edge in (\S+) % of all directions; wanted: (\S+) %\)$/,
     ([, n, least]) =>
       `真珠が見つかりません。丸い輪郭が際立ちません（縁が見えるのは全方向の${n} %、必要なのは${least} %）。`,
+  ],
+  [
+    /^no pearl: within the outline about .*, lies what is around it, as in a ring$/,
+    () => "真珠が見つかりません。輪郭の中に見えるのは周りと同じもので、輪のようです。",
   ],
   [
     /^the outline cannot be followed: .* an edge is seen on it in (\S+) % of all directions, with a gap of (\S+) degrees;/,
