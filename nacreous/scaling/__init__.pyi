@@ -2,6 +2,8 @@ from .check.always_tied import AlwaysTied as AlwaysTied
 from .check.always_tied import always_tied as always_tied
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
+from .check.concordance import Concordance as Concordance
+from .check.concordance import concordance as concordance
 from .check.kendall import Agreement as Agreement
 from .check.kendall import agreement as agreement
 from .check.misfit import Goodness as Goodness
@@ -47,6 +49,7 @@ from .data.comparisons import Comparisons as Comparisons
 from .data.example import paper as paper
 from .data.example import paper_proportions as paper_proportions
 from .data.given import comparisons_of as comparisons_of
+from .data.rankings import Rankings as Rankings
 from .figure import interval_plot as interval_plot
 from .figure import matrix_plot as matrix_plot
 from .figure import scale_plot as scale_plot
@@ -55,6 +58,8 @@ from .fit.bradley import bradley_terry as bradley_terry
 from .fit.case_v import thurstone as thurstone
 from .fit.covariate import Covariate as Covariate
 from .fit.covariate import person_covariates as person_covariates
+from .fit.plackett_luce import plackett_luce as plackett_luce
+from .fit.ranked_scale import RankedScale as RankedScale
 from .fit.scale import Scale as Scale
 from .fit.shared import SharedScale as SharedScale
 from .fit.shared import shared_scale as shared_scale
@@ -67,6 +72,7 @@ from .planning.forecast import Needed as Needed
 from .planning.forecast import Power as Power
 from .planning.forecast import Precision as Precision
 from .planning.plan import Plan as Plan
+from .planning.ranking_simulation import simulate_rankings as simulate_rankings
 from .planning.selection import NextPair as NextPair
 from .planning.selection import next_pairs as next_pairs
 from .planning.simulation import simulate as simulate

@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 
 SCALE = [0.6, 0.2, -0.2, -0.6]
 #: Answers on which nothing can be computed: two people, who agree.
+RANKED = nc.scaling.simulate_rankings(SCALE, 3)
 ALIKE = {"left": ["a", "a"], "right": ["b", "b"], "chosen": ["a", "a"], "person": ["x", "y"]}
 PLAN = nc.scaling.Plan(SCALE, people=20)
 ASKED: dict[str, Callable[[Any], Any]] = {
@@ -25,6 +26,7 @@ ASKED: dict[str, Callable[[Any], Any]] = {
     "analyse": lambda seed: nc.scaling.analyse(ALIKE, bootstrap=0, seed=seed),
     "compare_groups": lambda seed: nc.scaling.compare_groups({"x": ALIKE, "y": ALIKE}, seed=seed),
     "compare_sets": lambda seed: nc.scaling.compare_sets(ALIKE, ALIKE, seed=seed),
+    "concordance": lambda seed: nc.scaling.concordance(RANKED, 99, seed=seed),
     "cyclic_design": lambda seed: nc.scaling.cyclic_design(6, 2, seed=seed),
     "ensemble": lambda seed: nc.optics.ensemble("akoya-rg", 0.0, 550.0, seed=seed),
     "full_design": lambda seed: nc.scaling.full_design(6, seed=seed),
@@ -35,6 +37,7 @@ ASKED: dict[str, Callable[[Any], Any]] = {
     "random_design": lambda seed: nc.scaling.random_design(6, 8, seed=seed),
     "shared_scale": lambda seed: nc.scaling.shared_scale(ALIKE, seed=seed),
     "simulate": lambda seed: nc.scaling.simulate(SCALE, 10, seed=seed),
+    "simulate_rankings": lambda seed: nc.scaling.simulate_rankings(SCALE, 10, seed=seed),
     "synthesise": lambda seed: texture.synthesise(
         texture.GrainSpectrum([1, 2, 3], np.ones((3, 3))), 4.0, seed=seed
     ),

@@ -52,6 +52,7 @@ ANSWERED: dict[str, Callable[[Any], Any]] = {
 #: Those that take no answers, but fits, matrices, designs or nothing.
 OTHERS = {
     *("goodness", "interval_plot", "matrix_plot", "scale_plot", "simulate"),
+    *("concordance", "plackett_luce", "simulate_rankings"),
     *("cyclic_design", "full_design", "random_design", "paper", "paper_proportions"),
 }
 

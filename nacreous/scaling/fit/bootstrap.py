@@ -256,17 +256,32 @@ def resampled(
 
 def _require_many(answers: Answers) -> Answers:
     """The answers, if enough people judged each stimulus to be drawn."""
-    judges = judges_of(answers)
+    people = len(np.unique(answers.person))  # type: ignore[arg-type]
+    require_many(answers.stimuli, judges_of(answers), people)
+    return answers
+
+
+def require_many(stimuli: tuple[str, ...], judges: NDArray[np.int64], people: int) -> None:
+    """Raise `InputError` where too few people, of so many, judged a stimulus to be drawn anew."""
     if judges.min() >= LEAST_DRAWN:
-        return answers
-    at, people = int(np.argmin(judges)), len(np.unique(answers.person))  # type: ignore[arg-type]
-    who = f"{quoted(answers.stimuli[at])} was judged by {judges[at]} of {people} people"
+        return
+    at = int(np.argmin(judges))
+    who = f"{quoted(stimuli[at])} was judged by {judges[at]} of {people} people"
     if people < LEAST_DRAWN:
         who = f"the answers are those of {people} people"
     raise InputError(
         f"{who}, too few to be drawn anew; allowed: {LEAST_DRAWN} or more, the fit's own "
         f"intervals, which are Student's t, or {_INSTEAD}"
     )
+
+
+def samples_of(samples: int, parameters: int) -> int:
+    """How many samples of so many parameters, or one clear message."""
+    samples = whole_of("samples", samples, 2, 1_000_000)
+    if samples * parameters > 1 << 27:
+        most = (1 << 27) // parameters
+        raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
+    return samples
 
 
 def drawn(
@@ -282,10 +297,7 @@ def drawn(
     samples: 2 to 1 000 000, and 2^27 values in all. seed: 0 to 2^63 - 1. progress: called with the
     finished share, 0 to 1, now and then.
     """
-    samples, seed = whole_of("samples", samples, 2, 1_000_000), seed_of(seed)
-    if samples * len(parameters) > 1 << 27:
-        most = (1 << 27) // len(parameters)
-        raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
+    samples, seed = samples_of(samples, len(parameters)), seed_of(seed)
     report = None if progress is None else lambda done: progress(done / samples)
     studentised = len(parameters) <= MOST_STUDENTISED
     values, se, effects, unplaced = model.bootstrap(

@@ -10,6 +10,7 @@ with C - 1.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -112,24 +113,37 @@ def _root(spread: Array) -> Array:
 
 def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
     """The answers, if they tell how people differ: each stimulus judged by three of them."""
-    least = LEAST_PEOPLE
     if answers is None or answers.person is None:
         raise InputError("it is not known who gave the answers; allowed: answers with people")
     people = len(numbered(answers.person, int(answers.person.max(initial=0)) + 1)[0])
+    require_judges(answers.stimuli, lambda: judges_of(answers), people, instead)
+    return answers
+
+
+def require_judges(
+    stimuli: tuple[str, ...],
+    judges: Callable[[], NDArray[np.int64]],
+    people: int,
+    instead: str = INSTEAD,
+) -> None:
+    """Raise `InputError` where fewer than three of the people judged a stimulus.
+
+    judges: gives how many judged each, int64 [stimulus].
+    """
+    least = LEAST_PEOPLE
     if people < least:
         whose = "1 person" if people == 1 else f"{people} people"
         raise InputError(
             f"the answers are those of {whose}, who cannot tell how people differ; allowed: "
             f"{least} or more people, or {instead}"
         )
-    judges = judges_of(answers)
-    if judges.min() < least:
-        at = int(np.argmin(judges))
+    each = judges()
+    if each.min() < least:
+        at = int(np.argmin(each))
         raise InputError(
-            f"{quoted(answers.stimuli[at])} was judged by {judges[at]} of {people} people, too few "
+            f"{quoted(stimuli[at])} was judged by {each[at]} of {people} people, too few "
             f"to tell how people differ; allowed: {least} or more a stimulus, or {instead}"
         )
-    return answers
 
 
 def judges_of(answers: Answers) -> NDArray[np.int64]:
@@ -170,16 +184,29 @@ def clusters(
     inverse: of the observed and of the expected information. like: link, ties, order and design of
     the fit, for the expected information of each person.
     """
-    observed, expected = inverse
     scores = np.asarray(model.scores(personal(answers), parameters))
     people, size = scores.shape
-    scores = scores - scores.mean(axis=0)  # 0 but for a prior, which pulls all people alike
-    none = np.zeros((0, size, size))
     degrees = _common_degrees(answers, people, size, sided=like[2])
-    if degrees is not None:
+    seen = None if degrees is not None else _information(answers, parameters, like)
+    return of_scores(scores, inverse, degrees, seen)
+
+
+def of_scores(
+    scores: Array, inverse: tuple[Array, Array], degrees: float | None, seen: Array | None
+) -> Clusters:
+    """The people behind a fit, by the slopes of each, float64 [person, parameter].
+
+    inverse: of the observed information and of that which a working model expects. degrees: of
+    freedom where all get the correction of equal designs; else `seen` is what each person's answers
+    are expected to tell, float64 [person, parameter, parameter], and adds up to the whole.
+    """
+    observed, expected = inverse
+    people, size = scores.shape
+    scores = scores - scores.mean(axis=0)  # 0 but for a prior, which pulls all people alike
+    if degrees is not None or seen is None:
+        none = np.zeros((0, size, size))
         influence = scores @ observed * np.sqrt(people / (people - 1))
         return Clusters(influence, degrees, none, none, expected)
-    seen = _information(answers, parameters, like)
     values, vectors = np.linalg.eigh(seen)
     values = np.where(values > 1e-10 * values.max(), values, 0.0)
     influence, lever = np.empty((people, size)), vectors  # in the same place, for it is large
@@ -214,7 +241,12 @@ def _common_degrees(answers: Answers, people: int, size: int, sided: bool) -> fl
     largest = float((each / np.bincount(pair)[cells % len(pairs)]).max())
     if largest <= _SMALL_SHARE:
         return min(people - 1.0, 1 / largest - 1)
-    return people - 1.0 if people * size**3 > _MOST_WORK else None
+    return people - 1.0 if too_many(people, size) else None
+
+
+def too_many(people: int, size: int) -> bool:
+    """Whether so many people get one correction, for each one's own would take too long."""
+    return people * size**3 > _MOST_WORK
 
 
 def _information(

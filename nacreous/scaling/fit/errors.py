@@ -28,6 +28,7 @@ __all__ = [
     "errors_of",
     "kind_of",
     "parameter_covariance",
+    "require_difference",
     "require_ends",
 ]
 
@@ -82,7 +83,8 @@ def errors_of(fit: Scale, kind: str | None) -> Errors:
     covariance = _brought(fit, found.covariance + _beside_people(fit), values)
     # What a prior adds beside people would hide that they tell nothing.
     among = _brought(fit, found.covariance, values)
-    _require_difference(fit, among, _brought(fit, _inverse(fit, expected=True), values))
+    alone = _brought(fit, _inverse(fit, expected=True), values)
+    require_difference(fit.stimuli, among, alone)
     require_ends(fit)
     return Errors(covariance, found, values)
 
@@ -106,9 +108,8 @@ def _of_least_squares(fit: Scale, kind: str) -> Errors:
     if kind != "people":
         return Errors(row_means.covariance(fit.comparisons, own, kind) * times, None, values)
     found = left_out(fit.answers)
-    _require_difference(
-        fit, found.covariance, row_means.covariance(fit.comparisons, own, "expected")
-    )
+    alone = row_means.covariance(fit.comparisons, own, "expected")
+    require_difference(fit.stimuli, found.covariance, alone)
     require_ends(fit)
     return Errors(found.covariance * times, found, values)
 
@@ -194,7 +195,12 @@ def _brought(fit: Scale, covariance: Array, values: Array) -> Array:
     return np.asarray(table * factor(fit.own_unit, fit.unit) ** 2)
 
 
-def _require_difference(fit: Scale, over_people: Array, expected: Array) -> None:
+def require_difference(
+    stimuli: tuple[str, ...],
+    over_people: Array,
+    expected: Array,
+    instead: str = clustering.INSTEAD,
+) -> None:
     """Refuse people who all answered so alike that nothing tells how people differ."""
     own, alone = (
         np.add.outer(np.diag(table), np.diag(table)) - 2 * table
@@ -203,8 +209,8 @@ def _require_difference(fit: Scale, over_people: Array, expected: Array) -> None
     alike = (own <= _NOTHING * alone) & (alone > _NOTHING * alone.max())
     alike |= np.diag(np.diag(over_people) <= _NOTHING * np.diag(expected))
     if alike.any():
-        about = dict.fromkeys(quoted(fit.stimuli[int(at)]) for at in np.argwhere(alike)[0])
+        about = dict.fromkeys(quoted(stimuli[int(at)]) for at in np.argwhere(alike)[0])
         raise InputError(
             f"all people answered alike about {' and '.join(about)}, so that it is not known how "
-            f"people differ; allowed: people who differ, or {clustering.INSTEAD}"
+            f"people differ; allowed: people who differ, or {instead}"
         )
