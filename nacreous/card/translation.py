@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from functools import cache
@@ -129,9 +130,9 @@ def _rounded(value: float, digits: int) -> str:
 
 @cache
 def reasons() -> list[tuple[str, str]]:
-    """Patterns of what `nacreous.measure` says, and their Japanese."""
-    content = Path(__file__).with_name("reasons.toml").read_text(encoding="utf-8")
-    return [(one["pattern"], one["ja"]) for one in toml_text.loads(content)["reason"]]
+    """Patterns of what `nacreous.measure` says, and their Japanese; the viewer has the same file."""
+    content = Path(__file__).with_name("reasons.json").read_text(encoding="utf-8")
+    return [(one["pattern"], one["ja"]) for one in json.loads(content)]
 
 
 @cache

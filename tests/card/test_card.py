@@ -15,7 +15,7 @@ import nacreous as nc
 from nacreous import cli, figure
 from nacreous.card import CULTURES, Card, graded, html, make, record, save
 from nacreous.card.card import SCENE
-from nacreous.card.translation import Texts, reasons, texts
+from nacreous.card.translation import Texts, texts
 from nacreous.measure import Measures
 from nacreous.spec import Pearl
 from nacreous.trade import word_of
@@ -265,14 +265,6 @@ def test_the_reason_that_a_picture_gives_is_told_in_both_languages() -> None:
     overtone = next(one for one in graded(Pearl(), why) if one.name == "overtone")
     assert Texts("en").note(overtone) == f"Not told: {why}."
     assert "全方向の12 %" in Texts("ja").note(overtone)
-
-
-def test_reasons_are_those_that_the_viewer_knows() -> None:
-    page = Path("studio/src/viewer/words/refusals.ts")
-    if not page.exists():
-        pytest.skip("no sources of the pages here")
-    listed = re.findall(r"/(\^.*)/,", page.read_text(encoding="utf-8"))
-    assert [pattern for pattern, _ in reasons()] == listed
 
 
 def test_a_picture_of_letters_that_no_font_has_is_refused_and_a_page_is_not(tmp_path) -> None:

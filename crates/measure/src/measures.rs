@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::blemish::{Blemishes, blemishes};
+use crate::candidate::largest;
 use crate::contour::Widths;
 use crate::disc::Disc;
 use crate::face::Face;
@@ -20,8 +21,10 @@ const LEAST_PLACES_PX: f64 = 40.0;
 /// Radius of the copy in which colours are looked at, in pixels.
 const COLOUR_PX: f64 = 256.0;
 /// Where its error is more than this share of it, the blemished area hangs on faint spots: of pictures made anew, those that
-/// move by over 5 % are above it (`tests/measure/changes.py`).
+/// move by over 5 % are above it, but for pits of a dark pearl under JPEG (`tests/measure/changes.py`).
 const UNSURE: f64 = 0.08;
+/// Of a white that reflects all light; no pearl's mean is above it.
+const MOST_LIGHTNESS: f64 = 100.0;
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -134,10 +137,7 @@ pub fn measure_cut_out(
     let sphere = roundness.value <= ROUND;
     let clipped_at = given.clipped_at.unwrap_or(f64::INFINITY);
     let disc = Disc::of(picture, &white, &outline.contour, clipped_at, COLOUR_PX);
-    let colour = whole(&disc, &outline.contour.middle);
-    if colour.is_none() {
-        refused.add("colour", "all of the pearl is clipped");
-    }
+    let colour = refused.taken("colour", colour_of(&disc, &outline.contour.middle));
     let OfSphere { rings, lamp, blemishes } = if sphere {
         of_sphere(picture, &white, &outline, &disc, clipped_at, &mut refused)
     } else {
@@ -146,6 +146,18 @@ pub fn measure_cut_out(
     let (place, size) = (place(&outline, given), size(&widths, given.mm_per_pixel));
     let refused = refused.0;
     Ok(Measures { place, size, roundness, sphere, colour, rings, lamp, blemishes, refused })
+}
+
+/// The colour of the whole pearl, which no pearl's is where it is lighter than the white.
+fn colour_of(disc: &Disc, circle: &Circle) -> Result<Colour, String> {
+    let colour = whole(disc, circle).ok_or_else(|| "all of the pearl is clipped".to_owned())?;
+    let lightness = colour.lightness.value;
+    if lightness > MOST_LIGHTNESS {
+        return Err(format!(
+            "the pearl is lighter than the white that was given: L* {lightness:.0}; allowed: up to {MOST_LIGHTNESS}"
+        ));
+    }
+    Ok(colour)
 }
 
 fn place(outline: &Outline, given: &Given) -> Place {
@@ -219,10 +231,10 @@ fn of_sphere(
 
 /// What is too faint to be told, or to hold still.
 fn faint(found: &Blemishes) -> Option<String> {
-    let least = found.threshold;
+    let (least, largest) = (found.threshold, largest());
     if found.count == 0 {
         return Some(format!(
-            "no spot of up to 0.15 radians differs by {least:.1} and more in L*; larger ones, and relief that differs by less, cannot be told here"
+            "no spot of up to {largest:.2} radians differs by {least:.1} and more in L*; larger ones, and relief that differs by less, cannot be told here"
         ));
     }
     let error = found.area.error.unwrap_or(0.0);
