@@ -195,7 +195,7 @@ viewer: _wasm-tools pages
     page=../nacreous/viewer/page
     sources=$({
         find . -path ./node_modules -prune -o -type f -exec cksum {} +
-        cksum ../nacreous/presets/complete.json
+        cksum ../nacreous/card/reasons.json ../nacreous/presets/complete.json
         find ../Cargo.* ../crates ../data ../xtask -path ../xtask/target -prune -o -type f -exec cksum {} +
     } | sort | cksum)
     if [ ! -f $page/index.html ] || [ "$sources" != "$(cat node_modules/viewer-built-from 2>/dev/null)" ]; then

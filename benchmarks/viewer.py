@@ -238,13 +238,17 @@ def pixels() -> None:
 
 
 def _apart(page: Page, pearl: str, scene: str) -> int:
-    """The largest difference of a code between page and command line."""
+    """The largest difference of a code between page and command line; 0 where both refuse."""
+    try:
+        made = nc.render(pearl, scene=scene, size=SIZE_PX, samples=16).develop()[0]
+    except nc.InputError as refusal:
+        print(f"{pearl:24}{scene:22}refused: {refusal}", flush=True)
+        return 0
     link = fragment(nc.Pearl.load(pearl), nc.Scene.load(scene))
     page.evaluate("link => { location.hash = link; }", link)
     page.wait_for_timeout(500)  # the first is there already
     page.evaluate(SHOWN, SIZE_PX)
     shown = np.array(page.evaluate("Array.from(drawn.at(-1).codes)"), dtype=int)
-    made = nc.render(pearl, scene=scene, size=SIZE_PX, samples=16).develop()[0]
     apart = np.abs(shown.reshape(SIZE_PX, SIZE_PX, 4)[:, :, :3] - made)
     print(f"{pearl:24}{scene:22}{apart.max():4}  {(apart > 0).mean():.6f} differ", flush=True)
     return int(apart.max())

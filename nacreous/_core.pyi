@@ -105,6 +105,7 @@ def measure(
     circle: tuple[float, float, float] | None,
     mm_per_pixel: float | None,
     clipped_at: float | None,
+    opacity: NDArray[np.float32] | None,
 ) -> str: ...
 
 # nacre

@@ -5,10 +5,11 @@ from __future__ import annotations
 import logging
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+from nacreous.printable import printable
 from nacreous.problem import InputError
 
 #: One look for all diagrams: quiet axes, no boxes.
@@ -115,10 +116,43 @@ def _matplotlib() -> Any:
     return mpl
 
 
+def letters_without_a_font(text: str) -> str:
+    """The letters of a text that no font of a `sheet` has here, each once.
+
+    >>> letters_without_a_font("lustre")
+    ''
+    """
+    _matplotlib()
+    from matplotlib.font_manager import findfont, get_font
+
+    fonts = [get_font(findfont(name)) for name in ("DejaVu Sans", *japanese_fonts())]
+    held = {code for font in fonts for code in font.get_charmap()}
+    return "".join(one for one in dict.fromkeys(printable(text)) if ord(one) not in held)
+
+
 def japanese_fonts() -> list[str]:
     """Those of the common Japanese fonts that are here."""
+    return _common_here() or (_look_for_new_fonts() and _common_here()) or []
+
+
+def _common_here() -> list[str]:
     from matplotlib.font_manager import fontManager
 
     here = {font.name for font in fontManager.ttflist}
-    common = ("Noto Sans CJK JP", "Hiragino Sans", "Yu Gothic", "Meiryo", "IPAexGothic")
+    common = (
+        *("Noto Sans CJK JP", "Hiragino Sans", "Yu Gothic", "Meiryo", "IPAexGothic", "IPAGothic"),
+        *("TakaoGothic", "VL Gothic", "Noto Serif CJK JP"),
+    )
     return [name for name in common if name in here]
+
+
+def _look_for_new_fonts() -> bool:
+    """Whether fonts were installed since matplotlib wrote its list of them, which it keeps."""
+    from matplotlib.font_manager import findSystemFonts, fontManager
+
+    known = {font.fname for font in fontManager.ttflist}
+    new = sorted(set(findSystemFonts()) - known)
+    for path in new:
+        with suppress(RuntimeError, OSError):  # a file that is no font that it can read
+            fontManager.addfont(path)
+    return bool(new)

@@ -13,17 +13,19 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
 from nacreous import _core
 from nacreous.linear_light import linear_of
-from nacreous.number import number_of, row_of
+from nacreous.number import array_of, number_of, row_of
 from nacreous.problem import InputError
 from nacreous.value import value_class
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "HUES",
@@ -173,7 +175,7 @@ class Measures:
 
     outline: Outline
     size: Size
-    roundness: Number | None
+    roundness: Number
     """(greatest - least) / mean diameter, in percent."""
     sphere: bool
     """Whether roundness is 5 % at the most, seen from here."""
@@ -198,30 +200,54 @@ def measure(
     circle: tuple[float, float, float] | None = None,
     mm_per_pixel: float | None = None,
     clipped_at: float | None = None,
+    opacity: ArrayLike | None = None,
 ) -> Measures:
     """Measure the one pearl in a picture of linear RGB [row, column, 3] (`nacreous.Image` too).
 
     white: linear RGB that a white matt thing has in the picture's light. circle: x, y and radius
     of the pearl in pixels, roughly; left out, it is found. mm_per_pixel: on the plane through the
     pearl's middle; left out, sizes are in pixels. clipped_at: linear light from which a file's
-    codes no longer follow, such as 0.97 of 8 bits.
+    codes no longer follow, such as 0.97 of 8 bits. opacity: [row, column], from 0 beside the pearl
+    to 1 on it, as a picture's alpha has it; the outline is looked for in it.
 
     Raises `InputError` for what is no such picture, numbers out of range, and a picture of no
-    pearl, of several, or of one that is cut off or under 12 pixels in radius.
+    pearl, of several, or of one that is cut off, under 12 pixels in radius, or whose outline cannot
+    be followed.
 
     >>> measure([[[0.2] * 3] * 64] * 64)
     Traceback (most recent call last):
     nacreous.problem.InputError: no pearl: no round outline stands out (an edge in 0 % of all \
 directions; wanted: 40 %)
     """
+    linear = linear_of(picture)
     found = _core.measure(
-        linear_of(picture),
+        linear,
         _three("white", white),
-        None if circle is None else _three("circle", circle),
+        None if circle is None else _circle(circle),
         None if mm_per_pixel is None else number_of("mm_per_pixel", mm_per_pixel),
         None if clipped_at is None else number_of("clipped_at", clipped_at),
+        None if opacity is None else _opacity(opacity, linear),
     )
     return _measures(json.loads(found))
+
+
+def _opacity(opacity: ArrayLike, linear: NDArray[np.float32]) -> NDArray[np.float32]:
+    shares = array_of("opacity", opacity)
+    if shares.shape != linear.shape[:2]:
+        raise InputError(
+            f"opacity has the shape {shares.shape}; allowed: {linear.shape[:2]}, as the picture"
+        )
+    if not ((shares >= 0) & (shares <= 1)).all():
+        raise InputError("opacity has numbers outside 0 to 1; allowed: 0 to 1")
+    return shares.astype("float32")
+
+
+def _circle(values: Sequence[float]) -> tuple[float, float, float]:
+    circle = _three("circle", values)
+    for name, value in zip(("x", "y", "radius"), circle, strict=True):
+        if not math.isfinite(value):
+            raise InputError(f"the circle's {name} is {value:g}; allowed: finite pixels")
+    return circle
 
 
 def _three(name: str, values: Sequence[float]) -> tuple[float, float, float]:
@@ -233,14 +259,13 @@ def _three(name: str, values: Sequence[float]) -> tuple[float, float, float]:
 
 def _measures(found: _Record) -> Measures:
     place, size, rings = found["place"], found["size"], found["rings"]
-    roundness = _number(found["roundness"])
     spots = found["blemishes"]
     return Measures(
         outline=Outline(
             Circle(**place["circle"]), place["given"], place["share"], _places(place["line"])
         ),
         size=Size(size["unit"], *(_known(size[name]) for name in ("mean", "least", "greatest"))),
-        roundness=None if roundness is None else _known(found["roundness"], 100.0),
+        roundness=_known(found["roundness"], 100.0),
         sphere=found["sphere"],
         colour=_colour(found["colour"]),
         rings=None if rings is None else tuple(map(_ring, rings["rings"])),

@@ -12,6 +12,7 @@ import numpy as np
 from nacreous import file, image
 from nacreous.card.factor import Factor
 from nacreous.card.grading import CULTURES, graded
+from nacreous.card.making import own_keys
 from nacreous.card.translation import Texts
 from nacreous.measure import Measures, measure
 from nacreous.number import said, whole_of
@@ -134,6 +135,7 @@ def save(path: str | Path, cards: Sequence[Card], language: str = "en") -> None:
     The file is whole or not there. Raises `InputError`.
     """
     place, texts = check_place(path, language), Texts(language)
+    check_letters(place, [card.pearl for card in cards], [card.given for card in cards])
     with file.atomic(place) as temporary:
         if place.suffix.lower() == ".png":
             from nacreous.card.sheet import draw
@@ -159,13 +161,27 @@ def check_place(path: str | Path, language: str) -> Path:
     return place
 
 
-def _measured(picture: image.Image, pearl: Pearl, scene: Scene) -> Measures | None:
-    """None of a picture that shows several pearls, or one too small or cut off."""
+def check_letters(place: Path, pearls: Sequence[Pearl], given: Sequence[str | None] = ()) -> None:
+    """Refuse a picture of names, keys and paths that no font here has the letters of."""
+    if place.suffix.lower() != ".png":
+        return
+    from nacreous.figure import letters_without_a_font
+
+    drawn = [*(str(one) for one in given), *(line for one in pearls for line in own_keys(one))]
+    if missing := letters_without_a_font("".join([*drawn, *(pearl.name for pearl in pearls)])):
+        raise InputError(
+            f"{place}: no font here has {missing} of the pearl's file to draw a picture with; "
+            "install one, for Japanese:   sudo apt install fonts-noto-cjk   (or write .html)"
+        )
+
+
+def _measured(picture: image.Image, pearl: Pearl, scene: Scene) -> Measures | str:
+    """The measures, or why there are none: several pearls, or one too small or cut off."""
     mm_per_pixel = image.field_mm(pearl, scene) / len(picture.linear)
     try:
         return measure(picture, mm_per_pixel=mm_per_pixel)
-    except InputError:
-        return None
+    except InputError as problem:
+        return str(problem)
 
 
 def _share(

@@ -18,6 +18,7 @@ class Figure:
 
     quantity: its name, as in the trade's table where that has it. key: of a number from the file,
     the key that says it. error: the standard error of a measured one, where there is one.
+    across: of a length, the width that the trade says before it: 12 x 17.4 mm.
     """
 
     quantity: str
@@ -26,6 +27,7 @@ class Figure:
     origin: Origin
     key: str = ""
     error: float | None = None
+    across: float | None = None
 
 
 @value_class
@@ -35,10 +37,11 @@ class Factor:
     name: "size", "shape", "bodycolour", "overtone", "orient", "luster", "surface", "nacre" or
     "matching". word: None where the table gives none for what is known. figures: those that the
     word follows from first. note: why something is left out, a key of the card's texts; "" where
-    nothing is.
+    nothing is. reason: why the picture lets it not be measured, as `nacreous.measure` says it.
     """
 
     name: str
     word: Word | None
     figures: tuple[Figure, ...]
     note: str = ""
+    reason: str = ""

@@ -39,11 +39,17 @@ _BALL = dict.fromkeys(_DIMENSIONS, 0.0) | {"height_over_width": 1.0}
 _LEAST_CHROMA = 2.0
 
 
-def graded(pearl: Pearl, found: Measures | None, culture: str | None = None) -> tuple[Factor, ...]:
+#: Shapes of which the trade says the diameter alone.
+_AS_WIDE_AS_LONG = ("round", "near-round")
+
+
+def graded(
+    pearl: Pearl, found: Measures | str | None, culture: str | None = None
+) -> tuple[Factor, ...]:
     """The factors of a pearl, in the table's order.
 
-    found: what was measured in its picture; None where nothing could be. culture: one of
-    `CULTURES`; without it the nacre has a number and no word.
+    found: what was measured in its picture, or why nothing could be; None without one. culture:
+    one of `CULTURES`; without it the nacre has a number and no word.
 
     >>> from nacreous.spec import Pearl
     >>> size, *_ = graded(Pearl(diameter_mm=7.2), None)
@@ -51,22 +57,37 @@ def graded(pearl: Pearl, found: Measures | None, culture: str | None = None) -> 
     ('7.0-7.5 mm', 'diameter_mm')
     """
     body = _body_lab(pearl)
+    found, reason = (None, found) if isinstance(found, str) else (found, "")
+    shape = _shape(pearl, found)
     return (
-        _size(pearl),
-        _shape(pearl, found),
+        _size(pearl, shape),
+        shape,
         _bodycolour(pearl, body),
-        _overtone(found, body),
-        _orient(found),
+        _overtone(found, body, reason),
+        _orient(found, reason),
         _luster(pearl, found),
-        _surface(pearl, found),
+        _surface(pearl, found, reason),
         _nacre(pearl, culture),
         Factor("matching", None, (), "one_pearl"),
     )
 
 
-def _size(pearl: Pearl) -> Factor:
+def _size(pearl: Pearl, shape: Factor) -> Factor:
+    """By the diameter; beside it width and length of what is not round."""
     found = stated_size(pearl)
-    return Factor("size", found.word, (_figure(found, "mm"),))
+    figures = [_figure(found, "mm")]
+    if shape.word is not None and shape.word.en not in _AS_WIDE_AS_LONG:
+        wide_mm, long_mm = pearl.diameter_mm, pearl.diameter_mm * pearl.shape.length
+        figures.append(Figure("length_mm", long_mm, "mm", "file", "shape.length", across=wide_mm))
+    return Factor("size", found.word, tuple(figures))
+
+
+def _unmeasured(name: str, found: Measures | None, part: str, reason: str) -> Factor:
+    """A factor without a number, and why: part is what `Measures.refused` has it under."""
+    if reason and name != "overtone":  # of the whole picture: told once
+        return Factor(name, None, (), "as_overtone")
+    why = reason if found is None else found.refused.get(part, "")
+    return Factor(name, None, (), "unmeasured", why)
 
 
 def _figure(found: Stated, unit: str) -> Figure:
@@ -87,7 +108,7 @@ def _shape(pearl: Pearl, found: Measures | None) -> Factor:
         for name, unit in _DIMENSIONS.items()
         if name in bound
     ]
-    if found is not None and found.roundness is not None:
+    if found is not None:
         seen = found.roundness
         figures.append(
             Figure("outline_variation_percent", seen.value, "%", "picture", error=seen.error)
@@ -119,14 +140,14 @@ def _bodycolour(pearl: Pearl, lab: tuple[float, float, float]) -> Factor:
     return _told("bodycolour", figures)
 
 
-def _overtone(found: Measures | None, body: tuple[float, float, float]) -> Factor:
+def _overtone(found: Measures | None, body: tuple[float, float, float], reason: str) -> Factor:
     """What is seen less the body, in (a*, b*), the body as light or dark as what is seen (ours).
 
     Of a thing under less light, a* and b* shrink as L* + 16 does (CIE 015, above L* = 8).
     """
     seen = None if found is None else found.colour
     if seen is None:
-        return Factor("overtone", None, (), "unmeasured")
+        return _unmeasured("overtone", found, "colour", reason)
     a, b = _rectangular(seen)
     share = (seen.lightness.value + 16) / (body[0] + 16)
     chroma, hue_deg = _polar(a - share * body[1], b - share * body[2])
@@ -141,10 +162,10 @@ def _told(name: str, figures: tuple[Figure, ...]) -> Factor:
     return Factor(name, word_of(name, {one.quantity: one.value for one in figures}), figures)
 
 
-def _orient(found: Measures | None) -> Factor:
+def _orient(found: Measures | None, reason: str) -> Factor:
     """The least arc that holds the hues of all rings that have one."""
     if found is None or found.rings is None or found.interference is None:
-        return Factor("orient", None, (), "unmeasured")
+        return _unmeasured("orient", found, "rings", reason)
     hue_range_deg = _arc_deg(found.rings)
     orient = found.interference.orient
     figures = (
@@ -180,7 +201,7 @@ def _luster(pearl: Pearl, found: Measures | None) -> Factor:
     return Factor("luster", luster.word, tuple(figures))
 
 
-def _surface(pearl: Pearl, found: Measures | None) -> Factor:
+def _surface(pearl: Pearl, found: Measures | None, reason: str) -> Factor:
     """By the file where it states the area, or has no blemishes; else by the visible half."""
     if pearl.model == "illuminant":
         return Factor("surface", None, (), "no_blemishes_key")
@@ -188,7 +209,7 @@ def _surface(pearl: Pearl, found: Measures | None) -> Factor:
     if surface is not None:
         return Factor("surface", surface.word, (_figure(surface, "%"),))
     if found is None or found.blemishes is None:
-        return Factor("surface", None, (), "unmeasured")
+        return _unmeasured("surface", found, "blemishes", reason)
     area = found.blemishes.area
     figure = Figure("blemished_percent", area.value, "%", "picture", error=area.error)
     return Factor("surface", word_of("surface", {figure.quantity: figure.value}), (figure,))

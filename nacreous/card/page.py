@@ -93,7 +93,7 @@ def _row(card: Card, number: int, texts: Texts) -> str:
 
 def _short(factor: Factor, texts: Texts) -> str:
     number = "".join(
-        f"<small>{one.value:.3g} {_safe(texts(f'unit.{one.unit}'))}</small>"
+        f"<small>{_safe(texts.value(one))} {_safe(texts(f'unit.{one.unit}'))}</small>"
         for one in factor.figures[:1]
     )
     return _safe(texts.word(factor)) + number

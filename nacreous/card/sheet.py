@@ -69,7 +69,7 @@ def _batch(axes: Any, cards: Sequence[Card], texts: Texts, top: float) -> None:
         for place, factor in zip(places, card.factors, strict=False):
             _say(axes, place, y, texts.word(factor), 7)
             for figure in factor.figures[:1]:
-                shown = f"{figure.value:.3g} {texts(f'unit.{figure.unit}')}"
+                shown = f"{texts.value(figure)} {texts(f'unit.{figure.unit}')}"
                 _say(axes, place, y + 8.5, shown, 6, _QUIET)
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import math
+import re
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,6 +20,27 @@ if TYPE_CHECKING:
 __all__ = ["LANGUAGES", "Texts", "texts"]
 
 LANGUAGES: tuple[Language, ...] = ("en", "ja")
+#: Digits behind the point, finer than the bounds of words and than anybody grades **(ours)**.
+_DIGITS = {
+    "diameter_mm": 2,
+    "length_mm": 2,
+    "diameter_variation_percent": 1,
+    "outline_variation_percent": 1,
+    "height_over_width": 2,
+    "taper_percent": 1,
+    "asymmetry_percent": 1,
+    "grooves": 0,
+    "lightness": 1,
+    "chroma": 1,
+    "hue_deg": 0,
+    "hue_range_deg": 0,
+    "orient": 2,
+    "facet_spread_rad": 3,
+    "shininess": 3,
+    "image_width_deg": 1,
+    "blemished_percent": 1,
+    "nacre_mm": 2,
+}
 
 
 class Texts:
@@ -46,13 +70,35 @@ class Texts:
 
     def note(self, factor: Factor) -> str:
         """Why something is left out, or how it was had; "" where nothing is to be said."""
+        if factor.reason:
+            return self("because", reason=self.reason(factor.reason))
         return self(f"note.{factor.note}") if factor.note else ""
 
-    def number(self, figure: Figure) -> str:
-        """A number with its name, unit and standard error: "diameter 8 mm"."""
-        shown = f"{figure.value:.3g}"
+    def reason(self, reason: str) -> str:
+        """Why the picture lets something not be measured; in English where it has no Japanese.
+
+        >>> Texts("ja").reason("all of the pearl is clipped")
+        '真珠全体が白飛びしています'
+        """
+        if self.language == "ja":
+            for pattern, text in reasons():
+                if found := re.search(pattern, reason):
+                    return text.format(*found.groups())
+        return reason
+
+    def value(self, figure: Figure) -> str:
+        """A number's digits: to the first digit of its error, or as many as its quantity has."""
+        digits = _DIGITS[figure.quantity]
+        if figure.error:
+            digits = min(max(-math.floor(math.log10(figure.error)), 0), 4)
+        shown = _rounded(figure.value, digits)
         if figure.error is not None:
-            shown += f" ± {figure.error:.1g}"
+            shown += f" ± {_rounded(figure.error, digits)}"
+        return shown if figure.across is None else f"{_rounded(figure.across, digits)} x {shown}"
+
+    def number(self, figure: Figure) -> str:
+        """A number with its name, unit and standard error: "diameter 8.00 mm"."""
+        shown = self.value(figure)
         name, unit = self(f"quantity.{figure.quantity}"), self(f"unit.{figure.unit}")
         return self("number", name=name, value=shown, unit=unit).rstrip()
 
@@ -75,6 +121,18 @@ class Texts:
             for one in ranges
             if one.quantity in here
         )
+
+
+def _rounded(value: float, digits: int) -> str:
+    """So many digits behind the point, and no -0."""
+    return f"{round(value, digits) + 0.0:.{digits}f}"
+
+
+@cache
+def reasons() -> list[tuple[str, str]]:
+    """Patterns of what `nacreous.measure` says, and their Japanese; the viewer has the same file."""
+    content = Path(__file__).with_name("reasons.json").read_text(encoding="utf-8")
+    return [(one["pattern"], one["ja"]) for one in json.loads(content)]
 
 
 @cache

@@ -10,6 +10,7 @@ from nacreous.commands.terminal import say
 
 if TYPE_CHECKING:
     from nacreous.card import Card
+    from nacreous.spec import Pearl
 
 _EXAMPLES = """\
 examples:
@@ -69,16 +70,18 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run(args: argparse.Namespace) -> int:
     """Check everything, render and measure, write, say what was made."""
     from nacreous import card, file
-    from nacreous.card.card import check_place
+    from nacreous.card.card import check_letters, check_place
     from nacreous.commands import standard
     from nacreous.commands.progress import bar
 
-    check_place(args.output, args.language)
+    place = check_place(args.output, args.language)
     outputs = [args.output]
     if args.json is not None:
         file.check_output(args.json, [".json"])
         outputs.append(args.json)
-    standard.require_apart(outputs, [*args.pearl, args.scene, *_files(args)])
+    pearls, files = _loaded(args)
+    standard.require_apart(outputs, [*args.pearl, args.scene, *files])
+    check_letters(place, pearls, args.pearl)
     begin = time.monotonic()
     with bar("rendering") as show:
         how = (args.type, args.size, args.samples, show, args.word, args.set)
@@ -106,8 +109,8 @@ def _note(cards: list[Card], settings: list[str]) -> str:
     return idle_note(json.dumps({"pearls": pearls}), settings)
 
 
-def _files(args: argparse.Namespace) -> list[str]:
-    """The photographs, panoramas and spectra that pearls and scene name, beside standard input."""
+def _loaded(args: argparse.Namespace) -> tuple[list[Pearl], list[str]]:
+    """The pearls beside standard input; photographs, panoramas and spectra that all name."""
     from nacreous import image
     from nacreous.card.card import SCENE, loaded_with
     from nacreous.recipe import recipe
@@ -116,7 +119,8 @@ def _files(args: argparse.Namespace) -> list[str]:
     named = [one for one in dict.fromkeys(args.pearl) if one != STREAM]
     scene = SCENE if args.scene == STREAM else args.scene
     pearls, around = loaded_with(named, scene, args.word, args.set)
-    return [path for one in pearls for path in image.files_of(recipe(one, around, 1, 1))]
+    files = [path for one in pearls for path in image.files_of(recipe(one, around, 1, 1))]
+    return pearls, files
 
 
 def _report(output: str, cards: list[Card], seconds: float) -> str:

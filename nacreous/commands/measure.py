@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -76,7 +77,12 @@ def run(args: argparse.Namespace) -> int:
     scale = own.mm_per_pixel if args.mm_per_pixel is None else args.mm_per_pixel
     try:
         found = measure(
-            linear, white=white, circle=circle, mm_per_pixel=scale, clipped_at=own.clipped_at
+            linear,
+            white=white,
+            circle=circle,
+            mm_per_pixel=scale,
+            clipped_at=own.clipped_at,
+            opacity=_opacity(args.picture, linear.shape),
         )
     except InputError as problem:
         raise InputError(f"{args.picture}: {problem}") from None
@@ -110,6 +116,9 @@ def _circle(
     if centre is None or radius is None:
         one, other = ("--radius", "--centre") if centre is None else ("--centre", "--radius")
         raise InputError(f"{one} is given without {other}; wanted: both or none")
+    for name, value in (("--centre x", centre[0]), ("--centre y", centre[1]), ("--radius", radius)):
+        if not math.isfinite(value):
+            raise InputError(f"{name} is {value:g}; allowed: finite pixels")
     return centre[0], centre[1], radius
 
 
@@ -137,6 +146,24 @@ def _light(picture: str) -> NDArray[np.float32]:
         said = str(problem)
         more = ", OpenEXR (.exr), Radiance (.hdr)" if said.endswith("PNG, JPEG, TIFF") else ""
         raise InputError(said + more) from None
+
+
+def _opacity(picture: str, shape: tuple[int, ...]) -> NDArray[np.float32] | None:
+    """Alpha of a picture of which a part is clear: the pearl is what is opaque."""
+    import numpy as np
+    from PIL import Image, ImageOps
+
+    if Path(picture).suffix.lower() in _LIGHT:
+        return None
+    try:
+        with Image.open(picture) as opened:
+            if not opened.has_transparency_data:
+                return None
+            turned = ImageOps.exif_transpose(opened).convert("RGBA")
+            alpha = np.asarray(turned.getchannel("A")).astype(np.float32) / np.float32(255)
+    except (OSError, ValueError):  # of a kind that Pillow does not read
+        return None
+    return alpha if alpha.shape == shape[:2] and alpha.min() < 0.5 else None
 
 
 def _own(picture: str, shape: tuple[int, ...]) -> _Own:

@@ -11,7 +11,6 @@ __all__ = ["table"]
 
 #: Parts of the result, as people call them.
 _WORDS = {
-    "roundness": "roundness",
     "colour": "colour",
     "rings": "rings",
     "lamp": "lamp's image",
@@ -54,8 +53,7 @@ def _shape(found: Measures) -> Iterator[tuple[str, str]]:
     size = found.size
     yield "diameter", shown(size.mean, size.unit)
     yield "least, greatest", f"{shown(size.least, size.unit)}, {shown(size.greatest, size.unit)}"
-    if found.roundness is not None:
-        yield "roundness", shown(found.roundness, "%")
+    yield "roundness", shown(found.roundness, "%")
 
 
 def _colours(found: Measures) -> Iterator[tuple[str, str]]:

@@ -19,6 +19,8 @@ __all__ = ["plot"]
 _OUTLINE, _RING, _LAMP, _SPOT = "#0072b2", "#56b4e9", "#d55e00", "#cc79a7"
 #: How much of the surroundings is shown, in radii from the middle.
 _SHOWN = 1.25
+#: Room above the highest chroma for its mark, as a factor; and the least chroma that is shown.
+_ROOM, _LEAST_SHOWN = 1.12, 1.0
 
 
 def plot(path: Path, linear: NDArray[np.float32], found: Measures) -> None:
@@ -85,7 +87,8 @@ def _by_ring(axes: Any, found: Measures) -> None:
     axes.scatter(
         view, chroma, s=90, c=[_code(colour) for _, colour in held], edgecolors="#444444", zorder=3
     )
-    axes.set_ylim(bottom=0)
+    # From grey up, with room for a whole mark above the highest; a grey pearl has room too.
+    axes.set_ylim(0, max(axes.get_ylim()[1], _ROOM * max(chroma), _LEAST_SHOWN))
     lightness = axes.twinx()
     lightness.plot(
         view,

@@ -143,6 +143,7 @@ def sort(args: argparse.Namespace) -> int:
     from nacreous.number import whole_of, within
     from nacreous.strand import Form, cut_lot, read_lot, sort_lot, write_sorted
     from nacreous.strand.form import LONGEST, MOST_GRADUATED_MM
+    from nacreous.strand.sorting import require_sizes
 
     standard.check_output(args.output, (".csv",))
     standard.require_apart([args.output], [args.lot])
@@ -150,6 +151,7 @@ def sort(args: argparse.Namespace) -> int:
     form = Form(length, within("--graduated", args.graduated, 0, MOST_GRADUATED_MM))
     with standard.reading(args.lot, ".csv") as given:
         lot = read_lot(given)
+    require_sizes(lot, form.graduation_mm, "--graduated")
     begin = time.monotonic()
     with bar("sorting") as progress:
         sorting = sort_lot(lot, form, args.strands, progress)
@@ -206,12 +208,14 @@ def _picture(args: argparse.Namespace, shown: str, strand: Lot) -> None:
     from nacreous import image
     from nacreous.commands.progress import bar
     from nacreous.recipe import recipe
-    from nacreous.spec import Pearl, Scene
+    from nacreous.spec import Pearl, Scene, Shape
     from nacreous.strand.picture import hung, laid_out
     from nacreous.stream import STREAM
 
     found = hung(strand, Pearl.load(args.pearl), args.seed)
-    scene = laid_out(len(strand), Scene.load(args.scene), args.laid)
+    is_ball = found.pearls[0].shape == Shape()
+    widest_mm = float(strand.size_mm.max()) if is_ball else None
+    scene = laid_out(len(strand), Scene.load(args.scene), args.laid, widest_mm)
     made = recipe(found.pearls, scene, args.size, args.samples)
     say(shown, [args.output])
     begin = time.monotonic()

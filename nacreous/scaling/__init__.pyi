@@ -2,6 +2,8 @@ from .check.always_tied import AlwaysTied as AlwaysTied
 from .check.always_tied import always_tied as always_tied
 from .check.checkup import Consistency as Consistency
 from .check.checkup import consistency as consistency
+from .check.concordance import Concordance as Concordance
+from .check.concordance import concordance as concordance
 from .check.difference_fit import DifferenceGoodness as DifferenceGoodness
 from .check.difference_fit import difference_goodness as difference_goodness
 from .check.kendall import Agreement as Agreement
@@ -52,6 +54,7 @@ from .data.example import paper as paper
 from .data.example import paper_proportions as paper_proportions
 from .data.given import comparisons_of as comparisons_of
 from .data.quadruples import Quadruples as Quadruples
+from .data.rankings import Rankings as Rankings
 from .figure import interval_plot as interval_plot
 from .figure import matrix_plot as matrix_plot
 from .figure import scale_plot as scale_plot
@@ -62,6 +65,8 @@ from .fit.covariate import Covariate as Covariate
 from .fit.covariate import person_covariates as person_covariates
 from .fit.difference import DifferenceScale as DifferenceScale
 from .fit.difference import difference_scale as difference_scale
+from .fit.plackett_luce import plackett_luce as plackett_luce
+from .fit.ranked_scale import RankedScale as RankedScale
 from .fit.scale import Scale as Scale
 from .fit.shared import SharedScale as SharedScale
 from .fit.shared import shared_scale as shared_scale
@@ -78,6 +83,7 @@ from .planning.plan import Plan as Plan
 from .planning.quadruple_design import QuadrupleDesign as QuadrupleDesign
 from .planning.quadruple_design import full_quadruples as full_quadruples
 from .planning.quadruple_design import random_quadruples as random_quadruples
+from .planning.ranking_simulation import simulate_rankings as simulate_rankings
 from .planning.selection import NextPair as NextPair
 from .planning.selection import next_pairs as next_pairs
 from .planning.simulation import simulate as simulate

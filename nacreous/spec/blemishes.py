@@ -32,7 +32,10 @@ class Blemishes(Section):
     bumps: int = _count("Round rises.")
     scratches: int = _count("Narrow grooves, 6 times size_mm long and 0.15 wide.")
     wrinkles: int = _count("Long rises, 4 times size_mm long and 0.6 wide.")
-    chalky_spots: int = _count("Matt white spots without layers.")
+    chalky_spots: int = _count(
+        "Chalky spots without layers: they mirror nothing, and look darker where the pearl mirrors "
+        "a window."
+    )
     size_mm: float = quantity(
         0.3,
         "Mean diameter of what is round; what is long goes by it.",

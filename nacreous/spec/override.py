@@ -15,8 +15,24 @@ Override = tuple[str, Any]
 Overrides = Mapping[str, Any] | str | Iterable[Override | str]
 
 
+class Worded(str):
+    """The text of a value that a word of the trade sets, for messages to name that word.
+
+    word: as `--word` has it, "surface=clean".
+    """
+
+    word: str
+    __slots__ = ("word",)
+
+    def __new__(cls, text: str, word: str) -> Worded:
+        """The text, and its word."""
+        made = super().__new__(cls, text)
+        made.word = word
+        return made
+
+
 def parse(setting: str) -> tuple[str, str]:
-    """Split `key=value`.
+    """Split `key=value`; the value keeps the word that it is from.
 
     >>> parse("nacre.seed=9")
     ('nacre.seed', '9')
@@ -24,7 +40,8 @@ def parse(setting: str) -> tuple[str, str]:
     key, equals, value = setting.partition("=")
     if not (key.strip() and equals):
         raise InputError(f"--set {shown(setting)}: wanted: key=value, such as nacre.seed=9")
-    return key.strip(), value.strip()
+    text = value.strip()
+    return key.strip(), Worded(text, setting.word) if isinstance(setting, Worded) else text
 
 
 def once(settings: Iterable[str]) -> list[str]:
@@ -84,21 +101,24 @@ def _no_override(given: object) -> InputError:
     return InputError(f"overrides: {shown(given)} is none; wanted: {wanted}")
 
 
-def apply(values: dict[str, Any], overrides: Overrides) -> set[str]:
-    """Set each key in `values` and give back the keys that were set.
+def apply(values: dict[str, Any], overrides: Overrides) -> dict[str, str]:
+    """Set each key in `values` and give back the keys that were set, with what set each.
 
     >>> scene = {"lamps": [{"intensity": 1.0}]}
     >>> sorted(apply(scene, [("lamps.0.intensity", "2.5"), ("table.kind", "cloth")]))
     ['lamps.0.intensity', 'table.kind']
+    >>> apply({}, [("depth", Worded("0.5", "luster=Fair"))])
+    {'depth': '--word "luster=Fair"'}
     >>> scene
     {'lamps': [{'intensity': 2.5}], 'table': {'kind': 'cloth'}}
     """
-    done: set[str] = set()
+    done: dict[str, str] = {}
     problems: list[str] = []
     for key, value in pairs_of(overrides):
         try:
-            _set(values, key, value_of(value) if isinstance(value, str) else value)
-            done.add(key)
+            _set(values, key, value_of(str(value)) if isinstance(value, str) else value)
+            is_word = isinstance(value, Worded)
+            done[key] = f"--word {shown(value.word)}" if is_word else "--set"
         except InputError as problem:
             problems.append(str(problem))
     if problems:

@@ -119,13 +119,17 @@ def find(path_or_preset: str | Path, kinds: tuple[str, ...]) -> tuple[str, Path,
     raise InputError(f"{shown(name)} is neither a file nor a {' or '.join(kinds)} preset; {hint}")
 
 
-def _placed(where: str, overridden: set[str]) -> Callable[[str], str]:
-    """Where a key's value came from: the file, or an override."""
+def _placed(where: str, overridden: dict[str, str]) -> Callable[[str], str]:
+    """Where a key's value came from: the file, or the option that set it."""
 
     def place(path: str) -> str:
         steps = f"{path}."
-        outside = any(steps.startswith(f"{key}.") or key.startswith(steps) for key in overridden)
-        return "--set" if outside else where
+        outside = (
+            by
+            for key, by in overridden.items()
+            if steps.startswith(f"{key}.") or key.startswith(steps)
+        )
+        return next(outside, where)
 
     return place
 

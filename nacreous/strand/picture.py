@@ -63,17 +63,22 @@ def hung(strand: Lot, like: Pearl, seed: int = 1) -> Hung:
     return Hung(tuple(pearls), float(apart.min(axis=1).mean()))
 
 
+#: Rows of folds lie so many of the largest diameters apart **(ours)**.
+_ROWS = 1.5
 #: How a strand may lie: in folds on cloth, or around a neck.
 LAID: Final = ("folds", "neck")
 
 
-def laid_out(count: int, scene: Scene, laid: str = "folds") -> Scene:
+def laid_out(
+    count: int, scene: Scene, laid: str = "folds", widest_mm: float | None = None
+) -> Scene:
     """The scene with so many pearls of a strand on its cloth, seen from above.
 
     laid: "folds", in rows of which every other runs back, so that neighbours stay side by side, or
     "neck", each touching the next around an open ellipse whose front is towards the viewer. Rays
     are parallel, so that the camera's distance holds for any number. Raises `InputError` for a
-    scene with rows of its own.
+    scene with rows of its own. widest_mm: of the largest pearl, if all are balls: in folds they
+    touch along the thread then, and rows lie apart.
     """
     if scene.rows:
         raise InputError(f"scene {scene.name}: has rows of its own; allowed: a scene for one pearl")
@@ -92,7 +97,10 @@ def laid_out(count: int, scene: Scene, laid: str = "folds") -> Scene:
         if line % 2:
             numbers.reverse()
         rows.append(Row(pearls=tuple(f"*{number}" for number in numbers)))
-    return scene.replace(rows=tuple(rows), camera=camera)
+    laid_so = scene.replace(rows=tuple(rows), camera=camera)
+    if widest_mm is None:
+        return laid_so
+    return laid_so.replace(pitch_mm=widest_mm, row_gap_mm=_ROWS * widest_mm)
 
 
 def _palette(like: Pearl) -> tuple[list[tuple[str, float]], Array]:

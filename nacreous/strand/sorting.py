@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -17,7 +18,7 @@ from nacreous.strand.order import ordered
 from nacreous.strand.share import shares
 from nacreous.value import value_class
 
-__all__ = ["Sorting", "Strand", "cut_lot", "sort_lot"]
+__all__ = ["Sorting", "Strand", "cut_lot", "require_sizes", "sort_lot"]
 
 Array = NDArray[np.float64]
 Pearls = NDArray[np.int64]
@@ -25,6 +26,8 @@ Pearls = NDArray[np.int64]
 #: Shares are dealt out anew at most so often, and no more once a round gains less than this part of
 #: the mean difference **(ours)**.
 _ROUNDS, _LEAST_GAIN = 12, 0.003
+#: Sizes are written to so many mm, and a graduation may be off by as much.
+_ROUNDED_MM = 1e-5
 
 
 @value_class
@@ -103,7 +106,19 @@ def _silent(share: float) -> None:
     """Nobody watches."""
 
 
+def require_sizes(lot: Lot, graduation_mm: float, name: str = "graduation_mm") -> None:
+    """Refuse a strand whose ends and centre are further apart than any two pearls of the lot."""
+    range_mm = float(np.ptp(lot.size_mm))
+    if graduation_mm > range_mm + _ROUNDED_MM:
+        shown_mm = math.floor(100 * range_mm + 1e-6) / 100
+        raise InputError(
+            f"{name} is {graduation_mm:g}; allowed: 0 to {shown_mm:g}, by which the lot's largest "
+            "pearl exceeds its smallest"
+        )
+
+
 def _count(lot: Lot, form: Form, strands: int | None) -> int:
+    require_sizes(lot, form.graduation_mm)
     most = len(lot) // form.length
     if most == 0:
         raise InputError(f"length is {form.length}; allowed: up to {len(lot)}, the lot's pearls")
@@ -161,5 +176,8 @@ def _strand(group: Pearls, lot: Lot, form: Form, looks: Array) -> Strand:
         apart = apart + SIZE_WEIGHT_PER_MM * np.abs(size_mm[:, None] - size_mm)
     pearls = group[ordered(apart, size_mm, form)]
     above_mm = form.above_ends_mm
-    target_mm = above_mm + np.median(lot.size_mm[pearls] - above_mm)
+    # Of few large pearls among many small ones the median alone would want ends of below 0 mm.
+    smallest_mm, largest_mm = lot.size_mm.min(), lot.size_mm.max()
+    ends_mm = min(np.median(lot.size_mm[pearls] - above_mm), largest_mm - form.graduation_mm)
+    target_mm = above_mm + max(ends_mm, smallest_mm)
     return Strand(pearls, target_mm, matching(lot.take(pearls), target_mm))

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from nacreous.problem import InputError
 from nacreous.spec.complaint import shown
-from nacreous.spec.override import once
+from nacreous.spec.override import Worded, once
 from nacreous.trade.table import factor_of, factors, word_named
 from nacreous.trade.word import Factor
 
@@ -23,7 +23,7 @@ def with_words(words: Iterable[str], settings: Iterable[str]) -> list[str]:
     ['surface.facet_spread_rad=0.116', 'shininess=0.253', 'shininess=0.5']
     """
     said: dict[str, str] = {}
-    lines = []
+    lines: list[str] = []
     for word in words:
         for key, value in overrides_of(word):
             if key in said:
@@ -32,7 +32,7 @@ def with_words(words: Iterable[str], settings: Iterable[str]) -> list[str]:
                     "allowed: one word for a key"
                 )
             said[key] = word
-            lines.append(f"{key}={value}")
+            lines.append(Worded(f"{key}={value}", word))
     return [*lines, *once(settings)]
 
 

@@ -15,7 +15,7 @@ import nacreous as nc
 from nacreous import cli, figure
 from nacreous.card import CULTURES, Card, graded, html, make, record, save
 from nacreous.card.card import SCENE
-from nacreous.card.translation import texts
+from nacreous.card.translation import Texts, texts
 from nacreous.measure import Measures
 from nacreous.spec import Pearl
 from nacreous.trade import word_of
@@ -95,8 +95,8 @@ def test_of_the_illuminant_model_is_told_what_can_be_told(cards: list[Card]) -> 
 def test_a_picture_too_small_to_measure_leaves_words_out_and_says_so() -> None:
     (card,) = make(["akoya-rg"], size=8, samples=1)
     unmeasured = [one.name for one in card.factors if one.note == "unmeasured"]
-    assert unmeasured == ["overtone", "orient"]
-    assert texts("en")["note.unmeasured"] in html([card])
+    assert unmeasured == ["overtone"]
+    assert texts("en")["note.as_overtone"] in html([card])
 
 
 def _places(text: str) -> set[str]:
@@ -247,3 +247,29 @@ def test_the_default_scene_adds_no_hue_to_a_grey_pearl() -> None:
     scene = nc.Scene.load(SCENE)
     assert {window.spectrum for window in scene.windows} == {"D65"}
     assert {scene.table.colour, scene.walls.colour, scene.sky.horizon} == {"#777777", "#ababab"}
+
+
+def test_what_is_not_round_has_width_and_length_and_numbers_have_digits_that_mean_something() -> (
+    None
+):
+    drop = graded(Pearl(diameter_mm=12.0, shape={"length": 1.45, "taper": 0.6}), None)
+    shown = [Texts("en").number(one) for factor in drop[:2] for one in factor.figures]
+    assert "width x length 12.00 x 17.40 mm" in shown
+    assert "departure from a figure of revolution 0.0 %" in shown
+    for factor in graded(Pearl(), None):
+        assert "length_mm" not in [one.quantity for one in factor.figures]
+
+
+def test_the_reason_that_a_picture_gives_is_told_in_both_languages() -> None:
+    why = "no pearl: no round outline stands out (an edge in 12 % of all directions; wanted: 40 %)"
+    overtone = next(one for one in graded(Pearl(), why) if one.name == "overtone")
+    assert Texts("en").note(overtone) == f"Not told: {why}."
+    assert "全方向の12 %" in Texts("ja").note(overtone)
+
+
+def test_a_picture_of_letters_that_no_font_has_is_refused_and_a_page_is_not(tmp_path) -> None:
+    (card,) = make([Pearl(name="\ua98f")], size=8, samples=1)
+    save(tmp_path / "card.html", [card])
+    with pytest.raises(nc.InputError, match="no font here has \ua98f of the pearl's file"):
+        save(tmp_path / "card.png", [card])
+    assert [one.name for one in tmp_path.iterdir()] == ["card.html"]

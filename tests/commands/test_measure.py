@@ -63,6 +63,9 @@ def test_white_is_given_by_codes_or_by_place(
         (["--white", "#12345"], "--white is '#12345'"),
         (["--white", "300,3,8"], "leaves the picture of 64 x 64 pixels"),
         (["--radius", "20"], "--radius is given without --centre"),
+        (["--centre", "nan", "1", "--radius", "80"], "--centre x is nan; allowed: finite pixels"),
+        (["--centre", "1", "inf", "--radius", "80"], "--centre y is inf; allowed: finite pixels"),
+        (["--centre", "1", "1", "--radius", "nan"], "--radius is nan; allowed: finite pixels"),
         (["--mm-per-pixel", "0"], "photo.png: mm_per_pixel is 0"),
         (["--plot", "out.gif"], "out.gif: the ending is .gif"),
         (["--json", "photo.json", "--plot", "photo.png"], "photo.png: is the same file as"),
@@ -80,3 +83,17 @@ def test_mistakes_end_with_one_line_and_nothing_is_written(
     assert said in told
     assert told.count("\n") == 1
     assert [path.name for path in there.iterdir()] == ["photo.png"]
+
+
+def test_every_mark_of_a_ring_has_room_in_its_plot() -> None:
+    from matplotlib.figure import Figure
+
+    from nacreous.commands.measure_plot import _by_ring
+    from nacreous.measure import Colour, Measures, Number, Ring
+
+    for chroma in (0.0, 4.0, 40.0):
+        colour = Colour(Number(70.0), Number(chroma), None)
+        rings = tuple(Ring(0.0, 0.1, view, 1.0, colour) for view in (5.0, 60.0))
+        axes = Figure().add_subplot()
+        _by_ring(axes, Measures(*(None,) * 5, rings, *(None,) * 4))  # type: ignore[arg-type]
+        assert axes.get_ylim()[1] > 1.1 * chroma

@@ -285,3 +285,12 @@ def test_a_link_that_leads_nowhere_is_called_so(tmp_path: Path) -> None:
     ):
         with pytest.raises(nc.InputError, match="is a link that leads nowhere, to nowhere"):
             read(tmp_path / name)
+
+
+@pytest.mark.parametrize("command", ["render", "card", "turn"])
+def test_a_key_that_a_word_sets_is_told_by_the_word(command, tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert cli.main([command, "paper", "--word", "shape=drop", "--set", "grain=7"]) == 2
+    *words, sets = capsys.readouterr().err.splitlines()
+    assert all('--word "shape=drop": shape.' in line for line in words)
+    assert "--set: grain is 7; allowed" in sets

@@ -13,6 +13,7 @@ from nacreous.problem import InputError
 
 SCALE = [0.6, 0.2, -0.2, -0.6]
 #: Answers on which nothing can be computed: two people, who agree.
+RANKED = nc.scaling.simulate_rankings(SCALE, 3)
 ALIKE = {"left": ["a", "a"], "right": ["b", "b"], "chosen": ["a", "a"], "person": ["x", "y"]}
 PLAN = nc.scaling.Plan(SCALE, people=20)
 DIFFERENCES = nc.scaling.difference_scale(nc.scaling.simulate_quadruples([0, 1, 2, 3, 4], 20))
@@ -26,6 +27,7 @@ ASKED: dict[str, Callable[[Any], Any]] = {
     "analyse": lambda seed: nc.scaling.analyse(ALIKE, bootstrap=0, seed=seed),
     "compare_groups": lambda seed: nc.scaling.compare_groups({"x": ALIKE, "y": ALIKE}, seed=seed),
     "compare_sets": lambda seed: nc.scaling.compare_sets(ALIKE, ALIKE, seed=seed),
+    "concordance": lambda seed: nc.scaling.concordance(RANKED, 99, seed=seed),
     "cyclic_design": lambda seed: nc.scaling.cyclic_design(6, 2, seed=seed),
     "difference_goodness": lambda seed: nc.scaling.difference_goodness(DIFFERENCES, seed=seed),
     "ensemble": lambda seed: nc.optics.ensemble("akoya-rg", 0.0, 550.0, seed=seed),
@@ -41,6 +43,7 @@ ASKED: dict[str, Callable[[Any], Any]] = {
     "simulate": lambda seed: nc.scaling.simulate(SCALE, 10, seed=seed),
     "simulate_quadruples": lambda seed: nc.scaling.simulate_quadruples(SCALE, seed=seed),
     "six_points": lambda seed: nc.scaling.six_points(DIFFERENCES, seed=seed),
+    "simulate_rankings": lambda seed: nc.scaling.simulate_rankings(SCALE, 10, seed=seed),
     "synthesise": lambda seed: texture.synthesise(
         texture.GrainSpectrum([1, 2, 3], np.ones((3, 3))), 4.0, seed=seed
     ),

@@ -46,3 +46,19 @@ def ball(sigma_deg: float, peak: float = 2.0, body: float = 0.4) -> Light:
     light = body + (peak - body) * np.exp(-0.5 * (away / sigma_deg) ** 2)
     colour = np.array([1.0, 0.97, 0.94])
     return binned(np.where(inside[..., None], light[..., None] * colour, 0.03))
+
+
+def spotted(radius_rad: float, count: int, darker: float = 0.3, half: float = 100.0) -> Light:
+    """A ball under a lamp, with round spots in a ring around its middle, darker by a share."""
+    side, over = int(2.5 * half), 2
+    x, y = places(side, over)
+    right, down = (x - side / 2) / half, (y - side / 2) / half
+    depth = 1 - right**2 - down**2
+    normal = np.stack([right, down, np.sqrt(np.maximum(depth, 0))], axis=-1)
+    lit = np.clip(normal @ [-0.35, -0.35, 0.87], 0, 1)
+    shade = 0.35 + 0.39 * normal[..., 2] + 0.26 * lit
+    light = shade[..., None] * [0.55, 0.52, 0.48]
+    for turn in 2 * np.pi * (np.arange(count) + 0.5) / count:
+        middle = [math.sin(0.55) * math.cos(turn), math.sin(0.55) * math.sin(turn), math.cos(0.55)]
+        light[normal @ middle > math.cos(radius_rad)] *= 1 - darker
+    return binned(np.where(depth[..., None] > 0, light, 0.04), over)

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from functools import cache
 
 import numpy as np
@@ -11,7 +12,7 @@ import nacreous as nc
 from nacreous.measure import HUES, Measures, measure
 from tests.measure.changes import CHANGES, DARKER, SPOTS, area, least, moved
 from tests.measure.changes import picture as lit
-from tests.measure.synthetic import MIDDLE, RADIUS, SIDE, Light, ball, ellipse
+from tests.measure.synthetic import MIDDLE, RADIUS, SIDE, Light, ball, ellipse, spotted
 
 
 @pytest.mark.parametrize("ground", [0.0, 0.05, 0.9])
@@ -151,6 +152,18 @@ def test_the_blemished_area_stays_within_five_percent(spots: str, change: str) -
     assert "blemishes.relief" not in measure(blemished(spots), white=(DARKER,) * 3).refused
 
 
+@pytest.mark.parametrize(
+    ("radius_rad", "count", "within"),
+    [(0.04, 8, 1 / 3), (0.05, 8, 0.15), (0.07, 8, 0.15), (0.1, 6, 0.15), (0.13, 4, 0.15)],
+)
+def test_the_area_of_dark_spots_is_theirs(radius_rad: float, count: int, within: float) -> None:
+    spots = measure(spotted(radius_rad, count)).blemishes
+    assert spots is not None
+    area = 100 * count * (1 - math.cos(radius_rad)) / spots.looked_at  # of half a ball
+    assert spots.area.value == pytest.approx(area, rel=within)
+    assert spots.count == count
+
+
 def test_an_area_that_hangs_on_faint_spots_is_named_and_its_error_holds_what_jpeg_changes() -> None:
     linear = lit("tahitian", "north-window-black", 384, "chalky_spots")
     found = measure(linear, white=(DARKER,) * 3)
@@ -160,6 +173,12 @@ def test_an_area_that_hangs_on_faint_spots_is_named_and_its_error_holds_what_jpe
     error = found.blemishes.area.error
     assert error is not None
     assert abs(after - before) < error
+
+
+def test_the_colour_of_a_pearl_lighter_than_the_white_is_refused_by_name() -> None:
+    found = measure(rendered(), white=(0.02, 0.02, 0.02))
+    assert found.colour is None
+    assert re.search(r"lighter than the white .* L\* 1\d\d; allowed", found.refused["colour"])
 
 
 def test_spots_of_a_pearl_under_forty_pixels_of_radius_are_refused_by_name() -> None:
@@ -207,7 +226,7 @@ def test_a_pearl_that_is_cut_off_is_refused() -> None:
         ({"white": (1, 1)}, "white has 2 numbers"),
         ({"mm_per_pixel": -1}, "mm_per_pixel is -1"),
         ({"clipped_at": 0}, "clipped_at is 0"),
-        ({"circle": (1, 2, float("nan"))}, "circle is NaN"),
+        ({"circle": (1, 2, float("nan"))}, "radius is nan"),
         ({"circle": (10, 10, 50)}, "leaves the picture"),
         ({"circle": (64, 64, -4)}, "radius is -4; allowed: 12 pixels and more"),
     ],

@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import nacreous as nc
 from nacreous import _core
+from nacreous.embedded import read_embedded
 from nacreous.file import read_panorama
 from nacreous.viewer import FOLDER
 from tests.pages.browser import Guarded, guarded, violations
@@ -114,7 +115,7 @@ def test_files_that_no_key_can_use_are_told_as_by_the_command_line(
     small = ("small.png", photograph(32))
     drop(page, Dropped(*small))
     assert wrong(page) == (
-        "texture: the photograph has 32 x 32 pixels; allowed: at least side_px = 64 each way"
+        "small.png: the photograph has 32 x 32 pixels; allowed: at least side_px = 64 each way"
     )
     np.testing.assert_array_equal(picture(page), before)
 
@@ -166,6 +167,17 @@ def test_a_picture_of_ours_gives_back_its_pearl_and_scene(page: Page) -> None:
     page.locator(DONE).wait_for()
     made = nc.render("akoya-g", "booth", size=SIDE_PX, samples=16).develop()[0]
     assert np.abs(picture(page).astype(int) - made).max() <= 1
+
+
+def test_a_saved_png_keeps_its_recipe(page: Page, tmp_path: Path) -> None:
+    page.get_by_role("button", name="Save", exact=True).click()
+    with page.expect_download() as saving:
+        page.get_by_text("Picture (PNG)").click()
+    saving.value.save_as(tmp_path / "saved.png")
+    kept = read_embedded(tmp_path / "saved.png")
+    assert (kept.pearls[0].name, kept.size, kept.samples) == ("akoya-rg", SIDE_PX, 16)
+    drop(page, Dropped("saved.png", (tmp_path / "saved.png").read_bytes()))
+    expect(page.locator("dialog")).to_contain_text("akoya-rg, in north-window-black")
 
 
 def test_how_far_apart_two_pearls_look_is_ciede2000_over_their_pixels(page: Page) -> None:

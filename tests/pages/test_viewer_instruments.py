@@ -103,3 +103,12 @@ def test_a_value_is_copied_by_enter(page: Page) -> None:
     value.focus()
     page.keyboard.press("Enter")
     assert copied(page) == [[value.inner_text()]]
+
+
+def test_what_cannot_be_made_is_said_once_and_not_waited_for(page: Page) -> None:
+    page.click("#tab-pearl")
+    page.fill("[data-key='nacre.harvest'] .typed input", "2999-12-31")
+    page.click("#tab-instruments")
+    expect(page.locator(".panel .nothing")).to_contain_text("See the knob: Harvest")
+    expect(page.locator(".panel")).not_to_contain_text("Measuring")
+    expect(page.locator(".panel")).not_to_contain_text("nacre.")

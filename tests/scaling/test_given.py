@@ -52,6 +52,7 @@ ANSWERED: dict[str, Callable[[Any], Any]] = {
 #: Those that take no answers, but fits, quadruples, matrices, designs or nothing.
 OTHERS = {
     *("goodness", "interval_plot", "matrix_plot", "scale_plot", "simulate"),
+    *("concordance", "plackett_luce", "simulate_rankings"),
     *("cyclic_design", "full_design", "random_design", "paper", "paper_proportions"),
     *("difference_scale", "difference_goodness", "six_points", "simulate_quadruples"),
     *("full_quadruples", "random_quadruples"),

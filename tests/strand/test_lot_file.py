@@ -200,3 +200,9 @@ def test_numbers_out_of_range_are_told_by_their_option(
 ) -> None:
     assert cli.main(["strand", *words]) == 2
     assert f"{words[2]} is {words[3]}; allowed" in capsys.readouterr().err
+
+
+def test_pearls_in_folds_touch_along_the_thread_and_rows_lie_apart() -> None:
+    scene = laid_out(7, Scene.load("north-window-black"), "folds", 7.4)
+    assert scene.pitch_mm == 7.4
+    assert scene.row_gap_mm > 1.1 * 7.4

@@ -111,3 +111,21 @@ def test_what_cannot_be_sorted_is_refused() -> None:
         Form(56, -1)
     with pytest.raises(nc.InputError, match="strands is 11; allowed: a whole number, 1 to 10"):
         sort_lot(LOT, EVEN, strands=11)
+
+
+def test_a_graduation_that_the_lots_sizes_do_not_have_is_refused() -> None:
+    lot = LOT.take(np.argsort(LOT.size_mm)[-40:])
+    range_mm = float(np.ptp(lot.size_mm))
+    sort_lot(lot, Form(20, range_mm))
+    for way in (sort_lot, cut_lot):
+        with pytest.raises(nc.InputError, match=r"graduation_mm is 20; allowed: 0 to [01]\."):
+            way(lot, Form(20, 20))
+
+
+def test_a_strand_wants_no_size_beyond_the_lots() -> None:
+    values = np.tile([1.5, 94.0, 0.5, 4.0, 0.035], (30, 1))
+    values[0, 0] = 20.0  # so that the median alone would want ends of -7 mm
+    sorting = sort_lot(Lot(tuple(map(str, range(30))), values), Form(15, 18.5))
+    for strand in sorting.strands:
+        assert strand.target_mm.min() >= 1.5
+        assert strand.target_mm.max() <= 20.0

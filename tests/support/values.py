@@ -136,6 +136,7 @@ def _of_answers() -> list[object]:
     attributes = {label: {"lustre": float(k)} for k, label in enumerate(answers.stimuli)}
     weighed = scaling.fit_attributes(answers, attributes)
     two = {"one": answers, "two": other}
+    rankings = scaling.simulate_rankings(TRUTH, 8, seed=3)
     people = scaling.population(answers, most=2, starts=2)
     groups = scaling.compare_groups(two, same_people=False, permutations=99)
     return [
@@ -169,6 +170,9 @@ def _of_answers() -> list[object]:
         scaling.compare_ratios(two, "ab", "cd", same_people=False),
         scaling.compare_sets(answers, other, same_people=False, samples=200),
         scaling.analyse(answers, bootstrap=100),
+        rankings,
+        scaling.plackett_luce(rankings),
+        scaling.concordance(rankings, 99),
     ]
 
 

@@ -36,8 +36,13 @@ impl Candidate {
 }
 
 /// Radii that are tried.
-pub fn radii() -> impl Iterator<Item = f64> {
+fn radii() -> impl Iterator<Item = f64> {
     std::iter::successors(Some(LEAST), |radius| Some(STEP * radius)).take(COUNT as usize)
+}
+
+/// The largest of them.
+pub fn largest() -> f64 {
+    radii().fold(LEAST, f64::max)
 }
 
 /// At every radius, the places that differ most among those near them, and by more than a share of `least`.

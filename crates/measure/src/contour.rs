@@ -24,6 +24,8 @@ const LEAST_SPREAD: f64 = 0.02;
 /// **(ours)**. Of a diameter, and of the difference of two. From rendered balls: docs/measure.md.
 const SYSTEMATIC_OF_WIDTH: (f64, f64) = (0.2, 1.0);
 const SYSTEMATIC_OF_DIFFERENCE: (f64, f64) = (0.5, 4.0);
+/// Of both, by the standard deviation of the outline's blur.
+const SYSTEMATIC_OF_BLUR: f64 = 0.3;
 
 /// r(turn), in pixels from a middle: the mean, then cosine and sine of each wave.
 #[derive(Clone, Debug)]
@@ -84,6 +86,21 @@ impl Contour {
         product(&basis(turn, self.waves.len() / 2), &self.waves)
     }
 
+    /// The place in a direction, so many pixels beyond the outline.
+    pub fn place(&self, turn: f64, more: f64) -> [f64; 2] {
+        let away = self.radius(turn) + more;
+        [self.middle.x_px + away * cos(turn), self.middle.y_px + away * sin(turn)]
+    }
+
+    /// Cosine and sine of the way straight out of the shape there.
+    pub fn outwards(&self, turn: f64) -> (f64, f64) {
+        let step = 1.0 / self.radius(turn);
+        let (back, on) = (self.place(turn - step, 0.0), self.place(turn + step, 0.0));
+        let [right, down] = [on[0] - back[0], on[1] - back[1]];
+        let long = sqrt(right * right + down * down);
+        (down / long, -right / long)
+    }
+
     /// The middle of the shape, by its first wave.
     pub fn centre(&self) -> Circle {
         let (x, y) = if self.waves.len() > 2 { (self.waves[1], self.waves[2]) } else { (0.0, 0.0) };
@@ -128,18 +145,14 @@ impl Contour {
 
     /// The shape as places, clockwise from the right.
     pub fn places(&self, count: usize) -> Vec<[f64; 2]> {
-        let place = |turn: f64| {
-            let away = self.radius(turn);
-            [self.middle.x_px + away * cos(turn), self.middle.y_px + away * sin(turn)]
-        };
-        (0..count).map(|at| place(TAU * at as f64 / count as f64)).collect()
+        (0..count).map(|at| self.place(TAU * at as f64 / count as f64, 0.0)).collect()
     }
 
     /// Feret's diameters: distances of parallel tangents, over all directions.
     ///
     /// Errors follow from the fit's covariance and from what is systematic; the difference of greatest and
-    /// least has its own.
-    pub fn widths(&self) -> Widths {
+    /// least has its own. `soft`: the outline's blur, a standard deviation in pixels.
+    pub fn widths(&self, soft: f64) -> Widths {
         let shape = self.places(DIRECTIONS);
         let turn = |at: usize| PI * at as f64 / (DIRECTIONS / 2) as f64;
         let widths: Vec<Width> =
@@ -155,15 +168,17 @@ impl Contour {
             greatest.slopes.iter().zip(&least.slopes).map(|(one, other)| one - other).collect();
         let mut of_mean = vec![0.0; self.waves.len()];
         of_mean[0] = 2.0;
-        let value =
-            |size, slopes: &[f64]| Value::new(size, self.error(slopes, SYSTEMATIC_OF_WIDTH));
+        let error = |slopes: &[f64], (pixels, spreads): (f64, f64)| {
+            self.error(slopes, (pixels + SYSTEMATIC_OF_BLUR * soft, spreads))
+        };
+        let value = |size, slopes: &[f64]| Value::new(size, error(slopes, SYSTEMATIC_OF_WIDTH));
         Widths {
             least: value(least.size, &least.slopes),
             greatest: value(greatest.size, &greatest.slopes),
             mean: value(mean, &of_mean),
             roundness: Value::new(
                 (greatest.size - least.size) / mean,
-                self.error(&between, SYSTEMATIC_OF_DIFFERENCE) / mean,
+                error(&between, SYSTEMATIC_OF_DIFFERENCE) / mean,
             ),
         }
     }
@@ -272,7 +287,7 @@ mod tests {
 
     #[test]
     fn feret_diameters_are_the_axes_of_an_ellipse_though_a_third_of_the_edges_is_wrong() {
-        let widths = ellipse(105.0, 100.0, 0.2).widths();
+        let widths = ellipse(105.0, 100.0, 0.2).widths(0.0);
         assert!((widths.greatest.value - 210.0).abs() < 0.15, "{:?}", widths.greatest);
         assert!((widths.least.value - 200.0).abs() < 0.15, "{:?}", widths.least);
         assert!((widths.roundness.value - 10.0 / 205.0).abs() < 0.001);

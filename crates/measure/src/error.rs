@@ -71,7 +71,7 @@ pub enum MeasureError {
     },
     /// Seen in part.
     #[error(
-        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, an edge is seen on it in {percent:.0} % of all directions, with a gap of {degrees:.0} degrees; wanted: in 80 %, or in 40 % of an outline that is round to 7 %, and no gap of more than 90 degrees"
+        "the outline cannot be followed: about ({x:.0}, {y:.0}), radius {radius:.0}, an edge is seen on it in {percent:.0} % of all directions, with a gap of {degrees:.0} degrees; wanted: in 80 %, or in 40 % of an outline that is round to 3 %, and no gap of more than 27 degrees, 45 where it is round, 90 where it is both; a soft edge, as a shadow's, counts for none"
     )]
     NotFollowed {
         /// Middle.
@@ -84,6 +84,18 @@ pub enum MeasureError {
         percent: f64,
         /// The longest gap between them.
         degrees: f64,
+    },
+    /// A ring.
+    #[error(
+        "no pearl: within the outline about ({x:.0}, {y:.0}), radius {radius:.0}, lies what is around it, as in a ring"
+    )]
+    Hollow {
+        /// Middle.
+        x: f64,
+        /// Middle, downwards.
+        y: f64,
+        /// Mean radius.
+        radius: f64,
     },
     /// More than one.
     #[error("more than one pearl: at ({:.0}, {:.0}), radius {:.0}, and at ({:.0}, {:.0}), radius {:.0}", first[0], first[1], first[2], second[0], second[1], second[2])]

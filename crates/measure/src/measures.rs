@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::blemish::{Blemishes, blemishes};
+use crate::candidate::largest;
 use crate::contour::Widths;
 use crate::disc::Disc;
 use crate::face::Face;
@@ -20,8 +21,10 @@ const LEAST_PLACES_PX: f64 = 40.0;
 /// Radius of the copy in which colours are looked at, in pixels.
 const COLOUR_PX: f64 = 256.0;
 /// Where its error is more than this share of it, the blemished area hangs on faint spots: of pictures made anew, those that
-/// move by over 5 % are above it (`tests/measure/changes.py`).
+/// move by over 5 % are above it, but for pits of a dark pearl under JPEG (`tests/measure/changes.py`).
 const UNSURE: f64 = 0.08;
+/// Of a white that reflects all light; no pearl's mean is above it.
+const MOST_LIGHTNESS: f64 = 100.0;
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -85,7 +88,7 @@ pub struct Measures {
     /// How large it is.
     pub size: Size,
     /// (greatest - least) / mean diameter, as a share.
-    pub roundness: Option<Value>,
+    pub roundness: Value,
     /// Whether it counts as a sphere, seen from here.
     pub sphere: bool,
     /// The colour of the whole pearl.
@@ -103,36 +106,58 @@ pub struct Measures {
 /// Measures the one pearl in a picture.
 ///
 /// # Errors
-/// No pearl or more than one, a pearl that leaves the picture or is under 12 pixels in radius, and numbers
-/// given that cannot be.
+/// No pearl or more than one, a pearl that leaves the picture or is under 12 pixels in radius, one whose outline cannot
+/// be followed, and numbers given that cannot be.
 pub fn measure(picture: &Picture<'_>, given: &Given) -> Result<Measures, MeasureError> {
+    measure_cut_out(picture, picture, given)
+}
+
+/// Measures the one pearl in a picture of which another one, as large, shows the outline: how opaque it is.
+///
+/// # Errors
+/// Those of `measure`, and another size.
+pub fn measure_cut_out(
+    picture: &Picture<'_>,
+    opacity: &Picture<'_>,
+    given: &Given,
+) -> Result<Measures, MeasureError> {
+    let (width, height) = (opacity.width(), opacity.height());
+    if (width, height) != (picture.width(), picture.height()) {
+        return Err(MeasureError::Size { width, height, numbers: 3 * width * height });
+    }
     let white = White::new(given.white)?;
     check(given)?;
     let outline = match given.circle {
-        Some(circle) => near(picture, circle)?,
-        None => find(picture)?,
+        Some(circle) => near(opacity, circle)?,
+        None => find(opacity)?,
     };
     let mut refused = Refusals::default();
-    let widths = outline.contour.widths();
-    let roundness = outline.is_seen().then_some(widths.roundness);
-    if roundness.is_none() {
-        refused.add("roundness", "no edge stands out along the circle given");
-    }
-    let sphere = roundness.is_none_or(|roundness| roundness.value <= ROUND);
+    let widths = outline.widths();
+    let roundness = widths.roundness;
+    let sphere = roundness.value <= ROUND;
     let clipped_at = given.clipped_at.unwrap_or(f64::INFINITY);
     let disc = Disc::of(picture, &white, &outline.contour, clipped_at, COLOUR_PX);
-    let colour = whole(&disc, &outline.contour.middle);
-    if colour.is_none() {
-        refused.add("colour", "all of the pearl is clipped");
-    }
+    let colour = refused.taken("colour", colour_of(&disc, &outline.contour.middle));
     let OfSphere { rings, lamp, blemishes } = if sphere {
         of_sphere(picture, &white, &outline, &disc, clipped_at, &mut refused)
     } else {
         OfSphere::none(&mut refused)
     };
-    let (place, size) = (place(&outline, given), size(&widths, &outline, given.mm_per_pixel));
+    let (place, size) = (place(&outline, given), size(&widths, given.mm_per_pixel));
     let refused = refused.0;
     Ok(Measures { place, size, roundness, sphere, colour, rings, lamp, blemishes, refused })
+}
+
+/// The colour of the whole pearl, which no pearl's is where it is lighter than the white.
+fn colour_of(disc: &Disc, circle: &Circle) -> Result<Colour, String> {
+    let colour = whole(disc, circle).ok_or_else(|| "all of the pearl is clipped".to_owned())?;
+    let lightness = colour.lightness.value;
+    if lightness > MOST_LIGHTNESS {
+        return Err(format!(
+            "the pearl is lighter than the white that was given: L* {lightness:.0}; allowed: up to {MOST_LIGHTNESS}"
+        ));
+    }
+    Ok(colour)
 }
 
 fn place(outline: &Outline, given: &Given) -> Place {
@@ -206,10 +231,10 @@ fn of_sphere(
 
 /// What is too faint to be told, or to hold still.
 fn faint(found: &Blemishes) -> Option<String> {
-    let least = found.threshold;
+    let (least, largest) = (found.threshold, largest());
     if found.count == 0 {
         return Some(format!(
-            "no spot differs by {least:.1} and more in L*; relief that differs by less cannot be told here"
+            "no spot of up to {largest:.2} radians differs by {least:.1} and more in L*; larger ones, and relief that differs by less, cannot be told here"
         ));
     }
     let error = found.area.error.unwrap_or(0.0);
@@ -233,13 +258,9 @@ impl Refusals {
     }
 }
 
-fn size(widths: &Widths, outline: &Outline, mm_per_pixel: Option<f64>) -> Size {
+fn size(widths: &Widths, mm_per_pixel: Option<f64>) -> Size {
     let (unit, factor) = mm_per_pixel.map_or(("px", 1.0), |mm| ("mm", mm));
-    let scaled = |mut width: Value| {
-        // A circle that was given and not seen has no error of its own.
-        width.error = width.error.filter(|_| outline.is_seen());
-        width.times(factor)
-    };
+    let scaled = |width: Value| width.times(factor);
     Size {
         unit,
         mean: scaled(widths.mean),

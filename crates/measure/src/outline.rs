@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use libm::{cos, fabs, sin, sqrt};
+use libm::{fabs, sqrt};
 
-use crate::contour::Contour;
-use crate::edge::{Edge, edge};
+use crate::contour::{Contour, Widths};
+use crate::edge::{Edge, distance, edge, shade};
+use crate::hollow::is_hollow;
 use crate::path::closed_line;
 use crate::search::Steepness;
+use crate::soft::{is_sharp, softness};
 use crate::{Circle, MeasureError, Picture};
 
 /// An outline is believed when the steepest place lies on it in this share of directions **(ours)**; chance
@@ -32,21 +34,26 @@ const CLEAR: f64 = 0.9;
 const LEAST_OF_OVALS: f64 = 0.8;
 /// What is not round must be seen in so much more of all directions than a circle there **(ours)**.
 const MORE: f64 = 0.1;
-/// What is seen less clearly must be this round, or it is no outline: GIA's limit of near-round, 5 %, and room for what an
-/// outline that is seen in parts is off by **(ours)**.
-const ROUND: f64 = 0.07;
-/// The outline is closed where no gap is longer than this share of a turn **(ours)**.
-const LONGEST_GAP: f64 = 0.25;
+/// What is seen less clearly must be this round: half of what is not round passes for rounder **(ours)**.
+const ROUND: f64 = 0.03;
+/// The outline is closed where no gap is longer than this share of a turn: of what is clear and round, of what is round alone, and
+/// of what is not **(ours)**.
+const LONGEST_GAP: [f64; 3] = [0.25, 0.125, 0.075];
 /// What deviates by more than this from three waves is no pearl: corners, several things **(ours)**.
 const SMOOTH: f64 = 0.045;
-/// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it, squared
+/// Colour changes across an outline over so many pixels to both sides, and more than this often what it does along it
 /// **(ours)**: a table's squares cross a circle at any angle.
 const ACROSS_PX: f64 = 1.5;
 const ACROSS: f64 = 1.0;
+/// Edges are looked for so far at the least: noise has somewhere else to be steep.
+const LEAST_REACH_PX: f64 = 6.0;
 /// Most rays of a first look, and of the outline in the end.
 const RAYS: (usize, usize) = (240, 720);
 /// The smallest pearl that is measured, in pixels of radius.
 pub const LEAST_RADIUS_PX: f64 = 12.0;
+
+/// How edges are looked for about an outline: along so many rays, so far in radii, by its blur.
+type Look = fn(&Picture<'_>, &Contour, usize, f64, f64) -> Vec<Edge>;
 
 /// The outline of the pearl that is measured.
 pub struct Outline {
@@ -56,12 +63,14 @@ pub struct Outline {
     pub share: f64,
     /// The longest part of it on which none was, in turns.
     gap: f64,
+    /// Its blur, a standard deviation in pixels.
+    soft: f64,
 }
 
 impl Outline {
-    /// Whether it was seen, or is only what was given.
-    pub fn is_seen(&self) -> bool {
-        self.share >= LEAST_FOUND
+    /// The diameters of what it holds.
+    pub fn widths(&self) -> Widths {
+        self.contour.widths(self.soft)
     }
 
     /// How much more it is than chance: of a long line a share is harder to come by.
@@ -70,19 +79,13 @@ impl Outline {
     }
 }
 
-/// The outline near a given circle; that circle itself where no edge stands out.
+/// The outline near a given circle.
 pub fn near(picture: &Picture<'_>, given: Circle) -> Result<Outline, MeasureError> {
     require_inside(picture, given)?;
-    let found = best_of(picture, &[given]);
-    let share = found.as_ref().map_or(0.0, |outline| outline.share);
-    match found.filter(Outline::is_seen) {
-        Some(outline) => {
-            require_followed(&outline)?;
-            require_inside(picture, outline.contour.middle)?;
-            Ok(outline)
-        }
-        None => Ok(Outline { contour: Contour::round(given), share, gap: 1.0 }),
-    }
+    let nothing = Outline { contour: Contour::round(given), share: 0.0, gap: 1.0, soft: 0.0 };
+    let outline = best_of(picture, &[given]).unwrap_or(nothing);
+    require_pearl(picture, &outline)?;
+    Ok(outline)
 }
 
 /// The outline of the one pearl in a picture.
@@ -95,10 +98,10 @@ pub fn find(picture: &Picture<'_>) -> Result<Outline, MeasureError> {
     let steepness = Steepness::of(picture);
     let found = best_of(picture, &steepness.best(None));
     let percent = 100.0 * found.as_ref().map_or(0.0, |outline| outline.share);
-    let outline = found.filter(Outline::is_seen).ok_or(MeasureError::NoPearl { percent })?;
-    require_followed(&outline)?;
+    let is_seen = |outline: &Outline| outline.share >= LEAST_FOUND;
+    let outline = found.filter(is_seen).ok_or(MeasureError::NoPearl { percent })?;
+    require_pearl(picture, &outline)?;
     require_alone(picture, &steepness, &outline)?;
-    require_inside(picture, outline.contour.middle)?;
     Ok(outline)
 }
 
@@ -107,7 +110,7 @@ fn best_of(picture: &Picture<'_>, starts: &[Circle]) -> Option<Outline> {
     let by_weight = |one: &Outline, other: &Outline| one.weight().total_cmp(&other.weight());
     let round = starts
         .iter()
-        .filter_map(|start| trace(picture, Contour::round(*start), &FIRST_ROUNDS, RAYS.0))
+        .filter_map(|start| trace(picture, Contour::round(*start), &FIRST_ROUNDS, RAYS.0, edges))
         .max_by(by_weight);
     if let Some(round) = round.as_ref().filter(|round| round.share >= CLEAR) {
         return Some(refined(picture, round, &LAST_ROUNDS));
@@ -119,23 +122,45 @@ fn best_of(picture: &Picture<'_>, starts: &[Circle]) -> Option<Outline> {
         (Some(oval), Some(round)) if oval.share < round.share + MORE => {
             Some(refined(picture, &round, &LAST_ROUNDS))
         }
-        (Some(oval), _) => Some(refined(picture, &oval, &LAST_OF_OVALS)),
+        (Some(oval), _) => {
+            let last = refined(picture, &oval, &LAST_OF_OVALS);
+            // A tip is reached with all waves alone.
+            let (_, gap) = seen_on(picture, &last.contour, last.soft);
+            Some(Outline { gap: gap.min(oval.gap), ..last })
+        }
         (None, round) => round.map(|round| refined(picture, &round, &LAST_ROUNDS)),
     }
 }
 
 /// The same outline with all its waves; how clearly it is seen stays that of the simpler one.
 fn refined(picture: &Picture<'_>, first: &Outline, rounds: &[(f64, usize)]) -> Outline {
-    let last = trace(picture, first.contour.clone(), rounds, RAYS.1);
-    let contour = last.map_or_else(|| first.contour.clone(), |last| last.contour);
-    Outline { contour, share: first.share, gap: first.gap }
+    let last = trace(picture, first.contour.clone(), rounds, RAYS.1, sharp_edges);
+    let (contour, soft) =
+        last.map_or_else(|| (first.contour.clone(), first.soft), |last| (last.contour, last.soft));
+    Outline { contour, share: first.share, gap: first.gap, soft }
 }
 
-/// Refuses an outline of which a long part is not seen, and one that is not round and not seen clearly.
+/// Refuses what cannot be followed, leaves the picture, or has nothing within.
+fn require_pearl(picture: &Picture<'_>, outline: &Outline) -> Result<(), MeasureError> {
+    require_followed(outline)?;
+    require_inside(picture, outline.contour.middle)?;
+    if is_hollow(picture, &outline.contour) {
+        let Circle { x_px: x, y_px: y, radius_px: radius } = outline.contour.middle;
+        return Err(MeasureError::Hollow { x, y, radius });
+    }
+    Ok(())
+}
+
+/// Refuses an outline that is not seen, of which a long part is not, and one that is not round and not seen clearly.
 fn require_followed(outline: &Outline) -> Result<(), MeasureError> {
     let is_clear = outline.share >= LEAST_OF_OVALS;
-    let is_round = || outline.contour.widths().roundness.value <= ROUND;
-    if outline.gap <= LONGEST_GAP && (is_clear || is_round()) {
+    let is_round = outline.widths().roundness.value <= ROUND;
+    let longest = match (is_clear, is_round) {
+        (true, true) => LONGEST_GAP[0],
+        (false, true) => LONGEST_GAP[1],
+        _ => LONGEST_GAP[2],
+    };
+    if outline.share >= LEAST_FOUND && (is_clear || is_round) && outline.gap <= longest {
         return Ok(());
     }
     let Circle { x_px: x, y_px: y, radius_px: radius } = outline.contour.middle;
@@ -152,7 +177,7 @@ fn require_alone(
     let first = outline.contour.middle;
     for start in steepness.best(Some(first)) {
         // A circle alone: with more waves an outline would bend to what corners it meets.
-        let other = trace(picture, Contour::round(start), &FIRST_ROUNDS[..2], RAYS.0);
+        let other = trace(picture, Contour::round(start), &FIRST_ROUNDS[..2], RAYS.0, edges);
         let Some(other) = other.filter(|other| other.share > LEAST_SECOND) else { continue };
         let second = other.contour.middle;
         if second.radius_px > LEAST_BESIDE * first.radius_px {
@@ -172,8 +197,8 @@ fn oval(picture: &Picture<'_>, start: Circle) -> Option<Outline> {
         about = contour.centroid();
         contour = Contour::fit(&closed_line(picture, about), about, 4)?;
     }
-    let outline = trace(picture, contour, &ROUNDS_OF_OVALS, RAYS.1)?;
-    let edges = edges(picture, &outline.contour, 180, 0.04);
+    let outline = trace(picture, contour, &ROUNDS_OF_OVALS, RAYS.1, edges)?;
+    let edges = edges(picture, &outline.contour, 180, 0.04, outline.soft);
     let smooth = Contour::fit(&edges, outline.contour.middle, 3)?;
     let off: f64 = (0..180)
         .map(|at| TAU * f64::from(at) / 180.0)
@@ -189,22 +214,25 @@ fn trace(
     start: Contour,
     rounds: &[(f64, usize)],
     most_rays: usize,
+    look: Look,
 ) -> Option<Outline> {
     let mut contour = start;
+    let mut soft = 0.0;
     for &(reach, order) in rounds {
+        soft = softness(picture, &contour, (reach * contour.middle.radius_px).max(LEAST_REACH_PX));
         let rays = (TAU * contour.middle.radius_px).clamp(90.0, most_rays as f64) as usize;
-        let found = edges(picture, &contour, rays, reach);
+        let found = look(picture, &contour, rays, reach, soft);
         let middle = contour.middle;
         contour = Contour::fit(&found, middle, order)?;
         // Rays start from the middle of what they found.
         let centre = contour.centre();
         if fabs(centre.x_px - middle.x_px) + fabs(centre.y_px - middle.y_px) > 0.01 {
-            let moved = edges(picture, &shifted(&contour, centre), rays, reach);
+            let moved = look(picture, &shifted(&contour, centre), rays, reach, soft);
             contour = Contour::fit(&moved, centre, order)?;
         }
     }
-    let (share, gap) = seen_on(picture, &contour);
-    Some(Outline { contour, share, gap })
+    let (share, gap) = seen_on(picture, &contour, soft);
+    Some(Outline { contour, share, gap, soft })
 }
 
 /// The same outline seen from its centre, to the first order.
@@ -222,29 +250,50 @@ fn shifted(contour: &Contour, centre: Circle) -> Contour {
 }
 
 /// The edge near an outline along each of some rays.
-fn edges(picture: &Picture<'_>, contour: &Contour, rays: usize, reach: f64) -> Vec<Edge> {
+fn edges(
+    picture: &Picture<'_>,
+    contour: &Contour,
+    rays: usize,
+    reach: f64,
+    soft: f64,
+) -> Vec<Edge> {
     (0..rays)
         .map(|at| TAU * at as f64 / rays as f64)
         .map(|turn| {
-            let expected = contour.radius(turn);
-            edge(picture, contour.middle, turn, expected, reach * contour.middle.radius_px)
+            let reach = reach * contour.middle.radius_px;
+            edge(picture, contour.middle, turn, contour.radius(turn), reach, soft)
         })
         .collect()
 }
 
+/// The same, those that are softer than the outline not seen: a shadow's.
+fn sharp_edges(
+    picture: &Picture<'_>,
+    contour: &Contour,
+    rays: usize,
+    reach: f64,
+    soft: f64,
+) -> Vec<Edge> {
+    let is_seen = |edge: &Edge| {
+        let more = edge.away - contour.radius(edge.turn);
+        edge.seen && is_sharp(picture, contour.place(edge.turn, more), soft)
+    };
+    let all = edges(picture, contour, rays, reach, soft).into_iter();
+    all.map(|edge| Edge { seen: is_seen(&edge), ..edge }).collect()
+}
+
 /// The share of directions in which the steepest place far about an outline lies on it and colour changes across it
 /// rather than along it, and the longest gap between them, in turns.
-fn seen_on(picture: &Picture<'_>, contour: &Contour) -> (f64, f64) {
+fn seen_on(picture: &Picture<'_>, contour: &Contour, soft: f64) -> (f64, f64) {
     let radius = contour.middle.radius_px;
-    // Far enough that noise has somewhere else to be steep.
-    let found = edges(picture, contour, 288, (6.0 / radius).max(0.1));
-    let near = (NEAR * radius).max(1.0);
+    let found = sharp_edges(picture, contour, 288, (LEAST_REACH_PX / radius).max(0.1), soft);
+    let near = (NEAR * radius).max(1.0 + 0.5 * soft);
     let on: Vec<bool> = found
         .iter()
         .map(|edge| {
             edge.seen
                 && fabs(edge.away - contour.radius(edge.turn)) < near
-                && is_across(picture, contour, edge.turn)
+                && is_across(picture, contour, edge.turn, soft)
         })
         .collect();
     let (mut gap, mut longest) = (0, 0);
@@ -257,25 +306,17 @@ fn seen_on(picture: &Picture<'_>, contour: &Contour) -> (f64, f64) {
 }
 
 /// Whether shade changes more across an outline than along it.
-fn is_across(picture: &Picture<'_>, contour: &Contour, turn: f64) -> bool {
-    let place = |turn: f64, more: f64| {
-        let away = contour.radius(turn) + more;
-        [contour.middle.x_px + away * cos(turn), contour.middle.y_px + away * sin(turn)]
-    };
-    let step = 1.0 / contour.radius(turn);
-    let [back, here, on] = [place(turn - step, 0.0), place(turn, 0.0), place(turn + step, 0.0)];
-    let [right, down] = [on[0] - back[0], on[1] - back[1]];
-    let long = sqrt(right * right + down * down);
-    let (c, s) = (down / long, -right / long);
+fn is_across(picture: &Picture<'_>, contour: &Contour, turn: f64, soft: f64) -> bool {
+    let ([x, y], (c, s)) = (contour.place(turn, 0.0), contour.outwards(turn));
     let change = |along: f64, across: f64| {
         let at = |side: f64| {
             let (along, across) = (side * along, side * across);
-            picture.at(here[0] + along * -s + across * c, here[1] + along * c + across * s)
+            shade(picture.at(x + along * -s + across * c, y + along * c + across * s))
         };
-        let (one, other) = (at(1.0), at(-1.0));
-        (0..3).map(|i| sqrt(one[i].max(0.0)) - sqrt(other[i].max(0.0))).map(|d| d * d).sum::<f64>()
+        distance(at(1.0), at(-1.0))
     };
-    change(0.0, ACROSS_PX) > ACROSS * change(ACROSS_PX, 0.0)
+    let far = ACROSS_PX + soft;
+    change(0.0, far) > ACROSS * change(far, 0.0)
 }
 
 /// Refuses a pearl that is too small, or leaves the picture.

@@ -1,12 +1,13 @@
 //! The binding of measures.
 
-use nacreous_measure::{Circle, Given, Picture};
-use numpy::{PyReadonlyArray3, PyUntypedArrayMethods};
+use nacreous_measure::{Circle, Given, Picture, measure_cut_out};
+use numpy::{PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::{InputError, refused, threads::detached};
 
-/// What is measured in linear light [row, column, rgb], as JSON; circle: x, y and radius in pixels.
+/// What is measured in linear light [row, column, rgb], as JSON; circle: x, y and radius in pixels;
+/// opacity: [row, column], 1 on the pearl and 0 beside it, where the picture says so.
 #[pyfunction]
 pub fn measure(
     py: Python<'_>,
@@ -15,6 +16,7 @@ pub fn measure(
     circle: Option<[f64; 3]>,
     mm_per_pixel: Option<f64>,
     clipped_at: Option<f64>,
+    opacity: Option<PyReadonlyArray2<'_, f32>>,
 ) -> PyResult<String> {
     let &[height, width, channels] = linear.shape() else {
         return Err(InputError::new_err("linear has not 3 dimensions"));
@@ -32,9 +34,17 @@ pub fn measure(
         copied = array.iter().copied().collect();
         &copied
     };
+    let grey: Option<([usize; 2], Vec<f32>)> = opacity.map(|opacity| {
+        let array = opacity.as_array();
+        let size = [array.ncols(), array.nrows()];
+        (size, array.iter().flat_map(|&share| [share; 3]).collect())
+    });
     let found = detached(py, || {
         let picture = Picture::new(light, width, height)?;
-        nacreous_measure::measure(&picture, &given)
+        let Some(([width, height], grey)) = &grey else {
+            return nacreous_measure::measure(&picture, &given);
+        };
+        measure_cut_out(&picture, &Picture::new(grey, *width, *height)?, &given)
     });
     serde_json::to_string(&found.map_err(refused)?).map_err(refused)
 }

@@ -52,7 +52,7 @@ export interface Measures {
     readonly greatest: Measured;
   };
   /** As a share, not in percent. */
-  readonly roundness: Measured | null;
+  readonly roundness: Measured;
   readonly sphere: boolean;
   readonly colour: MeasuredColour | null;
   readonly rings: {

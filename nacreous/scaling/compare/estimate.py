@@ -94,7 +94,7 @@ def fit_of(data: Any, model: str, **options: Any) -> Scale:
         if REMEDY not in str(problem) or options.get("prior") is not None:
             raise
         # What asks for this fit knows no prior: tests and intervals would not be theirs with one.
-        raise InputError(str(problem).replace(f", {REMEDY}", "")) from problem
+        raise InputError(str(problem).replace(REMEDY, "")) from problem
 
 
 def names_of(answers: Answers) -> tuple[str, ...]:

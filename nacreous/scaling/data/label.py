@@ -11,7 +11,7 @@ import numpy as np
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.fault import listed, quoted
 from nacreous.scaling.data.hidden import hidden_in
 from nacreous.scaling.data.likeness import check_alike
 
@@ -48,6 +48,18 @@ def labels_of(stimuli: Iterable[object], count: int | None = None) -> tuple[str,
     check_number(labels)
     check_alike(labels, "stimuli")
     return labels
+
+
+def place_of(label: object, stimuli: tuple[str, ...]) -> int:
+    """Where a label stands among stimuli, from 0; raises `InputError` for one that does not.
+
+    >>> place_of("b", ("a", "b"))
+    1
+    """
+    found = label_of(label) if isinstance(label, str) else label
+    if found not in stimuli:
+        raise InputError(f"there is no stimulus {said(label)}; allowed: {listed(stimuli)}")
+    return stimuli.index(found)
 
 
 def numbered(count: int) -> tuple[str, ...]:

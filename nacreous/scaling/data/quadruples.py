@@ -88,7 +88,7 @@ class Quadruples:
 
         >>> table = {"first_a": [1], "first_b": [2], "second_a": [3], "second_b": [4]}
         >>> Quadruples.of_table(table | {"larger": ["second"], "person": ["mika"]})
-        Quadruples(1 judgements, 4 stimuli, 1 people)
+        Quadruples(1 judgement, 4 stimuli, 1 person)
         """
         return cls._of(table_of(table), names_of(names, FOUR), FOUR, stimuli)
 
@@ -142,8 +142,10 @@ class Quadruples:
 
     def __repr__(self) -> str:
         """In one line how much was judged, and by how many."""
-        people = f"{len(self.people)} people" if self.person is not None else "people unknown"
-        return f"Quadruples({len(self)} judgements, {len(self.stimuli)} stimuli, {people})"
+        count = len(self.people)
+        people = f"{count} {'person' if count == 1 else 'people'}" if count else "people unknown"
+        judgements = f"{len(self)} {'judgement' if len(self) == 1 else 'judgements'}"
+        return f"Quadruples({judgements}, {len(self.stimuli)} stimuli, {people})"
 
     def __len__(self) -> int:
         """How many judgements there are."""
@@ -166,7 +168,12 @@ class Quadruples:
         )
 
     def of_person(self, person: str) -> Quadruples:
-        """The judgements of one person; raises `InputError` for one that is not there."""
+        """The judgements of one person; raises `InputError` for one that is not there.
+
+        >>> rows = [("a", "b", "c", "d", "first", "mika"), ("a", "b", "c", "d", "second", "aoi")]
+        >>> Quadruples.of_tuples(rows).of_person("aoi").outcome
+        array([-1], dtype=int8)
+        """
         if self.person is None or person not in self.people:
             allowed = listed(self.people) or "none, for people are unknown"
             raise InputError(f"there is no person {said(person)}; allowed: {allowed}")

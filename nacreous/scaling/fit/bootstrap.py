@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel, PersonalAnswers
 from nacreous.number import said, seed_of, whole_of
 from nacreous.problem import InputError
-from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.data.label import label_of
-from nacreous.scaling.fit.clustering import judges_of, personal, require_people
+from nacreous.scaling.data.label import place_of
+from nacreous.scaling.fit.clustering import personal
 from nacreous.scaling.fit.errors import Errors, errors_of, kind_of, require_ends
 from nacreous.scaling.fit.existence import require_joined
+from nacreous.scaling.fit.judges import DRAWN_INSTEAD, judges_of, require_many, require_people
 from nacreous.scaling.fit.uncertainty import control_of, level_of, root_of_diagonal
 from nacreous.scaling.fit.unit import factor
 from nacreous.value import value_class
@@ -36,11 +36,6 @@ Array = NDArray[np.float64]
 Progress = Callable[[float], None]
 
 KINDS = ("studentised", "percentile", "basic")
-INSTEAD = 'by="answers", which takes the answers as independent'
-#: With fewer people, or fewer for a stimulus, more than a few samples are of one or two people over
-#: and over; from 8 on 95 of 100 intervals are within 1.5 times those of t, where with 5 some are 47
-#: times as wide, and with 4 thousands (docs/scaling.md).
-LEAST_DRAWN = 8
 #: A larger share of samples that have no scale of their own, or in which nobody differs, reaches
 #: into the ends of 95 % intervals.
 _MOST_UNTOLD = 0.02
@@ -150,13 +145,7 @@ class Bootstrap:
         """
         miss = 1 - level_of(level)
         self._require_told()
-        first, second = (label_of(x) if isinstance(x, str) else x for x in (first, second))
-        for label in (first, second):
-            if label not in self.stimuli:
-                raise InputError(
-                    f"there is no stimulus {said(label)}; allowed: {listed(self.stimuli)}"
-                )
-        i, j = (self.stimuli.index(label) for label in (first, second))
+        i, j = (place_of(label, self.stimuli) for label in (first, second))
         found = self.samples[:, i] - self.samples[:, j]
         low, high = np.quantile(found, (miss / 2, 1 - miss / 2))
         return float(low), float(high)
@@ -228,15 +217,13 @@ def resampled(
         )
     if fit.design is None:
         require_joined(fit.comparisons)
-    chosen = by if by is not None else ("people" if kind_of(fit, None) == "people" else "answers")
-    if chosen not in ("people", "answers"):
-        raise InputError(f"by is {said(by)}; allowed: people, answers")
+    chosen = drawn_by(by, kind_of(fit, None) == "people")
     over_people = chosen == "people"
     if over_people:
         require_ends(fit)
     people = None
     if over_people:
-        people = personal(_require_many(require_people(fit.answers, INSTEAD)))
+        people = personal(_require_many(require_people(fit.answers, DRAWN_INSTEAD)))
     values, se, effects, unplaced = drawn(fit.room, people, fit.parameters, samples, seed, progress)
     times = factor(fit.own_unit, fit.unit)
     errors = errors or errors_of(fit, chosen if over_people else "observed")
@@ -244,7 +231,7 @@ def resampled(
     return Bootstrap(
         stimuli=fit.stimuli,
         unit=fit.unit,
-        by="people" if over_people else "answers",
+        by=chosen,
         scale=fit.scale,
         samples=values * times,
         without_maximum=unplaced,
@@ -258,22 +245,28 @@ def resampled(
 def _require_many(answers: Answers) -> Answers:
     """The answers, if enough people judged each stimulus to be drawn."""
     people = len(np.unique(answers.person))  # type: ignore[arg-type]
-    require_drawable(answers.stimuli, people, judges_of(answers))
+    require_many(answers.stimuli, judges_of(answers), people)
     return answers
 
 
-def require_drawable(stimuli: tuple[str, ...], people: int, judges: NDArray[np.int64]) -> None:
-    """Refuse people too few to be drawn anew, or too few judges of a stimulus."""
-    if judges.min() >= LEAST_DRAWN:
-        return
-    at = int(np.argmin(judges))
-    who = f"{quoted(stimuli[at])} was judged by {judges[at]} of {people} people"
-    if people < LEAST_DRAWN:
-        who = f"the answers are those of {people} people"
-    raise InputError(
-        f"{who}, too few to be drawn anew; allowed: {LEAST_DRAWN} or more, the fit's own "
-        f"intervals, which are Student's t, or {INSTEAD}"
-    )
+def drawn_by(by: str | None, known: bool) -> Literal["people", "answers"]:
+    """What is drawn anew: people, where they are known, or answers, or what a caller says."""
+    if by is None:
+        return "people" if known else "answers"
+    if by == "people":
+        return "people"
+    if by == "answers":
+        return "answers"
+    raise InputError(f"by is {said(by)}; allowed: people, answers")
+
+
+def samples_of(samples: int, parameters: int) -> int:
+    """How many samples of so many parameters, or one clear message."""
+    samples = whole_of("samples", samples, 2, 1_000_000)
+    if samples * parameters > 1 << 27:
+        most = (1 << 27) // parameters
+        raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
+    return samples
 
 
 def drawn(
@@ -289,10 +282,7 @@ def drawn(
     samples: 2 to 1 000 000, and 2^27 values in all. seed: 0 to 2^63 - 1. progress: called with the
     finished share, 0 to 1, now and then.
     """
-    samples, seed = whole_of("samples", samples, 2, 1_000_000), seed_of(seed)
-    if samples * len(parameters) > 1 << 27:
-        most = (1 << 27) // len(parameters)
-        raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
+    samples, seed = samples_of(samples, len(parameters)), seed_of(seed)
     report = None if progress is None else lambda done: progress(done / samples)
     studentised = len(parameters) <= MOST_STUDENTISED
     values, se, effects, unplaced = model.bootstrap(

@@ -10,7 +10,6 @@ with C - 1.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,9 +18,9 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel, PersonalAnswers
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
-from nacreous.scaling.data.fault import quoted
 from nacreous.scaling.fit.blocks import numbered
 from nacreous.scaling.fit.existence import pair_model
+from nacreous.scaling.fit.judges import INSTEAD
 from nacreous.unchanging import released
 from nacreous.value import value_class
 
@@ -30,8 +29,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-#: With fewer people nothing tells how others would differ: an interval of 2 is 10 units wide.
-LEAST_PEOPLE = 3
 #: People times parameters cubed up to which each person's own correction is worked out (a second).
 #: Beyond, all get the one of equal designs.
 _MOST_WORK = 2e9
@@ -44,7 +41,6 @@ _PEOPLE = 64
 _NUMBERS = 1 << 22
 #: A person whose answers leave less than this of a direction alone decides it.
 _ALONE = 1e-7
-INSTEAD = 'kind="expected" or counts, which take answers as independent'
 
 
 @value_class
@@ -111,51 +107,6 @@ def _root(spread: Array) -> Array:
     return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0)))
 
 
-def require_people(answers: Answers | None, instead: str = INSTEAD) -> Answers:
-    """The answers, if they tell how people differ: each stimulus judged by three of them."""
-    if answers is None or answers.person is None:
-        raise InputError("it is not known who gave the answers; allowed: answers with people")
-    people = len(numbered(answers.person, int(answers.person.max(initial=0)) + 1)[0])
-    require_judges(answers.stimuli, people, judges_of(answers), instead)
-    return answers
-
-
-def require_judges(
-    stimuli: tuple[str, ...], people: int, judges: NDArray[np.int64], instead: str = INSTEAD
-) -> None:
-    """Refuse so few people, or judges of a stimulus, that they cannot tell how people differ."""
-    least = LEAST_PEOPLE
-    if people < least:
-        whose = "1 person" if people == 1 else f"{people} people"
-        raise InputError(
-            f"the answers are those of {whose}, who cannot tell how people differ; allowed: "
-            f"{least} or more people, or {instead}"
-        )
-    if judges.min() < least:
-        at = int(np.argmin(judges))
-        raise InputError(
-            f"{quoted(stimuli[at])} was judged by {judges[at]} of {people} people, too few "
-            f"to tell how people differ; allowed: {least} or more a stimulus, or {instead}"
-        )
-
-
-def judges_of(answers: Answers) -> NDArray[np.int64]:
-    """How many people judged each stimulus, int64 [stimulus]; all 0 where they are unknown."""
-    count = len(answers.stimuli)
-    if answers.person is None:
-        return np.zeros(count, np.int64)
-    return judges_among(count, answers.person, (answers.left, answers.right))
-
-
-def judges_among(
-    count: int, person: NDArray[np.int64], shown: Sequence[NDArray[np.int64]]
-) -> NDArray[np.int64]:
-    """How many people saw each of so many stimuli; shown: int64 [answer] each, what stood there."""
-    size = (int(person.max()) + 1) * count
-    met = np.concatenate([numbered(person * count + each, size)[0] for each in shown])
-    return np.bincount(np.unique(met) % count, minlength=count)
-
-
 def personal(answers: Answers) -> PersonalAnswers:
     """The answers with who gave them, as the compiled room holds them."""
     if answers.person is None:
@@ -183,61 +134,85 @@ def clusters(
     inverse: of the observed and of the expected information. like: link, ties, order and design of
     the fit, for the expected information of each person.
     """
-    observed, expected = inverse
     scores = np.asarray(model.scores(personal(answers), parameters))
     people, size = scores.shape
-    scores = scores - scores.mean(axis=0)  # 0 but for a prior, which pulls all people alike
-    none = np.zeros((0, size, size))
     degrees = _common_degrees(answers, people, size, sided=like[2])
-    if degrees is not None:
-        influence = scores @ observed * np.sqrt(people / (people - 1))
-        return Clusters(influence, degrees, none, none, expected)
-    return corrected_clusters(scores, _information(answers, parameters, like), inverse)
+    seen = None if degrees is not None else _information(answers, parameters, like)
+    return of_scores(scores, inverse, degrees, seen)
 
 
-def corrected_clusters(scores: Array, seen: Array, inverse: tuple[Array, Array]) -> Clusters:
-    """People each with their own correction.
+def of_scores(
+    scores: Array,
+    inverse: tuple[Array, Array],
+    degrees: float | None,
+    seen: Array | None,
+    instead: str = INSTEAD,
+) -> Clusters:
+    """The people behind a fit, by the slopes of each, float64 [person, parameter].
 
-    scores: float64 [person, parameter]; seen: float64 [person, parameter, parameter], each person's
-    expected information. inverse: of the observed and of the expected information.
+    inverse: of the observed information and of that which a working model expects. degrees: of
+    freedom where all get the correction of equal designs; else `seen` is what each person's answers
+    are expected to tell, float64 [person, parameter, parameter], and adds up to the whole.
     """
     observed, expected = inverse
     people, size = scores.shape
+    scores = scores - scores.mean(axis=0)  # 0 but for a prior, which pulls all people alike
+    if degrees is not None or seen is None:
+        none = np.zeros((0, size, size))
+        influence = scores @ observed * np.sqrt(people / (people - 1))
+        return Clusters(influence, degrees, none, none, expected)
     values, vectors = np.linalg.eigh(seen)
     values = np.where(values > 1e-10 * values.max(), values, 0.0)
     influence, lever = np.empty((people, size)), vectors  # in the same place, for it is large
     for start in range(0, people, _PEOPLE):  # all at once would take memory several times over
         some = slice(start, start + _PEOPLE)
-        correction = _corrected(values[some], vectors[some], expected)
+        correction = _corrected(values[some], vectors[some], expected, instead)
         influence[some] = np.einsum("cij,cj->ci", correction, scores[some]) @ observed
         lever[some] = np.swapaxes(correction, 1, 2) @ observed
     return Clusters(influence, None, released(lever), released(seen), expected)
 
 
-def _common_degrees(answers: Answers, people: int, size: int, sided: bool) -> float | None:
+def common_degrees(
+    person: NDArray[np.int64], question: NDArray[np.int64], people: int, size: int
+) -> float | None:
     """Degrees of freedom where all people get one correction; None where each gets their own.
 
-    sided: a pair the other way round is another, for the fit has an advantage of the left one. With
-    a largest share s of the answers to a pair, no contrast has fewer than 1/s: nobody has more than
-    s of its variance, and (sum v)^2 / sum v^2 >= sum v / max v.
+    person, question: int64 [answer], who answered which question, all of which were asked; answers
+    to one question are expected to tell alike. size: how many parameters. With a largest share s of
+    the answers to a question, no contrast has fewer than 1/s: nobody has more than s of its
+    variance, and (sum v)^2 / sum v^2 >= sum v / max v.
+    """
+    times = np.bincount(question)
+    asked = len(times)
+    cells, cell = numbered(person * asked + question, (int(person.max()) + 1) * asked)
+    each = np.bincount(cell)
+    if len(each) == people * asked:
+        by_person = each.reshape(people, asked)
+        if (by_person == by_person[0]).all():
+            return people - 1.0
+    largest = float((each / times[cells % asked]).max())
+    if largest <= _SMALL_SHARE:
+        return min(people - 1.0, 1 / largest - 1)
+    return people - 1.0 if too_many(people, size) else None
+
+
+def _common_degrees(answers: Answers, people: int, size: int, sided: bool) -> float | None:
+    """The same for answers to pairs.
+
+    sided: a pair the other way round is another, for the fit has an advantage of the left one.
     """
     count = len(answers.stimuli)
     left, right = answers.left, answers.right
     if not sided:
         left, right = np.minimum(left, right), np.maximum(left, right)
-    pairs, pair = numbered(left * count + right, count**2)
+    _, pair = numbered(left * count + right, count**2)
     known = np.zeros(len(answers), np.int64) if answers.person is None else answers.person
-    block = known * len(pairs) + pair
-    cells, cell = numbered(block, (int(known.max()) + 1) * len(pairs))
-    each = np.bincount(cell)
-    if len(each) == people * len(pairs):
-        by_person = each.reshape(people, len(pairs))
-        if (by_person == by_person[0]).all():
-            return people - 1.0
-    largest = float((each / np.bincount(pair)[cells % len(pairs)]).max())
-    if largest <= _SMALL_SHARE:
-        return min(people - 1.0, 1 / largest - 1)
-    return people - 1.0 if people * size**3 > _MOST_WORK else None
+    return common_degrees(known, pair, people, size)
+
+
+def too_many(people: int, size: int) -> bool:
+    """Whether so many people get one correction, for each one's own would take too long."""
+    return people * size**3 > _MOST_WORK
 
 
 def _information(
@@ -277,7 +252,7 @@ def _information(
     return seen.reshape(len(here), size, size)
 
 
-def _corrected(values: Array, vectors: Array, spread: Array) -> Array:
+def _corrected(values: Array, vectors: Array, spread: Array, instead: str) -> Array:
     """CR2's matrix of each person's score: A (H - H M H) A' = H, for H seen and M spread.
 
     values, vectors: of H, the eigenvalues and -vectors.
@@ -290,7 +265,7 @@ def _corrected(values: Array, vectors: Array, spread: Array) -> Array:
     if left.min() < _ALONE:
         raise InputError(
             "the answers of 1 person alone join some stimuli to the others, so that it is not "
-            f"known how people differ there; allowed: more people for them, or {INSTEAD}"
+            f"known how people differ there; allowed: more people for them, or {instead}"
         )
     widened = (across / np.sqrt(left)[:, None, :]) @ np.swapaxes(across, 1, 2)
     return np.asarray(half @ widened @ unhalf)

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from nacreous.number import said
 from nacreous.problem import InputError
-from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.fault import quoted
+from nacreous.scaling.data.label import place_of
 from nacreous.scaling.data.quadruples import Quadruples
 from nacreous.scaling.fit import difference_errors, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
@@ -148,7 +148,7 @@ class DifferenceScale:
         self, first: str, second: str, level: float = 0.95, kind: str | None = None
     ) -> uncertainty.Difference:
         """How far `first` is above `second`, in `unit`; kind as in `covariance`."""
-        pairs = [(self._index(first), self._index(second))]
+        pairs = [(place_of(first, self.stimuli), place_of(second, self.stimuli))]
         return uncertainty.differences(
             self.stimuli, self.scale, self._errors(kind), self.unit, level, "none", pairs
         )[0]
@@ -184,12 +184,6 @@ class DifferenceScale:
 
     def _errors(self, kind: str | None) -> Errors:
         return difference_errors.errors_of(self, kind)
-
-    def _index(self, label: str) -> int:
-        label = label_of(label) if isinstance(label, str) else label
-        if label not in self.stimuli:
-            raise InputError(f"there is no stimulus {said(label)}; allowed: {listed(self.stimuli)}")
-        return self.stimuli.index(label)
 
 
 def difference_scale(quadruples: Quadruples, *, model: Model = "probit") -> DifferenceScale:

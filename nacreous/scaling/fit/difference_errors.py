@@ -7,19 +7,21 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nacreous.number import said, seed_of, whole_of
+from nacreous.number import seed_of
 from nacreous.problem import InputError
 from nacreous.scaling.data.quadruples import Quadruples
+from nacreous.scaling.fit import clustering
 from nacreous.scaling.fit import difference_model as model_of
 from nacreous.scaling.fit.blocks import numbered
-from nacreous.scaling.fit.bootstrap import Bootstrap, Progress, require_drawable
-from nacreous.scaling.fit.clustering import (
-    Clusters,
-    corrected_clusters,
-    judges_among,
-    require_judges,
+from nacreous.scaling.fit.bootstrap import (
+    Bootstrap,
+    Progress,
+    drawn_by,
+    samples_of,
 )
-from nacreous.scaling.fit.errors import KINDS, Errors, require_difference
+from nacreous.scaling.fit.clustering import Clusters
+from nacreous.scaling.fit.errors import Errors, chosen_kind, require_difference
+from nacreous.scaling.fit.judges import judges_among, require_judges, require_many
 from nacreous.scaling.fit.uncertainty import centred, inverse
 
 if TYPE_CHECKING:
@@ -31,18 +33,9 @@ Index = NDArray[np.int64]
 _INSTEAD = 'kind="expected", which takes judgements as independent'
 
 
-def kind_of(data: Quadruples, kind: str | None) -> str:
-    """What errors are asked for: by default over people where they are known."""
-    if kind is None:
-        return "people" if data.person is not None else "expected"
-    if kind not in KINDS:
-        raise InputError(f"kind is {said(kind)}; allowed: {', '.join(KINDS)}")
-    return kind
-
-
 def errors_of(fit: DifferenceScale, kind: str | None) -> Errors:
     """Errors of the values, the first of which is 0 and known."""
-    chosen = kind_of(fit.quadruples, kind)
+    chosen = chosen_kind(kind, "expected" if fit.quadruples.person is None else "people")
     values = np.vstack((np.zeros(len(fit.scale) - 1), np.eye(len(fit.scale) - 1)))
     both = {name: inverse(information(fit, name)) for name in ("observed", "expected")}
     if chosen != "people":
@@ -50,7 +43,7 @@ def errors_of(fit: DifferenceScale, kind: str | None) -> Errors:
     found = _clusters(fit, both["observed"], both["expected"])
     over_people = values @ found.covariance @ values.T
     expected = values @ both["expected"] @ values.T
-    require_difference(fit.stimuli, centred(over_people), centred(expected))
+    require_difference(fit.stimuli, centred(over_people), centred(expected), _INSTEAD)
     return Errors(over_people, found, values)
 
 
@@ -67,24 +60,33 @@ def information(fit: DifferenceScale, kind: str) -> Array:
 
 def _clusters(fit: DifferenceScale, observed: Array, expected: Array) -> Clusters:
     """Each person's pull on the parameters, and what their questions tell."""
+    from scipy.sparse import csr_array
+
     data, asked = fit.quadruples, fit.questions
     people, person = _people(data, _INSTEAD)
-    require_judges(fit.stimuli, people, judges_among(len(fit.stimuli), person, [*data.shown.T]))
-    design = asked.design[:, 1:]
-    lead = asked.design @ fit.scale
+    require_judges(fit.stimuli, _judges(data, person), people, _INSTEAD)
+    design, lead = asked.design[:, 1:], asked.design @ fit.scale
     one = np.where(
         asked.upper,
         model_of.slope(lead, fit.model)[asked.question],
         -model_of.slope(-lead, fit.model)[asked.question],
     )
+    cells, shape = (person, asked.question), (people, len(design))
+    scores = csr_array((one, cells), shape=shape) @ design
+    degrees = clustering.common_degrees(*cells, people, design.shape[1])
+    if degrees is not None:
+        return clustering.of_scores(scores, (observed, expected), degrees, None, _INSTEAD)
     told = model_of.expected_bend(lead, fit.model)
-    size = design.shape[1]
-    scores, seen = np.zeros((people, size)), np.zeros((people, size, size))
-    np.add.at(scores, person, one[:, None] * design[asked.question])
-    for at in range(people):
-        times = np.bincount(asked.question[person == at], minlength=len(design))
-        seen[at] = (design.T * (times * told)) @ design
-    return corrected_clusters(scores, seen, (observed, expected))
+    times = csr_array((np.ones(len(person)), cells), shape=shape)
+    seen = np.stack(
+        [(design.T * (times[[at]].toarray()[0] * told)) @ design for at in range(people)]
+    )
+    return clustering.of_scores(scores, (observed, expected), None, seen, _INSTEAD)
+
+
+def _judges(data: Quadruples, person: Index) -> Index:
+    """How many people judged each stimulus, int64 [stimulus]."""
+    return judges_among(len(data.stimuli), person, [*data.shown.T])
 
 
 def _people(data: Quadruples, instead: str) -> tuple[int, Index]:
@@ -101,14 +103,8 @@ def resampled(
     fit: DifferenceScale, samples: int, by: str | None, seed: int, progress: Progress | None
 ) -> Bootstrap:
     """Scales of people, or of judgements, drawn anew; see `DifferenceScale.bootstrap`."""
-    samples, seed = whole_of("samples", samples, 2, 1_000_000), seed_of(seed)
-    if samples * len(fit.scale) > 1 << 27:
-        most = (1 << 27) // len(fit.scale)
-        raise InputError(f"samples is {samples}; allowed for so many stimuli: 2 to {most}")
-    known = fit.quadruples.person is not None
-    chosen = by if by is not None else ("people" if known else "answers")
-    if chosen not in ("people", "answers"):
-        raise InputError(f"by is {said(by)}; allowed: people, answers")
+    samples, seed = samples_of(samples, len(fit.scale)), seed_of(seed)
+    chosen = drawn_by(by, fit.quadruples.person is not None)
     asked, over_people = fit.questions, chosen == "people"
     table, design = _drawable(fit, asked, over_people), asked.design[:, 1:]
     draws, rest = np.random.default_rng(seed), 0
@@ -120,12 +116,12 @@ def resampled(
         counts = times @ table if over_people else times.astype(np.float64)
         values, ended = sample_scale(fit, design, counts.reshape(-1, 2))
         found[at, 1:], rest = values, rest + (not ended)
-        if progress is not None and at % 20 == 0:
+        if progress is not None:
             progress((at + 1) / samples)
     return Bootstrap(
         stimuli=fit.stimuli,
         unit=fit.unit,
-        by="people" if over_people else "answers",
+        by=chosen,
         scale=fit.scale,
         samples=found,
         without_maximum=rest,
@@ -152,7 +148,7 @@ def _drawable(fit: DifferenceScale, asked: model_of.Questions, over_people: bool
         return asked.counts().ravel()
     data = fit.quadruples
     people, person = _people(data, 'by="answers"')
-    require_drawable(fit.stimuli, people, judges_among(len(fit.stimuli), person, [*data.shown.T]))
+    require_many(fit.stimuli, _judges(data, person), people)
     cell = 2 * asked.question + np.where(asked.upper, 0, 1)
     size = 2 * len(asked.design)
     table = np.bincount(person * size + cell, minlength=people * size).reshape(people, size)

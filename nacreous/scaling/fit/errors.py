@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nacreous.number import said
 from nacreous.problem import InputError
 from nacreous.scaling.data.fault import listed, quoted
-from nacreous.scaling.fit import clustering, row_means, uncertainty
+from nacreous.scaling.fit import clustering, judges, row_means, uncertainty
 from nacreous.scaling.fit.clustering import Clusters
 from nacreous.scaling.fit.existence import parts, require_joined
 from nacreous.scaling.fit.jackknife import LeftOut, left_out
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 __all__ = [
     "KINDS",
     "Errors",
+    "chosen_kind",
     "clusters_of",
     "endless",
     "errors_of",
@@ -61,9 +62,14 @@ class Errors:
 
 def kind_of(fit: Scale, kind: str | None) -> str:
     """What errors are asked for: by default over people where a fit knows them."""
+    known = fit.answers is not None and fit.answers.person is not None
+    return chosen_kind(kind, "people" if known else "expected")
+
+
+def chosen_kind(kind: str | None, default: str) -> str:
+    """The kind that a caller named, or the default, or one clear message."""
     if kind is None:
-        known = fit.answers is not None and fit.answers.person is not None
-        return "people" if known else "expected"
+        return default
     if kind not in KINDS:
         raise InputError(f"kind is {said(kind)}; allowed: {', '.join(KINDS)}")
     return kind
@@ -83,7 +89,8 @@ def errors_of(fit: Scale, kind: str | None) -> Errors:
     covariance = _brought(fit, found.covariance + _beside_people(fit), values)
     # What a prior adds beside people would hide that they tell nothing.
     among = _brought(fit, found.covariance, values)
-    require_difference(fit.stimuli, among, _brought(fit, _inverse(fit, expected=True), values))
+    alone = _brought(fit, _inverse(fit, expected=True), values)
+    require_difference(fit.stimuli, among, alone)
     require_ends(fit)
     return Errors(covariance, found, values)
 
@@ -107,9 +114,8 @@ def _of_least_squares(fit: Scale, kind: str) -> Errors:
     if kind != "people":
         return Errors(row_means.covariance(fit.comparisons, own, kind) * times, None, values)
     found = left_out(fit.answers)
-    require_difference(
-        fit.stimuli, found.covariance, row_means.covariance(fit.comparisons, own, "expected")
-    )
+    alone = row_means.covariance(fit.comparisons, own, "expected")
+    require_difference(fit.stimuli, found.covariance, alone)
     require_ends(fit)
     return Errors(found.covariance * times, found, values)
 
@@ -138,13 +144,13 @@ def require_ends(fit: Scale) -> None:
         named = " | ".join(listed(one) for one in sets[:4])
         raise InputError(
             f"all answers between {named} agree, so that how much farther apart these are cannot "
-            f"be told; allowed: people who differ there, or {clustering.INSTEAD}"
+            f"be told; allowed: people who differ there, or {judges.INSTEAD}"
         )
 
 
 def clusters_of(fit: Scale) -> Clusters:
     """The people behind a fit by the likelihood, three or more for each stimulus."""
-    answers = clustering.require_people(fit.answers)
+    answers = judges.require_people(fit.answers)
     like = (
         fit.model,
         fit.tie_threshold is not None and bool(fit.comparisons.ties.any()),
@@ -195,7 +201,12 @@ def _brought(fit: Scale, covariance: Array, values: Array) -> Array:
     return np.asarray(table * factor(fit.own_unit, fit.unit) ** 2)
 
 
-def require_difference(stimuli: tuple[str, ...], over_people: Array, expected: Array) -> None:
+def require_difference(
+    stimuli: tuple[str, ...],
+    over_people: Array,
+    expected: Array,
+    instead: str = judges.INSTEAD,
+) -> None:
     """Refuse people who all answered so alike that nothing tells how people differ.
 
     over_people, expected: covariances of the stimuli's values with their mean held at 0.
@@ -210,5 +221,5 @@ def require_difference(stimuli: tuple[str, ...], over_people: Array, expected: A
         about = dict.fromkeys(quoted(stimuli[int(at)]) for at in np.argwhere(alike)[0])
         raise InputError(
             f"all people answered alike about {' and '.join(about)}, so that it is not known how "
-            f"people differ; allowed: people who differ, or {clustering.INSTEAD}"
+            f"people differ; allowed: people who differ, or {instead}"
         )

@@ -19,7 +19,7 @@ from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.data.fault import listed
 from nacreous.scaling.data.given import comparisons_of
 
-REMEDY = "or a prior, as prior=1.0"
+REMEDY = ", or a prior, as prior=1.0"
 
 
 def parts(data: Any) -> list[tuple[str, ...]]:
@@ -59,8 +59,11 @@ def pair_model(
     )
 
 
-def require_maximum(comparisons: Comparisons, model: PairModel) -> None:
-    """Raise `InputError` naming what cannot be placed if the likelihood has no finite maximum."""
+def require_maximum(comparisons: Comparisons, model: PairModel, remedy: str = REMEDY) -> None:
+    """Raise `InputError` naming what cannot be placed if the likelihood has no finite maximum.
+
+    remedy: what would help besides answers.
+    """
     if len(comparisons.stimuli) < 2:
         raise InputError(
             f"there is one stimulus, {listed(comparisons.stimuli)}; allowed: 2 or more"
@@ -68,7 +71,8 @@ def require_maximum(comparisons: Comparisons, model: PairModel) -> None:
     verdict = model.existence()
     if verdict == "apart":
         require_joined(comparisons)
-        raise InputError(_why_apart(comparisons, model.components().astype(np.int64)))
+        part = model.components().astype(np.int64)
+        raise InputError(_why_apart(comparisons, part, remedy))
     if verdict == "order":
         raise InputError(
             "order=True: the answers cannot tell the effect of the side from the stimuli; allowed: "
@@ -118,7 +122,7 @@ be told but that all stimuli were called equal; allowed: answers with choices am
         )
 
 
-def _why_apart(comparisons: Comparisons, part: NDArray[np.int64]) -> str:
+def _why_apart(comparisons: Comparisons, part: NDArray[np.int64], remedy: str) -> str:
     """In one line which stimuli cannot be placed, why, and what would help."""
     lowest, highest = part == 0, part == part.max()
     if lowest.sum() <= highest.sum():
@@ -130,7 +134,7 @@ def _why_apart(comparisons: Comparisons, part: NDArray[np.int64]) -> str:
     return (
         f"no scale holds {listed(one)}: {_were(one)} {did} preferred when compared with "
         f"{listed(other)}{how_many}, so the distance has no upper end; allowed: more answers "
-        f"between these, until {'one' if did == 'never' else 'another'} is preferred, {REMEDY}"
+        f"between these, until {'one' if did == 'never' else 'another'} is preferred{remedy}"
     )
 
 

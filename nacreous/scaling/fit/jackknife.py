@@ -14,8 +14,8 @@ from nacreous.problem import InputError
 from nacreous.scaling.data.answers import Answers
 from nacreous.scaling.data.comparisons import Comparisons
 from nacreous.scaling.fit.blocks import Array, Blocks, Index, blocks_of
-from nacreous.scaling.fit.clustering import INSTEAD, require_people
 from nacreous.scaling.fit.existence import islands
+from nacreous.scaling.fit.judges import INSTEAD, require_people
 from nacreous.scaling.fit.row_means import projection, z_of_pairs, z_variance
 from nacreous.value import value_class
 

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from nacreous._core import PairModel
 from nacreous.problem import InputError
 from nacreous.scaling.data.comparisons import Comparisons
-from nacreous.scaling.data.fault import listed
-from nacreous.scaling.data.label import label_of
+from nacreous.scaling.data.label import place_of
 from nacreous.scaling.fit import bootstrap, frame, uncertainty
 from nacreous.scaling.fit.bootstrap import Bootstrap, Progress
 from nacreous.scaling.fit.errors import errors_of, parameter_covariance
@@ -206,7 +205,7 @@ class Scale:
         >>> thurstone(paper()).difference("2", "4")
         Difference(2 - 4: 0.478, 0.331 to 0.625 z)
         """
-        pairs = [(self._index(first), self._index(second))]
+        pairs = [(place_of(first, self.stimuli), place_of(second, self.stimuli))]
         return uncertainty.differences(
             self.stimuli, self.scale, errors_of(self, kind), self.unit, level, "none", pairs
         )[0]
@@ -297,9 +296,3 @@ class Scale:
         if self.model == "logit":
             return float(np.log(self.tie_threshold))
         return self.tie_threshold * factor(self.unit, "z")
-
-    def _index(self, label: str) -> int:
-        label = label_of(label) if isinstance(label, str) else label
-        if label not in self.stimuli:
-            raise InputError(f"there is no stimulus {label!r}; allowed: {listed(self.stimuli)}")
-        return self.stimuli.index(label)

@@ -42,7 +42,8 @@ def simulate_quadruples(
 
     scale          the truth, in the order of the stimuli: label -> value, or values of "1", "2" ...
     people         how many simulated observers; each judges the whole design.
-    design         by default `full_quadruples`, all non-overlapping ones once.
+    design         of `full_quadruples` or `random_quadruples`; by default all non-overlapping
+                   quadruples once.
     model, noise   what is judged is how much larger one size of a difference, whatever its
                    direction, is than the other's, plus normal ("probit", noise is its standard
                    deviation) or logistic noise ("logit", its scale), 0 to 50.
@@ -100,7 +101,7 @@ def _shown(design: QuadrupleDesign | None, stimuli: tuple[str, ...]) -> np.ndarr
     if design is None:
         return full_quadruples(stimuli).shown
     if not isinstance(design, QuadrupleDesign):
-        raise InputError(f"design is {said(design)}; allowed: what full_quadruples gives, or None")
+        raise InputError(f"design is {said(design)}; allowed: a QuadrupleDesign, or None")
     if design.stimuli != stimuli:
         raise InputError(
             f"design is of {listed(design.stimuli)}; allowed: those of scale, {listed(stimuli)}"

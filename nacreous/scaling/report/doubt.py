@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nacreous.problem import InputError
-from nacreous.scaling.fit.bootstrap import LEAST_DRAWN, resampled
-from nacreous.scaling.fit.clustering import judges_of
+from nacreous.scaling.fit.bootstrap import resampled
 from nacreous.scaling.fit.errors import Errors, endless, errors_of, kind_of
+from nacreous.scaling.fit.judges import LEAST_DRAWN, judges_of
 from nacreous.scaling.fit.scale import Scale
 from nacreous.scaling.fit.uncertainty import differences, holm, intervals, root_of_diagonal
 from nacreous.scaling.report.settings import Settings

@@ -9,8 +9,8 @@ from nacreous.scaling.compare.estimate import Estimate, estimate
 from nacreous.scaling.compare.groups import PERMUTATIONS, GroupComparison, compared
 from nacreous.scaling.compare.style import GroupStyle
 from nacreous.scaling.data.answers import Answers
-from nacreous.scaling.fit.clustering import require_people
 from nacreous.scaling.fit.existence import pair_model
+from nacreous.scaling.fit.judges import require_people
 from nacreous.scaling.fit.side import fits_side
 from nacreous.scaling.fit.tie import fits_ties
 from nacreous.scaling.report.settings import Settings

@@ -123,7 +123,7 @@ def without_prior() -> Iterator[None]:
     try:
         yield
     except InputError as problem:
-        raise InputError(str(problem).replace(f", {REMEDY}", "")) from problem
+        raise InputError(str(problem).replace(REMEDY, "")) from problem
 
 
 def counted(running: Running, question: str, simulated: bool) -> Answers:

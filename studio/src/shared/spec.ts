@@ -1,5 +1,5 @@
 /* Made by ./just types, never by hand. SHA-256 of its schema:
- * 1afd4d7f1cf253c50cfe7e0137019f8103bde5e212681d7c5e88717de9c7f02b
+ * 64b8e729558649ecb14d000e34bc21bf3c716999a595048cf2349871c0bc6fe0
  */
 
 /**
@@ -27,7 +27,7 @@ export interface Blemishes {
    */
   wrinkles?: number;
   /**
-   * Matt white spots without layers. Allowed: 0 to 500. Source: trade, kinds of blemishes.
+   * Chalky spots without layers: they mirror nothing, and look darker where the pearl mirrors a window. Allowed: 0 to 500. Source: trade, kinds of blemishes.
    */
   chalky_spots?: number;
   /**

@@ -2,7 +2,8 @@
 
 import * as files from "nacreous-files";
 import { Job, difference, initSync, tell_panics } from "nacreous-wasm";
-import type { Answer, Ask, GrainKeys, Request, Requests, Saved } from "./requests";
+import { withTexts } from "./png";
+import type { Answer, Ask, GrainKeys, Kept, Marked, Request, Requests, Saved } from "./requests";
 
 type Answers = { readonly [R in Request]: (given: Requests[R][0]) => Requests[R][1] };
 
@@ -18,6 +19,7 @@ const ANSWERS: Answers = {
   exr: ({ bytes }) => files.openExr(bytes),
   pngTexts: ({ bytes }) => files.pngTexts(bytes),
   save,
+  mark,
   codes: ({ rgb, space }) => files.codesOf(rgb, space, "soft"),
   difference: ({ first, second, covered, space }) =>
     difference(new Uint8Array(first.buffer), new Uint8Array(second.buffer), covered, space),
@@ -51,22 +53,32 @@ function grain(bytes: Uint8Array, how: GrainKeys): files.Grain {
 }
 
 /** Renders a picture, whole, and writes it with all its layers. */
-function save({ recipe, resources, samples, pearls, texts }: Saved): Uint8Array<ArrayBuffer> {
+function save({ recipe, resources, ...kept }: Saved): Uint8Array<ArrayBuffer> {
   const job = new Job(recipe, resources);
   const pixels = job.rows(0, job.size);
   job.look(pixels);
+  const written = keptTexts(kept, job.size).flat();
+  return new Uint8Array(files.writeExr(job.size, pixels, written));
+}
+
+/** How the page's codes are made of light: worker.ts. */
+function mark({ png, space, size, ...kept }: Marked): Uint8Array<ArrayBuffer> {
+  const developed = `{"bits": 8, "space": "${space}", "gamut": "soft", "alpha": false}`;
+  return withTexts(png, [...keptTexts(kept, size), ["nacreous:developed", developed]]);
+}
+
+/** What a file of ours says of its recipe: `recipe.py` `texts`. */
+function keptTexts({ samples, pearls, texts }: Kept, size: number): [string, string][] {
   const one = (values: readonly string[]) =>
     values.length === 1 ? String(values[0]) : `[${values.join(", ")}]`;
   const seeds = one(pearls.map((pearl) => pearl.seed));
   const grains = one(pearls.map((pearl) => String(files.textureSeed(pearl.json))));
   const settings =
-    `{"size": ${job.size}, "samples": ${samples}, ` +
-    `"seed": ${seeds}, "texture_seed": ${grains}}`;
+    `{"size": ${size}, "samples": ${samples}, ` + `"seed": ${seeds}, "texture_seed": ${grains}}`;
   const all = [
     ...texts,
     ["settings", settings],
     ["versions", `{"nacreous": "${files.version()}"}`],
   ];
-  const written = all.flatMap(([keyword, text]) => [`nacreous:${keyword}`, text ?? ""]);
-  return new Uint8Array(files.writeExr(job.size, pixels, written));
+  return all.map(([keyword, text]) => [`nacreous:${keyword}`, text ?? ""]);
 }

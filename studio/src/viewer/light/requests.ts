@@ -17,6 +17,7 @@ export interface Requests {
   readonly exr: readonly [{ readonly bytes: Bytes }, Layered];
   readonly pngTexts: readonly [{ readonly bytes: Bytes }, readonly (readonly [string, string])[]];
   readonly save: readonly [Saved, Bytes];
+  readonly mark: readonly [Marked, Bytes];
   readonly codes: readonly [
     { readonly rgb: Float32Array<ArrayBuffer>; readonly space: Space },
     Codes,
@@ -42,15 +43,26 @@ export interface GrainKeys {
   readonly high_per_mm: number | null;
 }
 
-/** A picture to be rendered and written with its layers. */
-export interface Saved {
-  readonly recipe: RecipeJson;
-  readonly resources: Resources | undefined;
+/** What a file keeps of the recipe that it is made by. */
+export interface Kept {
   readonly samples: number;
   /** The recipe's pearls in JSON and their growth's seeds, for the settings. */
   readonly pearls: readonly { readonly json: string; readonly seed: string }[];
   /** Texts by keyword without what each of ours begins with. */
   readonly texts: readonly (readonly [keyword: string, text: string])[];
+}
+
+/** A picture to be rendered and written with its layers. */
+export interface Saved extends Kept {
+  readonly recipe: RecipeJson;
+  readonly resources: Resources | undefined;
+}
+
+/** A PNG of the screen's codes, that is to keep its recipe. */
+export interface Marked extends Kept {
+  readonly png: Bytes;
+  readonly size: number;
+  readonly space: Space;
 }
 
 export interface Ask<R extends Request = Request> {

@@ -31,9 +31,10 @@ export function Bench() {
     isIdle.value = idle;
   }, [idle]);
   useResolved(idle);
+  const bench = useHeight("--bench");
   activeCanvas.current = canvases[two ? active.value : "a"].current;
   return (
-    <div class="bench">
+    <div class="bench" ref={bench}>
       <Messages />
       <div class={two ? (wiping.value ? "pictures wiping" : "pictures two") : "pictures"}>
         <div class={two && active.value === "a" ? "side on" : "side"}>
@@ -112,6 +113,22 @@ export function Bench() {
   );
 }
 
+/** Keeps the height of an element as a property of the page, for what stays below it. */
+function useHeight(property: string) {
+  const element = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (element.current === null) return;
+    const style = document.documentElement.style;
+    const watch = new ResizeObserver(([entry]) => {
+      const height = entry?.borderBoxSize[0]?.blockSize ?? 0;
+      style.setProperty(property, `${height}px`);
+    });
+    watch.observe(element.current);
+    return () => watch.disconnect();
+  }, []);
+  return element;
+}
+
 /** The open keys' values, asked for when the picture is finished. */
 function useResolved(idle: boolean): void {
   const { pearl } = specs.value;
@@ -135,7 +152,9 @@ function plain(_key: string, value: unknown): unknown {
 }
 
 export function saveActivePng(): void {
-  if (activeCanvas.current !== null) savePng(activeCanvas.current, specs.value.pearl.name);
+  const canvas = activeCanvas.current;
+  if (canvas === null) return;
+  void savePng(canvas, { size: canvas.width, samples: SAMPLES, space: SPACE });
 }
 
 export function saveActiveExr(): void {

@@ -23,6 +23,7 @@ import { choose, chosen, leaveOut } from "../state/tray";
 import { wiping } from "../state/view";
 import { PEARL_NAMES } from "../words/presets";
 import { language, nameOf, t, unitName } from "../words/speech";
+import { focusNext } from "./focus";
 import { Difference } from "./Difference";
 import { Typed, allowedOf } from "./knobs/Typed";
 import { fitting } from "./knobs/numbers";
@@ -62,6 +63,12 @@ export function SideSwitch() {
 export function beginComparing(): void {
   compare();
   notice.value = t("compareBegun");
+  focusNext(".panel .segmented [aria-pressed=true]");
+}
+
+function endComparing(): void {
+  compareNoMore();
+  focusNext(".compare .main");
 }
 
 function Sides() {
@@ -95,7 +102,7 @@ function Sides() {
         />
         {t("together")}
       </label>
-      <button type="button" onClick={compareNoMore}>
+      <button type="button" onClick={endComparing}>
         {t("compareEnd")}
       </button>
     </section>

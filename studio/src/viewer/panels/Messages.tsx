@@ -40,7 +40,7 @@ function Refused() {
             <Said {...fileSays(one)} />
           </li>
         ))}
-        {more > 0 && <li>… {more}</li>}
+        {more > 0 && <li>{fileWord("andSo", { n: more })}</li>}
       </ul>
     </div>
   );
@@ -54,15 +54,11 @@ function Notice() {
     const gone = setTimeout(() => (notice.value = ""), isUndo ? OFFER_MS : NOTICE_MS);
     return () => clearTimeout(gone);
   }, [said, isUndo]);
-  const back = () => {
-    undo();
-    notice.value = "";
-  };
   return (
     <div class={said === "" ? "" : "message notice"}>
       <span role="status">{said}</span>
       {isUndo && (
-        <button type="button" onClick={back}>
+        <button type="button" onClick={undo}>
           {t("undo")}
         </button>
       )}

@@ -27,6 +27,7 @@ export function Page() {
   useKeys();
   useEffect(() => {
     document.documentElement.lang = language.value;
+    document.title = t("documentTitle");
   }, [language.value]);
   return (
     <div

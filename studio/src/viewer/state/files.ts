@@ -1,10 +1,12 @@
 /** Files and links, in and out. */
 
+import type { Space } from "nacreous-wasm";
 import { ask } from "../light/desk";
 import {
   type Complaint,
   type Specs,
   fromFragment,
+  label,
   recipeJson,
   recipeTexts,
   toFragment,
@@ -16,7 +18,7 @@ import { droppedNames, namedBy } from "./dropped";
 import { opened, openings, reading } from "./opened";
 import { openFile } from "./opening";
 import { resourcesOf } from "./resources";
-import { beginWith, notice, refused, specs } from "./store";
+import { active, beginWith, board, faults, notice, refused, specs } from "./store";
 
 /** Offers a file to be saved. */
 export function saveAs(name: string, contents: Blob): void {
@@ -36,15 +38,41 @@ export function saveToml(kind: "pearl" | "scene"): void {
   );
 }
 
-/** The canvas's own values; nothing is drawn anew. */
-export function savePng(canvas: HTMLCanvasElement, name: string): void {
-  canvas.toBlob((blob) => {
-    if (blob !== null) saveAs(`${name}.png`, blob);
-  }, "image/png");
+/** The canvas's own values; nothing is drawn anew. It keeps the recipe of what it shows. */
+export async function savePng(canvas: HTMLCanvasElement, how: Shown): Promise<void> {
+  const now = specs.value;
+  const isWhole = faults.value.length === 0; // else the canvas shows what was before
+  const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, "image/png"));
+  if (blob === null) return;
+  const png = new Uint8Array(await blob.arrayBuffer());
+  const marked = isWhole
+    ? await ask("mark", { png, ...how, ...recipeTexts(now, heldBy(now)) }).catch(() => png)
+    : png;
+  saveAs(`${now.pearl.name}.png`, new Blob([marked], { type: "image/png" }));
+}
+
+/** What a picture on the page is made with, beside its specs. */
+export interface Shown {
+  readonly size: number;
+  readonly samples: number;
+  readonly space: Space;
+}
+
+/** What each dropped file that is named holds, as its SHA-256. */
+function heldBy(now: Specs): ReadonlyMap<string, string> {
+  const files = namedBy(now).flatMap(({ name, sha256 }) =>
+    sha256 === null ? [] : [[name, sha256] as const],
+  );
+  return new Map(files);
 }
 
 /** So many files are taken at once. */
 const MOST_FILES = 8;
+
+function leftUnopened({ name }: File): Complaint {
+  const text = `${label(name)}: was not opened; allowed: ${MOST_FILES} files at once`;
+  return { path: "", text };
+}
 
 /**
  * Takes files, those first that others may name; what is wrong with one is told and nothing is changed
@@ -61,6 +89,7 @@ export async function openFiles(files: readonly File[]): Promise<void> {
     reading.value = file.name;
     complaints.push(...(await openFile(file)));
   }
+  complaints.push(...files.slice(MOST_FILES).map(leftUnopened));
   reading.value = "";
   openings.value += 1;
   if (complaints.length > 0) {
@@ -72,14 +101,16 @@ export async function openFiles(files: readonly File[]): Promise<void> {
 /** Saves the active side's picture with its layers, as `nacreous render` makes it. */
 export async function saveExr(sizePx: number, samples: number): Promise<void> {
   const now = specs.value;
-  const files = new Map(
-    namedBy(now).flatMap((one) => (one.sha256 === null ? [] : [[one.name, one.sha256]])),
-  );
   const { resources } = resourcesOf(now);
   notice.value = fileWord("saving");
   try {
     const recipe = recipeJson(now, sizePx, samples);
-    const bytes = await ask("save", { recipe, resources, samples, ...recipeTexts(now, files) });
+    const bytes = await ask("save", {
+      recipe,
+      resources,
+      samples,
+      ...recipeTexts(now, heldBy(now)),
+    });
     saveAs(`${now.pearl.name}.exr`, new Blob([bytes], { type: "image/x-exr" }));
     notice.value = "";
   } catch (error) {
@@ -106,11 +137,19 @@ export async function copyLink(said: { copied: string; shown: string }): Promise
   try {
     await navigator.clipboard.writeText(location.href);
     const names = namedBy(specs.value).map((one) => one.name);
-    notice.value =
+    const told =
       names.length > 0 ? fileWord("linkWithout", { names: names.join(", ") }) : said.copied;
+    notice.value = `${told}${ofOneSide()}`;
   } catch {
-    notice.value = said.shown;
+    notice.value = `${said.shown}${ofOneSide()}`;
   }
+}
+
+/** That a link holds one of two sides alone. */
+function ofOneSide(): string {
+  if (board.value.b === null) return "";
+  const [side, other] = active.value === "b" ? ["B", "A"] : ["A", "B"];
+  return fileWord("linkOfSide", { side, other });
 }
 
 /** Takes what the address's fragment holds. */

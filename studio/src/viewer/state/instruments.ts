@@ -12,7 +12,7 @@ import { program } from "../light/program";
 import { recipeJson } from "../specs/spec";
 import { SAMPLES } from "./engines";
 import { type Finished, finished } from "./finished";
-import { type Which, active, board, notice, specs } from "./store";
+import { type Which, active, board, faults, notice, specs } from "./store";
 import { size, tab } from "./view";
 
 /** A place in the picture: shares of its width and height. */
@@ -47,7 +47,8 @@ function instruments(): InstrumentWorker {
   return worker;
 }
 
-const isOn = computed(() => tab.value === "instruments");
+/** What cannot be made is not asked for; the page says why. */
+const isOn = computed(() => tab.value === "instruments" && faults.value.length === 0);
 const shownSide = computed<Which>(() =>
   active.value === "b" && board.value.b !== null ? "b" : "a",
 );

@@ -172,7 +172,11 @@ export async function takeGrain(bytes: Bytes, name: string): Promise<readonly Co
     await ask("grain", { bytes, how });
   } catch (error) {
     const text = (error as Error).message;
-    return told(text.startsWith("texture:") ? text : `${label(name)}: ${text}`);
+    const isNoPearl = text.startsWith("texture: no patch");
+    const why = isNoPearl
+      ? `no pearl found in it; wanted: a photograph of one pearl, with ${side_px} x ${side_px} pixels of it or more without highlight`
+      : text.replace(/^texture: /, "");
+    return told(`${label(name)}: ${why}`);
   }
   await keep(bytes, name, { kind: "photograph", bytes });
   edit("pearl", "texture.source", name);

@@ -16,6 +16,12 @@ const WIDE = 50;
 const LONG = 40;
 
 type Range = Pick<Declaration, "least" | "most" | "isWhole">;
+type Declared = Range & Pick<Declaration, "leastExcluded" | "mostExcluded">;
+
+const isWide = (least: number, most: number) => least > 0 && most / least > WIDE;
+const isLong = (least: number, most: number) => least === 0 && most > LONG;
+/** Whether small values get more of the slider than large ones. */
+const isByDigits = (least: number, most: number) => isWide(least, most) || isLong(least, most);
 
 /** A slider over a declared range; null where the range has no end or is a mere seed's. */
 export function scaleOf({ least, most, isWhole }: Range): Scale | null {
@@ -29,7 +35,7 @@ export function scaleOf({ least, most, isWhole }: Range): Scale | null {
     );
     return within;
   };
-  if (least > 0 && most / least > WIDE) {
+  if (isWide(least, most)) {
     const span = Math.log(most / least);
     return {
       toShare: (value) => Math.log(Math.max(value, least) / least) / span,
@@ -37,12 +43,41 @@ export function scaleOf({ least, most, isWhole }: Range): Scale | null {
       isWhole,
     };
   }
-  const power = least === 0 && most > LONG ? 3 : 1;
+  const power = isLong(least, most) ? 3 : 1;
   return {
     toShare: (value) => ((value - least) / (most - least)) ** (1 / power),
     fromShare: ended((share) => round(least + (most - least) * share ** power)),
     isWhole,
   };
+}
+
+/** Digits of the value that one press of an arrow key changes, where small values have small steps. */
+const KEY_DIGITS = 3;
+/** Digits behind those that are kept of a typed value. */
+const SPARE_DIGITS = 4;
+
+/** The value one press of an arrow key further; the same only at its end. The press back gives it back. */
+export function pressed(value: number, by: 1 | -1, range: Declared): number {
+  const [least, most] = [range.least ?? -Infinity, range.most ?? Infinity];
+  const step = stepAt(value, by, range);
+  const digits = Math.max(0, -Math.floor(Math.log10(step))) + SPARE_DIGITS;
+  const next = Number((value + by * step).toFixed(digits));
+  const within = Math.min(most, Math.max(least, next));
+  const isExcluded =
+    (range.leastExcluded && within === least) || (range.mostExcluded && within === most);
+  return isExcluded ? value : within;
+}
+
+function stepAt(value: number, by: 1 | -1, { least, most, isWhole }: Range): number {
+  if (isWhole) return 1;
+  const [low, high] = [least ?? 0, most ?? 1];
+  if (!isByDigits(low, high)) return 10 ** Math.round(Math.log10((high - low) / STEPS));
+  const finest = low > 0 ? 0 : 10 ** Math.ceil(Math.log10(high) - 5);
+  const decade = Math.floor(Math.log10(Math.max(value, Number.MIN_VALUE)) + 1e-12);
+  const step = 10 ** (decade + 1 - KEY_DIGITS);
+  // Down from 10 it is the step of 9.99, so that the way back is the same.
+  const leaves = by < 0 && value - step < 10 ** decade * (1 - 1e-12);
+  return Math.max(finest, leaves ? step / 10 : step);
 }
 
 /** A value with no more digits than the range asks for. */

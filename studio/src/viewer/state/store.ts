@@ -165,6 +165,7 @@ export function resetAll(): void {
   batch(() => {
     put({ ...side.value, specs: side.value.origin }, "");
     refused.value = null;
+    notice.value = ""; // it told of what is no more
   });
 }
 
@@ -180,6 +181,7 @@ function goTo(step: History<Board>): void {
   batch(() => {
     history.value = step;
     refused.value = null;
+    notice.value = ""; // it told of what is no more
     if (board.value.b === null) active.value = "a";
   });
 }
@@ -198,5 +200,6 @@ export function compareNoMore(): void {
   batch(() => {
     change({ a: side.value, b: null }, "");
     active.value = "a";
+    notice.value = ""; // it told of B
   });
 }

@@ -11,10 +11,14 @@ export function narrow(text: string): string {
     .trim();
 }
 
-/** The number that is typed; NaN where it is none. */
+/** A decimal comma: three digits behind it could be thousands, but not behind a zero. */
+const COMMA = /^[-+]?(?:\d+,(?!\d{3}$)\d+|0,\d{3})$/;
+
+/** The number that is typed, with a point or a decimal comma; NaN where it is none. */
 export function numberOf(text: string): number {
   const plain = narrow(text);
-  return plain === "" ? NaN : Number(plain);
+  if (plain === "") return NaN;
+  return Number(COMMA.test(plain) ? plain.replace(",", ".") : plain);
 }
 
 /** A day of a year as "YYYY-MM-DD", however its three numbers are parted; null where it is none. */

@@ -118,6 +118,11 @@ const BETWEEN: readonly Rule[] = [
   [/^pearl presets and "\*"$/, () => '真珠の見本と"*"'],
 ];
 
+/** Texts in quotes as Japanese quotes them, where they are typed into fields without any. */
+export function quotedJa(text: string): string {
+  return text.replace(/"([^"]*)"/g, "「$1」");
+}
+
 export function applied(rules: readonly Rule[], text: string, call: Call): string | null {
   for (const [pattern, said] of rules) {
     const found = pattern.exec(text);

@@ -5,7 +5,7 @@
  */
 
 import type { Complaint } from "../specs/types";
-import { type Call, type Rule, allowedJa, applied } from "./allowed";
+import { type Call, type Rule, allowedJa, applied, quotedJa } from "./allowed";
 import { fileJa } from "./files.ja";
 import { KEYS as EN } from "./keys.en";
 import { KEYS as JA } from "./keys.ja";
@@ -131,7 +131,7 @@ export function knobSays({ path, verdict, text }: Complaint): Sentence {
     const label = labels(JA, path);
     const call: Call = (key) => `「${label(key) ?? key}」`;
     const said = verdictJa(verdict, call);
-    if (said !== null) return { lead: "", text: `${call(path)}：${said}`, lang: "ja" };
+    if (said !== null) return { lead: "", text: `${call(path)}：${quotedJa(said)}`, lang: "ja" };
   }
   const label = labels(EN, path);
   const named = verdict.replace(

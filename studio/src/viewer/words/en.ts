@@ -2,6 +2,7 @@
 
 export const EN = {
   title: "Nacreous",
+  documentTitle: "Nacreous: turn the knobs, see the pearl",
   tagline: "Turn the knobs, see the pearl.",
   undo: "Undo",
   redo: "Redo",
@@ -112,6 +113,7 @@ export const EN = {
   refusedLink: "The page begins with its own pearl:",
   close: "Close",
   notTaken: "{text} was not taken; allowed: {allowed}",
+  quoted: "“{text}”",
   datePattern: "yyyy-mm-dd",
   wordOf: "What the trade says",
   unitDegrees: "°",

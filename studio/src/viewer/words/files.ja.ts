@@ -54,6 +54,47 @@ const FILES: readonly Rule[] = [
     /^not text; allowed: a table in UTF-8, UTF-16 or Latin-1$/,
     () => "文字のファイルではありません。UTF-8、UTF-16、Latin-1の表が必要です。",
   ],
+  [
+    /^was not opened; allowed: (\d+) files at once$/,
+    ([, most]) => `開きませんでした。一度に開けるのは${most}個までです。`,
+  ],
+  [
+    /^no pearl found in it; wanted: a photograph of one pearl, with (\d+) x \d+ pixels/,
+    ([, n]) =>
+      `真珠が見つかりません。ハイライトのない部分が${n} × ${n}画素以上ある、真珠一つの写真が必要です。`,
+  ],
+  [
+    /^the photograph has (\d+) x (\d+) pixels; allowed: at least side_px = (\d+) each way$/,
+    ([, h, w, least]) =>
+      `写真が${w} × ${h}画素しかありません。どちらも${least}画素以上が必要です。`,
+  ],
+  [/^is empty \(0 bytes\)$/, () => "空のファイルです（0バイト）。"],
+  [
+    /^is not a picture that can be read here; allowed: (.+)$/,
+    ([, formats = ""]) =>
+      `読める画像ではありません。読めるのは${formats.replaceAll(", ", "、")}です。`,
+  ],
+  [
+    /^is damaged or cut short \((.+)\)$/,
+    ([, why = ""]) => `壊れているか、途中で切れています（${DAMAGE[why] ?? why}）。`,
+  ],
+  [
+    /^is (\d+) bytes long; allowed: at most (\d+)$/,
+    ([, n, most]) => `${n}バイトあります。読めるのは${most}バイトまでです。`,
+  ],
+  [
+    /^is (\d+) x (\d+) pixels; allowed: 1 to (\d+) a side and at most (\d+) pixels in all$/,
+    ([, w, h, side, most]) =>
+      `${w} × ${h}画素あります。読めるのは一辺${side}画素、合わせて${most}画素までです。`,
+  ],
+  [
+    /^holds several pearls; /,
+    () => "真珠がいくつも入っています。このページで使えるのは一つの画像だけです。",
+  ],
+  [
+    /^has no recipe; /,
+    () => "もとの真珠と場面が入っていません。nacreous renderがつくったままの画像が必要です。",
+  ],
   [/^cannot be read$/, () => "読み込めません。"],
   [/^takes more memory than this page has$/, () => "このページで使えるメモリーでは足りません。"],
   [/^takes too long$/, () => "時間がかかりすぎたため、やめました。"],
@@ -67,6 +108,15 @@ const WHOLE: readonly Rule[] = [
       `リンクを使えません：${LINKS[why] ?? why}。コピーしたままの、欠けていないリンクが必要です。`,
   ],
 ];
+
+const DAMAGE: Readonly<Record<string, string>> = {
+  "the JPEG ends before its picture": "画像の途中で終わっています",
+  "the file ends before its pixels": "画像の途中で終わっています",
+  "its header does not end": "ヘッダーが途中で終わっています",
+  "it ends before its picture does": "画像の途中で終わっています",
+  "a checksum does not match what it is of": "検査の値が合いません",
+  "its data cannot be decoded": "データを読めません",
+};
 
 const LINKS: Readonly<Record<string, string>> = {
   "it does not begin with 1.": "1.で始まっていません",

@@ -14,6 +14,7 @@ const EN = {
   saveExr: "Picture with layers (EXR)",
   linkWithout:
     "The link is copied without {names}: whoever opens it needs to drop that here first.",
+  linkOfSide: " It holds {side} alone, and not {other}.",
   layer: "Layer",
   whole: "The picture",
   interference: "Interference",
@@ -33,6 +34,7 @@ const EN = {
   takeGrain: "Take it as a photograph of grain",
   holdsRecipe: "It holds what it was made from: {pearl}, in {scene}.",
   noRecipe: "What it was made from cannot be used:",
+  andSo: "and {n} more",
   close: "Close",
   difference: "How far apart they look",
   differenceAbout: "CIEDE2000 between A and B. About 1 can just be seen.",
@@ -60,6 +62,7 @@ const JA: Record<FileWord, string> = {
   saveExr: "レイヤーつきの画像（EXR）",
   linkWithout:
     "リンクをコピーしました。{names} は入っていません。開く人は、先にそのファイルをここへ入れてください。",
+  linkOfSide: "比べている二つのうち、入るのは{side}だけで、{other}は入りません。",
   layer: "レイヤー",
   whole: "画像",
   interference: "干渉光",
@@ -79,6 +82,7 @@ const JA: Record<FileWord, string> = {
   takeGrain: "キメの写真として使う",
   holdsRecipe: "もとの真珠と場面が入っています：{pearl}、{scene}",
   noRecipe: "もとの真珠と場面は使えません：",
+  andSo: "ほか{n}件",
   close: "閉じる",
   difference: "見た目の違い",
   differenceAbout: "AとBのCIEDE2000色差。1くらいから見分けられます。",

@@ -4,6 +4,7 @@ import type { Word } from "./en";
 
 export const JA: Record<Word, string> = {
   title: "Nacreous",
+  documentTitle: "Nacreous：つまみを回して、真珠を見る",
   tagline: "つまみを回して、真珠を見る。",
   undo: "元に戻す",
   redo: "やり直す",
@@ -113,6 +114,7 @@ export const JA: Record<Word, string> = {
   refusedLink: "リンクの代わりに、最初の真珠から始めます：",
   close: "閉じる",
   notTaken: "{text}は使えません。使える値：{allowed}",
+  quoted: "「{text}」",
   datePattern: "年-月-日（2024-12-15など）",
   wordOf: "業界の言葉",
   unitDegrees: "°",

@@ -171,7 +171,10 @@ export const KEYS: Readonly<Record<string, readonly [name: string, says: string]
   "blemishes.bumps": ["Bumps", "Round rises."],
   "blemishes.scratches": ["Scratches", "Narrow grooves."],
   "blemishes.wrinkles": ["Wrinkles", "Long rises."],
-  "blemishes.chalky_spots": ["Chalky spots", "Matt white places without layers."],
+  "blemishes.chalky_spots": [
+    "Chalky spots",
+    "Matt places without layers, darker where the pearl mirrors a window.",
+  ],
   "blemishes.size_mm": ["Size of blemishes", "How wide they are on average."],
   "blemishes.depth_um": ["Depth of blemishes", "How deep or high they are on average."],
   "blemishes.area": ["Share of the surface", "How much of the pearl all of them cover together."],

@@ -81,7 +81,10 @@ export const KEYS: Readonly<Record<string, readonly [name: string, says: string]
   "blemishes.bumps": ["突起", "丸い盛り上がりの数です。"],
   "blemishes.scratches": ["すりキズ", "細い溝の数です。"],
   "blemishes.wrinkles": ["シワ", "細長い盛り上がりの数です。"],
-  "blemishes.chalky_spots": ["白濁の点", "層のない、つやのない白い所の数です。"],
+  "blemishes.chalky_spots": [
+    "白濁の点",
+    "層のない、つやのない所の数です。窓の映り込みの中では暗く見えます。",
+  ],
   "blemishes.size_mm": ["キズの大きさ", "平均の幅です。"],
   "blemishes.depth_um": ["キズの深さ", "平均の深さまたは高さです。"],
   "blemishes.area": ["キズの面積", "全部で表面のどれだけを占めるかです。"],

@@ -32,11 +32,20 @@ export const language = signal<Language>(firstLanguage());
 
 export function speak(next: Language): void {
   language.value = next;
+  sayInAddress(next);
   try {
     localStorage.setItem(REMEMBERED, next);
   } catch {
     // then it is not remembered
   }
+}
+
+/** An address that asks for a language asks for this one from now on. */
+function sayInAddress(next: Language): void {
+  const url = new URL(location.href);
+  if (!url.searchParams.has("lang")) return;
+  url.searchParams.set("lang", next);
+  history.replaceState(null, "", url.href);
 }
 
 const words = computed(() => (language.value === "ja" ? JA : EN));

@@ -1,11 +1,14 @@
+import { crc32 } from "node:zlib";
 import { expect, test } from "vitest";
 import { PEARLS, SCENES, declarations } from "../../../src/viewer/specs/spec";
 import { around, lights, moved, turned, zoomed } from "../../../src/viewer/state/camera";
 import { dayOf, dayOfYear, onDay, written } from "../../../src/viewer/state/dates";
 import { begin, redone, step, undone } from "../../../src/viewer/state/history";
 import { changes, declared, valueAt, withValue } from "../../../src/viewer/state/path";
-import { scaleOf } from "../../../src/viewer/state/scale";
+import { pressed, scaleOf } from "../../../src/viewer/state/scale";
 import { studyOf } from "../../../src/viewer/state/study";
+import { numberOf } from "../../../src/viewer/state/typed";
+import { withTexts } from "../../../src/viewer/light/png";
 import { wordFor } from "../../../src/viewer/state/trade";
 import { directionOf, placeOf } from "../../../src/viewer/panels/Dome";
 
@@ -49,6 +52,36 @@ test("a slider gives back the value that it stands at, for every key that has on
         const value = scale.fromShare(share);
         const again = scale.fromShare(scale.toShare(value));
         expect(Math.abs(again - value), one.path).toBeLessThanOrEqual(0.006 * Math.abs(value));
+      }
+    }
+  }
+});
+
+test("one press of an arrow key changes any value but one at its end, and the press back returns it", () => {
+  for (const kind of ["pearl", "scene"] as const) {
+    for (const one of declarations(kind)) {
+      const scale = scaleOf(one);
+      if (scale === null) continue;
+      const given = [kind === "pearl" ? pearl : scene, one.default].map((from, i) =>
+        i === 0 ? valueAt(from, one.path) : from,
+      );
+      const places = [0, 0.001, 0.03, 0.2, 0.5, 0.77, 0.999, 1].map((share) =>
+        Number(scale.fromShare(share).toPrecision(3)),
+      );
+      for (const value of [...places, ...given]) {
+        if (typeof value !== "number") continue;
+        const isOut =
+          value === one.least ? one.leastExcluded : value === one.most && one.mostExcluded;
+        if (isOut || value < one.least! || value > one.most!) continue;
+        for (const by of [1, -1] as const) {
+          const end = by > 0 ? one.most! : one.least!;
+          const isExcluded = by > 0 ? one.mostExcluded : one.leastExcluded;
+          const next = pressed(value, by, one);
+          if (value === end || (isExcluded && next === value)) continue;
+          const said = `${one.path} ${value} ${by}`;
+          expect((next - value) * by, said).toBeGreaterThan(0);
+          if (next !== end) expect(pressed(next, by > 0 ? -1 : 1, one), said).toBe(value);
+        }
       }
     }
   }
@@ -114,4 +147,19 @@ test("a study names presets and what differs from them, and says what it cannot 
   expect(leftOut).toEqual(["two windows"]);
   expect(toml).toContain('overrides = [ "nacre.harvest=\\"2024-08-15\\"" ]');
   expect(toml.match(/pearl = "akoya-rg"/g)).toHaveLength(2);
+});
+
+test("a decimal comma is a point, where it cannot part thousands", () => {
+  const read = ["12,5", "0,123", "-1,25", "１２，５", "1,234", "1,2,3"].map(numberOf);
+  expect(read).toEqual([12.5, 0.123, -1.25, 12.5, NaN, NaN]);
+});
+
+test("a PNG with texts has them whole ahead of its pixels, and all else as it was", () => {
+  const png = Uint8Array.from({ length: 60 }, (_, i) => i);
+  const marked = withTexts(png, [["nacreous:scene", "真珠"]]);
+  const length = new DataView(marked.buffer).getUint32(33);
+  const body = marked.subarray(37, 41 + length);
+  expect(new TextDecoder().decode(body)).toBe("iTXtnacreous:scene\0\0\0\0\0真珠");
+  expect(new DataView(marked.buffer).getUint32(41 + length)).toBe(crc32(body));
+  expect([...marked.subarray(0, 33), ...marked.subarray(45 + length)]).toEqual([...png]);
 });

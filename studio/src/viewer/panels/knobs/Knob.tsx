@@ -9,6 +9,7 @@ import { edit, faults, originAt, resolved, specs } from "../../state/store";
 import { wordFor } from "../../state/trade";
 import { knobSays } from "../../words/complaints";
 import { language, nameOf, saysOf, t, unitName } from "../../words/speech";
+import { focusNext } from "../focus";
 import { Said } from "../Said";
 import { ColourControl, LightControl, SelectControl, TextControl, Told } from "./choices";
 import { DateControl } from "./dates";
@@ -60,7 +61,10 @@ export function Knob({ kind, path }: { kind: Kind; path: string }) {
             class="reset"
             aria-label={t("resetKey", { name })}
             title={t("resetKey", { name })}
-            onClick={() => set(origin)}
+            onClick={() => {
+              set(origin);
+              focusNext(`[data-key="${path}"] :is(input, select, button)`);
+            }}
           >
             ↺
           </button>

@@ -2,7 +2,7 @@
 
 import { useState } from "preact/hooks";
 import type { Declaration } from "../../specs/spec";
-import { allowedJa } from "../../words/allowed";
+import { allowedJa, quotedJa } from "../../words/allowed";
 import { language, nameOf, t } from "../../words/speech";
 
 interface Given<T> {
@@ -61,7 +61,7 @@ export function Typed<T>({ shown, read, set, allowed, ...given }: Given<T>) {
         {isWrong && allowed}
         {!isWrong &&
           told !== null &&
-          t("notTaken", { text: told === "" ? "–" : `“${told}”`, allowed })}
+          t("notTaken", { text: told === "" ? "–" : t("quoted", { text: told }), allowed })}
       </span>
     </span>
   );
@@ -70,5 +70,5 @@ export function Typed<T>({ shown, read, set, allowed, ...given }: Given<T>) {
 /** What a key allows, in the page's language. */
 export function allowedOf({ allowed }: Declaration): string {
   if (language.value !== "ja") return allowed;
-  return allowedJa(allowed, nameOf) ?? allowed;
+  return quotedJa(allowedJa(allowed, nameOf) ?? allowed);
 }

@@ -1,11 +1,18 @@
 /** Controls of numbers. */
 
 import type { Declaration } from "../../specs/spec";
-import { STEPS, scaleOf, short } from "../../state/scale";
+import { STEPS, pressed, scaleOf, short } from "../../state/scale";
 import { t, unitName } from "../../words/speech";
 import { narrow, numberOf } from "../../state/typed";
 import type { Control } from "./Knob";
 import { Typed, allowedOf } from "./Typed";
+
+const KEYS: Readonly<Record<string, 1 | -1>> = {
+  ArrowRight: 1,
+  ArrowUp: 1,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+};
 
 /** A slider, and the number itself to type. */
 export function NumberControl({ id, name, describedBy, value, declared, set }: Control) {
@@ -25,12 +32,11 @@ export function NumberControl({ id, name, describedBy, value, declared, set }: C
           value={Math.round(scale.toShare(number) * STEPS)}
           onInput={(event) => set(scale.fromShare(Number(event.currentTarget.value) / STEPS))}
           onKeyDown={(event) => {
-            const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
-            if (by === undefined || !declared.isWhole) return;
-            event.preventDefault(); // one by one, however long the range is
-            const next = number + by;
-            if (next >= (declared.least ?? -Infinity) && next <= (declared.most ?? Infinity))
-              set(next);
+            const by = KEYS[event.key];
+            if (by === undefined) return;
+            event.preventDefault(); // a step of the browser's may be less than the value's last digit
+            const next = pressed(number, by, declared);
+            if (next !== number) set(next);
           }}
         />
       )}
