@@ -130,7 +130,7 @@ def _rounded(value: float, digits: int) -> str:
 
 @cache
 def reasons() -> list[tuple[str, str]]:
-    """Patterns of what `nacreous.measure` says, and their Japanese; the viewer has the same file."""
+    """Patterns of what `nacreous.measure` says, and their Japanese; the viewer reads them too."""
     content = Path(__file__).with_name("reasons.json").read_text(encoding="utf-8")
     return [(one["pattern"], one["ja"]) for one in json.loads(content)]
 
