@@ -51,11 +51,11 @@ def numbers(found: Measures) -> dict[str, float]:
 
 
 def area(found: Measures) -> dict[str, float]:
-    """The blemished area where one is measured, under another name where told to be unsure."""
+    """The blemished area where one is measured, and whether it is told to be unsure."""
     if found.blemishes is None:
         return {}
-    name = "unsure area" if "blemishes.relief" in found.refused else "area"
-    return {name: found.blemishes.area.value}
+    is_unsure = "blemishes.relief" in found.refused
+    return {"area": found.blemishes.area.value, "is unsure": float(is_unsure)}
 
 
 def picture(pearl: str, scene: str, size: int, spots: str | None) -> Light:
@@ -153,9 +153,11 @@ def main() -> None:
             except nc.InputError:
                 refused.append(f"{pearl} on {scene}, {change}, {size} px")
                 continue
+            is_unsure = any(found.pop("is unsure", ()))
             for name, (before, after) in found.items():
                 kind = "a ring's chroma" if name.startswith("ring") else name
                 kind = f"{kind} of {spots.replace('_', ' ')}" if spots else kind
+                kind += ", named as unsure" * is_unsure
                 off = 100 * abs(after - before) / max(abs(before), least(name))
                 row = most.setdefault(kind, {})
                 if not np.isnan(off):

@@ -169,10 +169,17 @@ def test_an_area_that_hangs_on_faint_spots_is_named_and_its_error_holds_what_jpe
     found = measure(linear, white=(DARKER,) * 3)
     assert found.blemishes is not None
     assert "JPEG" in found.refused["blemishes.relief"]
-    before, after = moved(linear, "jpeg", DARKER, area)["unsure area"]
+    before, after = moved(linear, "jpeg", DARKER, area)["area"]
     error = found.blemishes.area.error
     assert error is not None
     assert abs(after - before) < error
+
+
+def test_spots_that_are_closed_in_part_are_named_as_unsure() -> None:
+    found = moved(lit("tahitian", "north-window-black", 384, "pits"), "jpeg", DARKER, area)
+    assert any(found["is unsure"])
+    before, after = found["area"]
+    assert abs(after / before - 1) > 0.05  # else there is nothing to name
 
 
 def test_the_colour_of_a_pearl_lighter_than_the_white_is_refused_by_name() -> None:

@@ -23,8 +23,8 @@ const LEAST_SHARE: f64 = 0.05;
 /// Spots found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Blemishes {
-    /// Their area on the ball, in percent of what was looked at; its error: half of what wanting differences a
-    /// quarter smaller or larger changes.
+    /// Their area on the ball, in percent of what was looked at; its error: half of what wanting differences, closed and
+    /// sharp borders a quarter less or more changes.
     pub area: Value,
     /// How many there are.
     pub count: usize,

@@ -21,7 +21,7 @@ const LEAST_PLACES_PX: f64 = 40.0;
 /// Radius of the copy in which colours are looked at, in pixels.
 const COLOUR_PX: f64 = 256.0;
 /// Where its error is more than this share of it, the blemished area hangs on faint spots: of pictures made anew, those that
-/// move by over 5 % are above it, but for pits of a dark pearl under JPEG (`tests/measure/changes.py`).
+/// move by over 5 % are above it (`tests/measure/changes.py`).
 const UNSURE: f64 = 0.08;
 /// Of a white that reflects all light; no pearl's mean is above it.
 const MOST_LIGHTNESS: f64 = 100.0;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use libm::{atan2, exp, sqrt};
+use libm::{atan2, exp, pow, sqrt};
 
 use crate::candidate::{Candidate, GAP, RING};
 use crate::face::{Face, SCALE, WIDTH};
@@ -60,9 +60,10 @@ pub struct Spot {
 }
 
 impl Spot {
-    /// How far it counts, 0 to 1, with differences wanted that are larger by a factor.
+    /// How far it counts, 0 to 1, with differences wanted that are larger by a factor; what is in part closed and sharp counts
+    /// less with a larger one: JPEG moved such a spot of a dark pearl from a half to all, and the area by 17 %.
     pub fn weight(&self, factor: f64) -> f64 {
-        self.shape
+        pow(self.shape, factor * factor)
             * rise(self.contrast / factor, DIFFERENCE)
             * rise(self.contrast / (factor * self.needed), CLEAR)
     }
