@@ -2,13 +2,15 @@
 
     python benchmarks/viewer.py --workers 1
     python benchmarks/viewer.py --lobes 2
+    python benchmarks/viewer.py --share
     python benchmarks/viewer.py --pixels
 
 Speed: `akoya-rg`, 64 columns, 512 x 512, on black cloth; medians of ms from the input's event to
 the next picture drawn, at rest before each. "refined" is until the whole picture of 16 samples is
 drawn. Errors of the first picture against the refined: CIEDE2000 over the pearl, mean and 95th
-percentile. `--pixels` compares refined pictures of twelve pearls in all scenes with those of
-`nacreous.render`, code by code. The page is that of `./just viewer`. docs/viewer.md has figures.
+percentile. `--share` tells how much sooner two workers refine than one, by turns. `--pixels`
+compares refined pictures of twelve pearls in all scenes with those of `nacreous.render`, code by
+code. The page is that of `./just viewer`. docs/viewer.md has figures.
 """
 
 from __future__ import annotations
@@ -104,6 +106,17 @@ SHOWN = """async side => {
 }"""
 
 
+#: Waits for the whole picture, and asks for no frame meanwhile: each is drawn by a processor that
+#: the workers then lack.
+WHOLE = """() => new Promise(done => {
+    const pearl = document.querySelector(".pearl");
+    const look = () => pearl.dataset.stage === "refined" && (watch.disconnect(), done());
+    const watch = new MutationObserver(look);
+    watch.observe(pearl, { attributes: true });
+    look();
+})"""
+
+
 @contextmanager
 def viewer(workers: int) -> Iterator[Page]:
     """The page of a static host, with so many workers."""
@@ -117,13 +130,14 @@ def opened(browser: Browser, address: str, workers: int) -> Page:
     processors = f"Object.defineProperty(navigator, 'hardwareConcurrency', {{ value: {workers} }})"
     page.add_init_script(processors + ";" + WATCH)
     page.goto(f"{address}/?lang=en")
+    page.wait_for_selector(".pearl[data-stage=refined]", timeout=120_000)
     refined(page)
     return page
 
 
 def refined(page: Page) -> None:
     """Wait for the whole picture."""
-    page.wait_for_selector(".pearl[data-stage=refined]", timeout=120_000)
+    page.evaluate(WHOLE)
     page.wait_for_timeout(300)
 
 
@@ -207,13 +221,30 @@ def _lab(codes: NDArray[Any]) -> NDArray[Any]:
 
 def whole(page: Page) -> None:
     """Print how long the refined picture takes."""
-    took = []
-    for run in range(6):
-        began = page.evaluate("performance.now()")
-        page.evaluate(SLIDE, ["nacre.thickness_winter_nm", run % 2 == 0])
-        refined(page)
-        took.append(page.evaluate("drawn.at(-1).at") - began)
+    took = [refined_ms(page, run) for run in range(6)]
     print(f"{'refined':28}{statistics.median(took):8.0f}{max(took):8.0f}")
+
+
+def refined_ms(page: Page, run: int) -> float:
+    """From the event to the whole picture."""
+    began = page.evaluate("performance.now()")
+    page.evaluate(SLIDE, ["nacre.thickness_winter_nm", run % 2 == 0])
+    refined(page)
+    return float(page.evaluate("drawn.at(-1).at") - began)
+
+
+def share() -> None:
+    """Print how much sooner two workers refine than one, by turns: machines change their pace."""
+    took: dict[int, list[float]] = {1: [], 2: []}
+    with hosted() as address, chromium() as browser:
+        for _ in range(4):
+            for workers, those in took.items():
+                page = opened(browser, address, workers)
+                typed(page, "surface.waviness_rad", 0)
+                those.extend([refined_ms(page, run) for run in range(6)])
+                page.close()
+    one, two = (statistics.median(those) for those in took.values())
+    print(f"refined: {one:.0f} ms by one worker, {two:.0f} by two; {one / two:.2f} times")
 
 
 def start(workers: int) -> None:
@@ -259,12 +290,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--lobes", type=int, choices=(1, 2), default=1)
+    parser.add_argument("--share", action="store_true")
     parser.add_argument("--pixels", action="store_true")
     options = parser.parse_args()
     if not (FOLDER / "index.html").is_file():
         sys.exit("the viewer's page is not built:   ./just viewer")
     if options.pixels:
         pixels()
+    elif options.share:
+        share()
     else:
         speed(options.workers, options.lobes)
         start(options.workers)

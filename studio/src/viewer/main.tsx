@@ -16,7 +16,14 @@ root.id = "viewer";
 document.body.append(root);
 render(<Page />, root);
 
+/** How long after the last change the address follows, in ms: browsers let a page change it some six times a second. */
+const ADDRESS_MS = 300;
+let following: ReturnType<typeof setTimeout> | undefined;
+
 effect(() => {
   const isChanged = canUndo.value;
-  if (isChanged && specs.value && !moving.value) void keepAddress();
+  clearTimeout(following);
+  if (isChanged && specs.value && !moving.value) {
+    following = setTimeout(() => void keepAddress(), ADDRESS_MS);
+  }
 });

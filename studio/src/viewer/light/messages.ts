@@ -26,12 +26,12 @@ export interface Agreed {
   readonly shared: Shared | null;
 }
 
-/** What all of them found. */
+/** What all of them found, piece by piece. */
 export interface Parts {
   readonly kind: "parts";
   readonly ticket: number;
   readonly round: number;
-  readonly parts: readonly Float64Array[];
+  readonly pieces: readonly Float64Array[];
 }
 
 /** Rows for a worker to make, `[first, end)`; none of them once all are handed out. */
@@ -117,7 +117,8 @@ export type FromWorker =
       /** Counts what is shared out. */
       readonly round: number;
       readonly part: number;
-      readonly numbers: Float64Array<ArrayBuffer>;
+      /** This worker's pieces: the first is the one of its own number, the next lies as many on as there are workers. */
+      readonly pieces: readonly Float64Array<ArrayBuffer>[];
     }
   | {
       readonly kind: "resolved";

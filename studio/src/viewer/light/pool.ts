@@ -53,6 +53,18 @@ export function agreed(lacked: readonly (Shared | null)[]): Shared | null {
   return inOrder.find((one) => lacked.includes(one)) ?? null;
 }
 
+/** The first of each, the second of each, and so on. */
+export function inTurn<T>(all: readonly (readonly T[])[]): T[] {
+  const longest = Math.max(...all.map((own) => own.length));
+  return Array.from({ length: longest }, (_, at) =>
+    all.flatMap((own) => own.slice(at, at + 1)),
+  ).flat();
+}
+
+/** Rows are told of so many ms after those before: each time draws the page anew, which takes 12 ms of a processor in headless
+ * Chromium, and where processors are few the workers wait for that. */
+const TOLD_MS = 150;
+
 /** How many workers a picture gets on a machine with so many processors. */
 export function workersFor(processors: number): number {
   return Math.max(1, Math.min(4, Number.isFinite(processors) ? Math.floor(processors) : 1));
@@ -72,9 +84,10 @@ export class Pool {
   /** What the workers were last told of dropped files. */
   private told: Resources | undefined;
   private rowsThere = 0;
-  private bands = new Bands(0);
+  private toldAt = 0;
+  private bands = new Bands(0, 1);
   private lacks = new Round<Shared | null>(0);
-  private shares = new Round<Float64Array>(0);
+  private shares = new Round<readonly Float64Array[]>(0);
   private question = 0;
   private readonly questions = new Map<number, (keys: Readonly<Record<string, number>>) => void>();
 
@@ -97,7 +110,7 @@ export class Pool {
     this.wanted = wanted;
     this.codes = this.light = this.pixels = this.covered = null;
     this.rowsThere = 0;
-    this.bands = new Bands(wanted.size);
+    this.bands = new Bands(wanted.size, this.workers.length);
     this.lacks = new Round(this.workers.length);
     this.shares = new Round(this.workers.length);
     const { recipe, resources, space, refine } = wanted;
@@ -178,12 +191,14 @@ export class Pool {
     }
   }
 
-  /** Once all workers have told their part of what is shared out, each gets all of them. */
-  private handRound({ ticket, round, part, numbers }: Extract<FromWorker, { kind: "part" }>): void {
-    const parts = this.shares.take(round, part, numbers);
-    if (parts === null) return;
+  /** Once all workers have told their pieces of what is shared out, each gets all of them. */
+  private handRound(told: Extract<FromWorker, { kind: "part" }>): void {
+    const { ticket, round } = told;
+    const all = this.shares.take(round, told.part, told.pieces);
+    if (all === null) return;
+    const pieces = inTurn(all);
     for (const worker of this.workers.keys()) {
-      this.tell(worker, { kind: "parts", ticket, round, parts });
+      this.tell(worker, { kind: "parts", ticket, round, pieces });
     }
   }
 
@@ -209,7 +224,10 @@ export class Pool {
     this.covered ??= new Uint8Array(size * size);
     this.covered.set(told.covered, first * size);
     this.rowsThere += made.length / (size * channels);
-    wanted.progress?.(this.rowsThere / size);
+    if (performance.now() - this.toldAt > TOLD_MS) {
+      this.toldAt = performance.now();
+      wanted.progress?.(this.rowsThere / size);
+    }
     if (this.rowsThere < size) return;
     if (this.pixels !== null) {
       const { ticket, pixels } = this;

@@ -8,7 +8,9 @@ import {
   lightOf,
   resolvedKeys,
   tell_panics,
+  type RecipeJson,
   type Resources,
+  type Shared,
 } from "nacreous-wasm";
 import { firstPicture } from "./first";
 import type {
@@ -25,6 +27,9 @@ import type {
 
 /** Rows are made in pieces of some so many ms; between two the worker looks at its messages. */
 const PIECE_MS = 20;
+/** What comes before is made in so many pieces by all workers: of reflections one takes some 20 ms, of films, which fall into
+ * groups of 16 columns, 50. */
+const PIECES: Readonly<Record<Shared, number>> = { films: 4, reflections: 16 };
 
 const page = self as unknown as {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
@@ -39,6 +44,10 @@ let latest: Show | null = null;
 let running = false;
 let rowsAtOnce = 2;
 let firstPx = 512;
+/** What the last first picture was of. */
+let shown: { readonly recipe?: RecipeJson; readonly resources: Resources | undefined } = {
+  resources: undefined,
+};
 let agreed: Agreed | null = null;
 let joined: Parts | null = null;
 /** Bands that are this worker's, the next first. */
@@ -88,13 +97,16 @@ async function make(wanted: Show): Promise<void> {
   if (job === null) job = new Job(wanted.recipe, resources);
   else job.change(wanted.recipe, resources === given ? undefined : resources);
   given = resources;
-  if (wanted.firstPx > 0) {
+  const { recipe } = wanted;
+  // It may be asked for again before the page has heard of it.
+  if (wanted.firstPx > 0 && !(shown.recipe === recipe && shown.resources === resources)) {
     firstPx = wanted.firstPx;
+    shown = { recipe, resources };
     const first = firstPicture(job, wanted.firstPx, wanted.space);
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
   }
   if (!wanted.refine) return;
-  if (wanted.parts > 1 && !(await share(job, wanted))) return;
+  if (!(await share(job, wanted))) return;
   do {
     await messages();
     if (latest !== null) return;
@@ -104,7 +116,7 @@ async function make(wanted: Show): Promise<void> {
   if (wanted.part === 0) job.preview(firstPx, wanted.space, "soft");
 }
 
-/** Works out this worker's part of what comes before the rows, and takes the others'; false where something newer came. */
+/** Works out this worker's pieces of what comes before the rows, and takes the others'; false where something newer came. */
 async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> {
   for (let round = 0; ; round += 1) {
     await messages();
@@ -114,13 +126,30 @@ async function share(job: Job, { ticket, part, parts }: Show): Promise<boolean> 
     const next = await reply(() => (isThis(agreed) ? agreed : null));
     if (next === null) return false;
     if (next.shared === null) return true;
-    const numbers = job.part(next.shared, part, parts) as Float64Array<ArrayBuffer>;
-    page.postMessage({ kind: "part", ticket, round, part, numbers }, [numbers.buffer]);
+    const own = await pieces(job, next.shared, [part, parts]);
+    if (own === null) return false;
+    const buffers = own.map((one) => one.buffer);
+    page.postMessage({ kind: "part", ticket, round, part, pieces: own }, buffers);
     const all = await reply(() => (isThis(joined) ? joined : null));
     if (all === null) return false;
-    job.join(next.shared, [...all.parts]);
+    job.join(next.shared, [...all.pieces]);
     joined = null; // a megabyte or two
   }
+}
+
+/** Every so-many-th piece of what is shared out; null where something newer came. */
+async function pieces(
+  job: Job,
+  shared: Shared,
+  [part, parts]: readonly [number, number],
+): Promise<Float64Array<ArrayBuffer>[] | null> {
+  const own = [];
+  for (let piece = part; piece < PIECES[shared]; piece += parts) {
+    own.push(job.part(shared, piece, PIECES[shared]) as Float64Array<ArrayBuffer>);
+    await messages();
+    if (latest !== null) return null;
+  }
+  return own;
 }
 
 /** Makes bands until none is left; false where something newer came. */

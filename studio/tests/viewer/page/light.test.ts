@@ -2,11 +2,11 @@ import { expect, test, vi } from "vitest";
 import { Bands } from "../../../src/viewer/light/bands";
 import type { FromWorker, ToWorker } from "../../../src/viewer/light/messages";
 import { FirstSize } from "../../../src/viewer/light/first";
-import { Pool, Round, agreed, type Whole } from "../../../src/viewer/light/pool";
+import { Pool, Round, agreed, inTurn, type Whole } from "../../../src/viewer/light/pool";
 
 test("every row is handed out once, and then none", () => {
   for (const size of [7, 16, 100]) {
-    const bands = new Bands(size);
+    const bands = new Bands(size, 2);
     let next = 0;
     while (next < size) {
       const [first, end] = bands.take();
@@ -176,4 +176,15 @@ test("workers that know different things work on what the first of them lacks", 
   for (const worker of [one, two]) {
     expect(worker.told.at(-1)).toEqual({ kind: "agreed", ticket: 1, round: 0, shared: "films" });
   }
+});
+
+test("pieces of workers come back in the order of their numbers", () => {
+  expect(
+    inTurn([
+      [0, 3, 6],
+      [1, 4],
+      [2, 5],
+    ]),
+  ).toEqual([0, 1, 2, 3, 4, 5, 6]);
+  expect(inTurn([[0], [1], [], []])).toEqual([0, 1]);
 });
