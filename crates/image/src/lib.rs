@@ -62,6 +62,7 @@ pub use preview::canvas::{Canvas, Sitter};
 pub use preview::dyes::Dyes;
 pub use preview::glimpses::{Fineness, Glimpses};
 pub use preview::paint::{Development, Painted, paint};
+pub use preview::points::Points;
 pub use preview::veil::Veil;
 pub use progress::Progress;
 pub use rgb::Rgb;

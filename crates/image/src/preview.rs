@@ -11,4 +11,5 @@ pub(crate) mod glimpses;
 pub(crate) mod grained;
 pub(crate) mod lanes;
 pub(crate) mod paint;
+pub(crate) mod points;
 pub(crate) mod veil;

@@ -55,6 +55,13 @@ pub(crate) struct Relief {
     pub(crate) seen: f64,
 }
 
+impl Relief {
+    /// Of a texture that is flat there.
+    pub(crate) fn level(value: [f32; CHANNELS]) -> Self {
+        Self { value, gradient: DVec3::ZERO, seen: 1.0 }
+    }
+}
+
 impl Texture {
     /// Draws a texture for a pearl of `radius_mm`, without the levels that samples `footprint_rad` apart, and
     /// wider ones, never look at. Same seed, same bytes, on every machine.
@@ -120,8 +127,7 @@ impl Texture {
     pub(crate) fn with_relief(&self, direction: DVec3, footprint_rad: f64) -> Relief {
         let whole = self.steepness2.last().copied().unwrap_or(0.0);
         if whole <= 0.0 {
-            let value = self.at(direction, footprint_rad);
-            return Relief { value, gradient: DVec3::ZERO, seen: 1.0 };
+            return Relief::level(self.at(direction, footprint_rad));
         }
         let degree = PI / footprint_rad.max(1e-9);
         let highest = degree.min(self.band_limit as f64) as usize;

@@ -56,27 +56,37 @@ impl Skin {
         radius_mm: f64,
         [away_mm, footprint_mm]: [f64; 2],
     ) -> (Local, Option<Rgb>) {
+        let (coat, relief) = self.layers((outward, cos_view), radius_mm, [away_mm, footprint_mm]);
+        match relief {
+            Some(relief) => (self.tilted(coat, &relief), Some(relief.value.map(f64::from))),
+            None => (coat, None),
+        }
+    }
+
+    /// The same in parts that do not hang on how steep the grain is, so long as it is steep at all: the coat, and the
+    /// grain with its relief.
+    pub(crate) fn layers(
+        &self,
+        (outward, cos_view): (DVec3, f64),
+        radius_mm: f64,
+        [away_mm, footprint_mm]: [f64; 2],
+    ) -> (Local, Option<Relief>) {
         let coat = self
             .coat
             .as_ref()
             .map_or(Local::EVEN, |coat| coat.at(outward, [away_mm, footprint_mm], cos_view));
-        match &self.texture {
-            Some(texture) if self.grain.relief_rad > 0.0 => {
-                let (local, grain) = self.grained(texture, outward, footprint_mm / radius_mm);
-                (coat.and(local), Some(grain))
-            }
-            _ => (coat, None),
-        }
+        let texture = self.texture.as_ref().filter(|_| self.grain.relief_rad > 0.0);
+        let relief = texture
+            .map(|texture| texture.with_relief(self.unturned(outward), footprint_mm / radius_mm));
+        (coat, relief)
     }
 
-    /// The grain's relief, as steep as its brightness changes, and the grain itself.
-    fn grained(&self, texture: &Texture, outward: DVec3, footprint_rad: f64) -> (Local, Rgb) {
-        let relief = texture.with_relief(self.unturned(outward), footprint_rad);
-        let Relief { value, gradient, seen } = relief;
-        let slope = gradient * self.grain.relief_rad;
+    /// A coat tilted by the grain's relief, as steep as its brightness changes.
+    pub(crate) fn tilted(&self, coat: Local, relief: &Relief) -> Local {
+        let slope = relief.gradient * self.grain.relief_rad;
         let slope = self.coat.as_ref().map_or(slope, |coat| coat.pose().turned(slope));
-        let fine_slope2 = 2.0 * self.grain.relief_rad.powi(2) * (1.0 - seen);
-        (Local { slope, fine_slope2, ..Local::EVEN }, value.map(f64::from))
+        let fine_slope2 = 2.0 * self.grain.relief_rad.powi(2) * (1.0 - relief.seen);
+        coat.and(Local { slope, fine_slope2, ..Local::EVEN })
     }
 
     /// A direction of the scene as it was before the pearl was turned.

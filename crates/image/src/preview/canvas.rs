@@ -1,7 +1,7 @@
 //! What each pixel of a preview sees of a pearl: a place in its net, with relief and grain.
 //!
-//! One line of sight a pixel, coverage by its distance from the silhouette. Kept while film and light change.
-//! Left out: pearls that stand before each other within one pixel, slopes too fine for one.
+//! From the points under the pixels, each tilted by the grain's relief. Kept while film and light change.
+//! Left out: what pixels see beside pearls, which is the backdrop.
 
 use glam::DVec3;
 
@@ -19,11 +19,16 @@ use crate::{
         skin::Skin,
     },
     picture::reflections::pixels_mm,
-    preview::{dyes, glimpses::Glimpses, veil::fine_net},
-    shape::ball::Hit,
+    preview::{
+        dyes,
+        glimpses::Glimpses,
+        points::{Place, Point, Points, line},
+        veil::fine_net,
+    },
+    shape::ball::{Ball, Hit},
     surface::facets::Facets,
     surroundings::{lamp::Lamp, lit::Lit},
-    view::{camera::Camera, ray::Ray},
+    view::camera::Camera,
 };
 
 /// Pixels of a preview, row by row.
@@ -96,15 +101,16 @@ pub(super) struct Spot {
 }
 
 impl Canvas {
-    /// Of `sitters[i]` as ball `i`.
+    /// Of `sitters[i]` as ball `i`, whose points are given.
     pub fn new(
+        points: &Points,
         sitters: &[Sitter<'_>],
         surroundings: &Lit,
         camera: &Camera,
-        size_px: usize,
     ) -> Self {
+        let size_px = points.size_px;
         let pixel_mm = pixels_mm(surroundings, camera, size_px);
-        let view = View { sitters, surroundings, camera, pixel_mm, size_px };
+        let view = View { points, sitters, surroundings, camera, pixel_mm };
         let mut spots = vec![Spot::default(); size_px * size_px];
         let glints = parallel::map_chunks(&mut spots, size_px, |row, spots| view.fill(row, spots));
         Self { size_px, spots, glints }
@@ -113,118 +119,95 @@ impl Canvas {
 
 /// Pearls before a camera.
 struct View<'a> {
+    points: &'a Points,
     sitters: &'a [Sitter<'a>],
     surroundings: &'a Lit,
     camera: &'a Camera,
     /// Width of a pixel at each ball.
     pixel_mm: Vec<f64>,
-    size_px: usize,
+}
+
+/// A point with its relief.
+struct Tilted<'a> {
+    point: &'a Point,
+    place: Place,
+    /// Coat and relief together.
+    local: Local,
+    normal: DVec3,
+    /// Towards the eye.
+    view: DVec3,
 }
 
 impl View<'_> {
     /// One row, and the images of lamps in it.
     fn fill(&self, row: usize, spots: &mut [Spot]) -> Vec<Glint> {
         let mut glints = Vec::new();
-        let middle = 0.5 * self.size_px as f64;
-        let y = (middle - row as f64 - 0.5) / middle;
-        let reach_mm = |ball: usize| self.surroundings.balls[ball].reach_mm() + self.pixel_mm[ball];
-        let near = |&ball: &usize| {
-            self.camera.off_row_mm(y, self.surroundings.balls[ball].centre) < reach_mm(ball)
-        };
-        let balls: Vec<usize> = (0..self.sitters.len()).filter(near).collect();
-        for (column, spot) in spots.iter_mut().enumerate() {
-            let ray = self.camera.ray((column as f64 + 0.5 - middle) / middle, y);
-            if let Some((ball, coverage)) = self.front(&ray, &balls) {
-                let point = self.point(ball, &ray);
-                *spot = self.spot(coverage, &point);
-                self.add_glints(column, &point, &mut glints);
+        for (point, uneven) in self.points.row(row) {
+            let column = usize::from(point.column);
+            let view = -line(self.camera, self.points.size_px, [column, row]).along;
+            let tilted = self.tilted(point, uneven, view);
+            spots[column] = self.spot(&tilted);
+            if !self.surroundings.lamps.is_empty() {
+                self.add_glints(point.column, &self.sight(&tilted), &mut glints);
             }
         }
         glints
     }
 
-    /// The nearest of the pearls that a pixel shows, and the share that it covers.
+    /// A point with its relief.
     #[inline]
-    fn front(&self, ray: &Ray, balls: &[usize]) -> Option<(usize, f32)> {
-        let covered = |&ball: &usize| {
-            let pixel_mm = self.pixel_mm[ball];
-            let inside_mm = match self.surroundings.solid(ball) {
-                None => self.inside_round_mm(ball, ray)?,
-                Some(_) if self.surroundings.is_passed(ball, ray, pixel_mm) => return None,
-                Some(_) => self.surroundings.inside_mm(ball, ray, 2.0 * pixel_mm).0,
-            };
-            let coverage = (inside_mm / pixel_mm + 0.5).clamp(0.0, 1.0);
-            (coverage > 0.0).then_some((ball, coverage as f32))
-        };
-        let far_mm = |ball: usize| self.surroundings.balls[ball].centre.distance_squared(ray.from);
-        let all = balls.iter().filter_map(covered);
-        all.min_by(|a, b| far_mm(a.0).total_cmp(&far_mm(b.0)))
-    }
-
-    /// How far inside a ball's silhouette a line of sight passes; `None` well beside it.
-    #[inline]
-    fn inside_round_mm(&self, ball: usize, ray: &Ray) -> Option<f64> {
-        let place = &self.surroundings.balls[ball];
-        let from = ray.from - place.centre;
-        let ahead_mm = from.dot(ray.along);
-        let passing2 = from.length_squared() - ahead_mm * ahead_mm;
-        let reach_mm = place.radius_mm + self.pixel_mm[ball];
-        (passing2 < reach_mm * reach_mm).then(|| place.radius_mm - passing2.max(0.0).sqrt())
-    }
-
-    /// The point of a pearl on a line of sight, with its relief.
-    fn point(&self, ball: usize, ray: &Ray) -> Sight {
-        let (skin, pixel_mm, view) = (self.sitters[ball].skin, self.pixel_mm[ball], -ray.along);
-        let hit = self.surroundings.nearest(ball, ray);
-        let outward = self.surroundings.outward(ball, &hit);
-        let place = &self.surroundings.balls[ball];
-        let lengths_mm = [hit.point.distance(place.centre), pixel_mm];
-        let (local, grain) = if skin.has_relief() {
-            skin.local((outward, hit.cos_view), place.radius_mm, lengths_mm)
-        } else {
-            (Local::EVEN, None)
-        };
-        let grain = grain.unwrap_or_else(|| skin.grain_at(outward, pixel_mm / place.radius_mm));
-        let normal = local.normal(hit.normal, view);
-        let spread = Spread::of_square(pixel_mm / place.radius_mm, hit.cos_view);
-        let spread = spread.over_slopes(local.fine_slope2);
-        let hit = Hit { normal, cos_view: normal.dot(view), ..hit };
-        let (part, around) = ((0, 1), Arounds::default());
-        Sight {
-            ball,
-            hit,
-            outward,
-            local,
-            grain: Some(grain),
-            view,
-            pixel_mm,
-            spread,
-            part,
-            around,
-        }
+    fn tilted<'a>(&self, point: &'a Point, uneven: Option<Place>, view: DVec3) -> Tilted<'a> {
+        let (ball, own) = (usize::from(point.ball), point.normal());
+        let away_mm = self.surroundings.balls[ball].radius_mm;
+        let place = uneven.unwrap_or(Place { outward: own, away_mm, coat: Local::EVEN });
+        let local = self.sitters[ball].skin.tilted(place.coat, &point.relief());
+        Tilted { point, place, local, normal: local.normal(own, view), view }
     }
 
     /// What a pixel shows of a pearl.
-    fn spot(&self, coverage: f32, point: &Sight) -> Spot {
-        let Sight { ball, hit, outward, local, .. } = point;
-        let at = |normal: DVec3| self.sitters[*ball].net.place_in_single(normal);
-        let normal = at(hit.normal);
-        let is_round = self.surroundings.solid(*ball).is_none();
+    #[inline]
+    fn spot(&self, tilted: &Tilted<'_>) -> Spot {
+        let Tilted { point, place, local, normal, view } = tilted;
+        let ball = usize::from(point.ball);
+        let at = |normal: DVec3| self.sitters[ball].net.place_in_single(normal);
+        let is_round = self.surroundings.solid(ball).is_none();
         Spot {
-            ball: *ball as u16,
-            row: dyes::row(hit.cos_view),
-            coverage,
-            normal,
-            outward: (!is_round).then(|| at(*outward)),
+            ball: point.ball,
+            row: dyes::row(normal.dot(*view)),
+            coverage: point.coverage,
+            normal: at(*normal),
+            outward: (!is_round).then(|| at(place.outward)),
             thickness: local.thickness as f32,
             chalk: local.chalk as f32,
             inside: local.inside as f32,
-            grain: point.grain.unwrap_or_default().map(|part| part as f32),
+            grain: point.grain,
+        }
+    }
+
+    /// The same for lamps.
+    fn sight(&self, tilted: &Tilted<'_>) -> Sight {
+        let &Tilted { point, ref place, local, normal, view } = tilted;
+        let ball = usize::from(point.ball);
+        let (Ball { centre, radius_mm, .. }, pixel_mm) =
+            (self.surroundings.balls[ball], self.pixel_mm[ball]);
+        let spread = Spread::of_square(pixel_mm / radius_mm, point.normal().dot(view).max(0.0));
+        let point = centre + place.outward * place.away_mm;
+        Sight {
+            ball,
+            hit: Hit { point, normal, cos_view: normal.dot(view) },
+            outward: place.outward,
+            local,
+            grain: None,
+            view,
+            pixel_mm,
+            spread: spread.over_slopes(local.fine_slope2),
+            part: (0, 1),
+            around: Arounds::default(),
         }
     }
 
     /// The images of lamps at a point.
-    fn add_glints(&self, column: usize, point: &Sight, glints: &mut Vec<Glint>) {
+    fn add_glints(&self, column: u16, point: &Sight, glints: &mut Vec<Glint>) {
         let Sight { ball, hit, view, .. } = point;
         for (lobe, (facets, lamps)) in self.sitters[*ball].lobes.iter().enumerate() {
             for (number, lamp) in lamps.iter().enumerate() {
@@ -235,7 +218,7 @@ impl View<'_> {
                 let past = self.surroundings.lamp_past(lamp, hit.point, Some(*ball));
                 let half = (*view + lamp.toward(hit.point)).normalize_or(hit.normal);
                 glints.push(Glint {
-                    column: column as u16,
+                    column,
                     lobe: lobe as u8,
                     lamp: number as u8,
                     row: dyes::row(half.dot(*view)),

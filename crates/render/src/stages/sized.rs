@@ -1,10 +1,11 @@
-//! What previews of one size keep: what lobes see, what pixels look at, what lies behind, and a film's view of the light.
+//! What previews of one size keep: what lobes see, the points under the pixels, what pixels look at, what lies behind, and a
+//! film's view of the light.
 
 use std::{convert::Infallible, sync::Arc};
 
 use nacreous_image::{
-    Backdrop, Camera, Canvas, Coat, Fineness, Glimpses, Lit, Sitter, Skin, Subsurface, Veil,
-    grain::texture::Texture,
+    Backdrop, Camera, Canvas, Coat, Fineness, Glimpses, Lit, Points, Sitter, Skin, Subsurface,
+    Veil, grain::texture::Texture,
 };
 
 use super::{
@@ -17,6 +18,7 @@ use crate::arrangement::Place;
 #[derive(Debug, Default)]
 pub(super) struct Sized {
     glimpses: Kept<GlimpsesKey, Glimpses>,
+    points: Kept<PointsKey, Points>,
     canvas: Kept<CanvasKey, Canvas>,
     backdrop: Kept<BackdropKey, Backdrop>,
     veils: Kept<VeilKey, Veil>,
@@ -32,14 +34,22 @@ struct GlimpsesKey {
     fineness: Fineness,
 }
 
-/// What pixels look at is made from.
+/// The points under the pixels are made from.
 #[derive(Debug, Clone, PartialEq)]
-struct CanvasKey {
+struct PointsKey {
     places: Vec<Place>,
     camera: Camera,
     size_px: usize,
-    fineness: Fineness,
     skins: Vec<SkinKey>,
+}
+
+/// What pixels look at is made from.
+#[derive(Debug, Clone, PartialEq)]
+struct CanvasKey {
+    /// Not the points themselves, which would outlive their time in it.
+    points: PointsKey,
+    /// How steep the grain of each pearl is.
+    relief_rad: Vec<f64>,
     /// Where there are lamps, whose images they show.
     lamps: Option<(Same<Lit>, Vec<FacetsKey>)>,
 }
@@ -60,8 +70,8 @@ struct VeilKey {
     ball: usize,
 }
 
-/// The grain of a pearl, how steep it is, and its coat.
-type SkinKey = (Option<Same<Texture>>, f64, Option<Same<Coat>>);
+/// The grain of a pearl, whether it is steep at all, and its coat.
+type SkinKey = (Option<Same<Texture>>, bool, Option<Same<Coat>>);
 
 impl Sized {
     /// What each pearl's lobes see of it; `None` for a camera within a pearl.
@@ -89,19 +99,13 @@ impl Sized {
         seen: &Seen<'_>,
         glimpses: &[Arc<Glimpses>],
     ) -> Option<Arc<Canvas>> {
-        let Seen { before, lit, asked, .. } = seen;
-        let skin = |skin: &Skin| {
-            let (texture, coat) = (skin.texture.clone(), skin.coat.clone());
-            (texture.map(Same), skin.grain.relief_rad, coat.map(Same))
-        };
-        let camera = before.arrangement.camera();
+        let Seen { before, lit, .. } = seen;
+        let key = points_key(seen);
+        let points = self.points(seen, key.clone())?;
         let has_lamps = !lit.lamps.is_empty();
         let key = CanvasKey {
-            places: before.arrangement.places().to_vec(),
-            camera,
-            size_px: asked.size_px,
-            fineness: fineness(asked.size_px),
-            skins: before.skins.iter().map(skin).collect(),
+            points: key,
+            relief_rad: before.skins.iter().map(|skin| skin.grain.relief_rad).collect(),
             lamps: has_lamps.then(|| {
                 (Same(Arc::clone(lit)), seen.balls().map(|ball| seen.facets(ball)).collect())
             }),
@@ -112,11 +116,22 @@ impl Sized {
                 let response = &seen.responses[place.pearl];
                 Sitter::new(skin, &glimpses[ball], response, lit)
             };
-            let sitters: Vec<_> =
-                before.arrangement.places().iter().enumerate().map(sitter).collect();
-            Ok::<_, Infallible>(Some(Canvas::new(&sitters, lit, &camera, key.size_px)))
+            let sitters: Vec<_> = key.points.places.iter().enumerate().map(sitter).collect();
+            Ok::<_, Infallible>(Some(Canvas::new(&points, &sitters, lit, &key.points.camera)))
         };
         let Ok(made) = self.canvas.one(key, make);
+        made
+    }
+
+    /// The points under the pixels.
+    fn points(&mut self, seen: &Seen<'_>, key: PointsKey) -> Option<Arc<Points>> {
+        let make = |key: &PointsKey| {
+            let skin = |place: &Place| &seen.before.skins[place.pearl];
+            let skins: Vec<&Skin> = key.places.iter().map(skin).collect();
+            let points = Points::new(&skins, seen.lit, &key.camera, key.size_px);
+            Ok::<_, Infallible>(Some(points))
+        };
+        let Ok(made) = self.points.one(key, make);
         made
     }
 
@@ -151,5 +166,18 @@ impl Sized {
         };
         let Ok(made) = self.veils.all(seen.balls().map(key).collect(), make);
         made
+    }
+}
+
+fn points_key(Seen { before, asked, .. }: &Seen<'_>) -> PointsKey {
+    let skin = |skin: &Skin| {
+        let (texture, coat) = (skin.texture.clone(), skin.coat.clone());
+        (texture.map(Same), skin.grain.relief_rad > 0.0, coat.map(Same))
+    };
+    PointsKey {
+        places: before.arrangement.places().to_vec(),
+        camera: before.arrangement.camera(),
+        size_px: asked.size_px,
+        skins: before.skins.iter().map(skin).collect(),
     }
 }
