@@ -11,8 +11,8 @@ export interface Show {
   readonly space: Space;
   /** Pixels a side of the first picture; 0 where this worker makes none. */
   readonly firstPx: number;
-  /** Whether the rows of the whole picture are wanted, or its first picture alone. */
-  readonly refine: boolean;
+  /** How long after this the rows of the whole picture are begun, in ms; null where its first picture alone is wanted. */
+  readonly restMs: number | null;
   /** This worker's number of all that work on the picture. */
   readonly part: number;
   readonly parts: number;

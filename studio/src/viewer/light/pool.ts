@@ -23,7 +23,8 @@ export interface Wanted {
   readonly space: Space;
   /** Pixels a side of the first picture; 0 for none. */
   readonly firstPx: number;
-  readonly refine: boolean;
+  /** How long a hand must rest before the picture is refined, in ms; null where it is not. */
+  readonly restMs: number | null;
   /** isCurrent: false of a picture that was asked for just before, while things move. */
   first?(made: First, isCurrent: boolean): void;
   progress?(share: number): void;
@@ -113,7 +114,7 @@ export class Pool {
     this.bands = new Bands(wanted.size, this.workers.length);
     this.lacks = new Round(this.workers.length);
     this.shares = new Round(this.workers.length);
-    const { recipe, resources, space, refine } = wanted;
+    const { recipe, resources, space, restMs } = wanted;
     const { ticket } = this;
     this.whenReady(ticket, () => {
       const isNew = resources !== undefined && resources !== this.told;
@@ -126,7 +127,7 @@ export class Pool {
           ...(isNew ? { resources } : {}),
           space,
           firstPx: part === 0 ? wanted.firstPx : 0,
-          refine,
+          restMs,
           part,
           parts: this.workers.length,
         };

@@ -92,7 +92,8 @@ async function work(): Promise<void> {
 }
 
 async function make(wanted: Show): Promise<void> {
-  if (!wanted.refine && wanted.firstPx === 0) return;
+  const since = performance.now();
+  if (wanted.restMs === null && wanted.firstPx === 0) return;
   const resources = told;
   if (job === null) job = new Job(wanted.recipe, resources);
   else job.change(wanted.recipe, resources === given ? undefined : resources);
@@ -105,7 +106,7 @@ async function make(wanted: Show): Promise<void> {
     const first = firstPicture(job, wanted.firstPx, wanted.space);
     page.postMessage({ kind: "first", ticket: wanted.ticket, ...first }, [first.codes.buffer]);
   }
-  if (!wanted.refine) return;
+  if (wanted.restMs === null || !(await rested(since + wanted.restMs))) return;
   if (!(await share(job, wanted))) return;
   do {
     await messages();
@@ -171,6 +172,23 @@ async function picture(job: Job, wanted: Show): Promise<boolean> {
       if (latest !== null) return false;
     }
   }
+}
+
+/** Waits until a time, in ms of this worker's clock; false where something newer came. */
+async function rested(until: number): Promise<boolean> {
+  await messages();
+  const restMs = until - performance.now();
+  if (restMs > 0 && latest === null) {
+    await new Promise<void>((go) => {
+      const bell = setTimeout(go, restMs);
+      wake = () => {
+        if (latest === null) return;
+        clearTimeout(bell);
+        go();
+      };
+    });
+  }
+  return latest === null;
 }
 
 /** Waits for what the others come to; null where something newer came. */

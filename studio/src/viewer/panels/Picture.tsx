@@ -19,8 +19,14 @@ export interface Making {
   readonly failed: string;
 }
 
+/** How long a hand rests before the picture is refined: longer than a first picture takes, and than between events of a mouse.
+ * The workers wait for it, for the page would be busy drawing what it says of itself when the first picture comes. Once they
+ * refine they look up every 50 ms and sooner. */
+const REST_MS = 50;
+
 interface Given {
   readonly specs: Specs;
+  /** Whether a hand is on a knob, which may go on. */
   readonly moving: boolean;
   readonly size: number;
   readonly pool: () => Pool;
@@ -73,7 +79,7 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: 
         size,
         space: SPACE,
         firstPx: seen.first === recipe ? 0 : firstPx,
-        refine: !moving,
+        restMs: moving ? REST_MS : 0,
         first(made, isCurrent) {
           draw(made.codes, made.widthPx);
           seen.sizes.learn(made);
@@ -97,7 +103,7 @@ export function usePicture({ specs, moving, size, pool, canvas, tell, finish }: 
         },
       });
     }
-  }, [specs, moving, size, resources, waits, failed]);
+  }, [specs, size, resources, waits, failed]);
 }
 
 /** Why no picture can be made of these specs; "" where one can. */

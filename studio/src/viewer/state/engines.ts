@@ -83,7 +83,7 @@ function next(): void {
     size: SMALL_PX,
     space: SPACE,
     firstPx: SMALL_PX,
-    refine: false,
+    restMs: null,
     first: end,
     failed: () => end(null),
   });

@@ -77,9 +77,8 @@ export function announce(said: string): void {
   });
 }
 
-/** How long a hand rests before the picture is refined, in ms: a few events of a mouse. Workers look up from refining every
- * 50 ms and sooner. */
-const REST_MS = 30;
+/** How long after its last event a hand is said to rest, in ms. */
+const REST_MS = 100;
 let resting: ReturnType<typeof setTimeout> | undefined;
 
 /** Says that a hand is on a knob; it rests a moment after the last of these. */

@@ -43,7 +43,7 @@ async function pool(count: number) {
   return { made, workers: FakeWorker.all };
 }
 
-const WANTED = { recipe: "{}", size: 16, space: "srgb" as const, firstPx: 8, refine: true };
+const WANTED = { recipe: "{}", size: 16, space: "srgb" as const, firstPx: 8, restMs: 0 };
 const light = new Float32Array(16 * 16 * 3);
 const covers = (rows: number) => new Uint8Array(rows * 16).fill(1);
 const settled = () => new Promise((go) => setTimeout(go));
