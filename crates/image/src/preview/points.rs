@@ -89,8 +89,13 @@ impl Points {
 
 /// The line of sight through the middle of a pixel.
 pub(super) fn line(camera: &Camera, size_px: usize, [column, row]: [usize; 2]) -> Ray {
+    camera.ray(from_middle(size_px, column), -from_middle(size_px, row))
+}
+
+/// How far the middle of a pixel is from the picture's, from -1 to 1.
+fn from_middle(size_px: usize, pixel: usize) -> f64 {
     let middle = 0.5 * size_px as f64;
-    camera.ray((column as f64 + 0.5 - middle) / middle, (middle - row as f64 - 0.5) / middle)
+    (pixel as f64 + 0.5 - middle) / middle
 }
 
 impl Point {
@@ -143,8 +148,7 @@ struct Look<'a> {
 
 impl Look<'_> {
     fn row(&self, row: usize) -> Row {
-        let middle = 0.5 * self.size_px as f64;
-        let y = (middle - row as f64 - 0.5) / middle;
+        let y = -from_middle(self.size_px, row);
         let reach_mm = |ball: usize| self.surroundings.balls[ball].reach_mm() + self.pixel_mm[ball];
         let near = |&ball: &usize| {
             self.camera.off_row_mm(y, self.surroundings.balls[ball].centre) < reach_mm(ball)
@@ -239,9 +243,10 @@ mod tests {
     fn a_place_is_kept_as_it_was() {
         let coat = Local { slope: DVec3::new(0.1, -0.2, 0.3), chalk: 0.4, ..Local::EVEN };
         let place = Uneven::new(&Place { outward: DVec3::Y, away_mm: 4.1, coat }).place();
-        let apart =
-            (place.coat.slope - coat.slope).length() + (place.coat.chalk - coat.chalk).abs();
-        assert!(place.outward == DVec3::Y && (place.away_mm - 4.1).abs() < 1e-6 && apart < 1e-6);
-        assert!(place.coat.thickness == 1.0 && place.coat.inside == 1.0);
+        assert!(
+            (place.coat.slope - coat.slope).length() + (place.coat.chalk - coat.chalk).abs() < 1e-6
+        );
+        assert_eq!(Local { slope: coat.slope, chalk: coat.chalk, ..place.coat }, coat);
+        assert!(place.outward == DVec3::Y && (place.away_mm - 4.1).abs() < 1e-6);
     }
 }

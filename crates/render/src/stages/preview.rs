@@ -1,6 +1,7 @@
 //! The first picture after a change, from what is kept and tables of a quickly asked film.
 //!
-//! Its stages: the light around, what lobes see of it through a net, what each pixel looks at, and the film's colours on it.
+//! Its stages: the light around, what lobes see of it through a net, the points under the pixels, what each pixel looks at
+//! there, and the film's colours on it.
 //! Each is kept until what it is made from changes; light that pearls send out, while pearls and table stay. Pearls of the
 //! model of 1996 have no such tables: one sample a pixel of a smaller picture shows them.
 
