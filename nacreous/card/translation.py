@@ -77,8 +77,8 @@ class Texts:
     def reason(self, reason: str) -> str:
         """Why the picture lets something not be measured; in English where it has no Japanese.
 
-        >>> Texts("ja").reason("all of the pearl is clipped")
-        '真珠全体が白飛びしています'
+        >>> Texts("ja").reason("the pearl is too small")
+        '真珠が小さすぎます'
         """
         if self.language == "ja":
             for pattern, text in reasons():

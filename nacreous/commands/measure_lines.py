@@ -40,12 +40,14 @@ def shown(number: Number, unit: str = "", least_digits: int = 0) -> str:
 
     >>> shown(Number(8.01234, 0.0123), "mm"), shown(Number(0.5), "%", 1)
     ('8.012 ± 0.012 mm', '0.5 %')
+    >>> shown(Number(0.0, 0.0), "%", 2)
+    '0.00 ± 0.00 %'
     """
     behind = "°" if unit == "°" else f" {unit}" if unit else ""
     if number.error is None:
         return f"{number.value:.{max(1, least_digits)}f}{behind}"
-    digits = 1 - math.floor(math.log10(number.error)) if number.error > 0 else 4
-    digits = min(max(digits, least_digits), 4)
+    digits = 1 - math.floor(math.log10(number.error)) if number.error > 0 else 0
+    digits = min(max(digits, least_digits, 1), 4)
     return f"{number.value:.{digits}f} ± {number.error:.{digits}f}{behind}"
 
 

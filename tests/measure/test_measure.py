@@ -188,6 +188,13 @@ def test_the_colour_of_a_pearl_lighter_than_the_white_is_refused_by_name() -> No
     assert re.search(r"lighter than the white .* L\* 1\d\d; allowed", found.refused["colour"])
 
 
+def test_the_colour_of_a_pearl_that_is_clipped_over_a_quarter_is_refused_by_name() -> None:
+    ends = float(np.quantile(rendered()[rendered().max(-1) > 0.05].max(-1), 0.5))
+    found = measure(np.minimum(rendered(), ends), white=(ends,) * 3, clipped_at=ends)
+    assert found.colour is None
+    assert re.search(r"clipped in \d\d % of its pixels; allowed", found.refused["colour"])
+
+
 def test_spots_of_a_pearl_under_forty_pixels_of_radius_are_refused_by_name() -> None:
     found = measure(rendered(96))
     assert found.blemishes is None

@@ -148,9 +148,9 @@ pub fn measure_cut_out(
     Ok(Measures { place, size, roundness, sphere, colour, rings, lamp, blemishes, refused })
 }
 
-/// The colour of the whole pearl, which no pearl's is where it is lighter than the white.
+/// The colour of the whole pearl, which no pearl is where it is lighter than the white.
 fn colour_of(disc: &Disc, circle: &Circle) -> Result<Colour, String> {
-    let colour = whole(disc, circle).ok_or_else(|| "all of the pearl is clipped".to_owned())?;
+    let colour = whole(disc, circle)?;
     let lightness = colour.lightness.value;
     if lightness > MOST_LIGHTNESS {
         return Err(format!(

@@ -89,15 +89,27 @@ impl Cell {
 
 /// The colour of the whole pearl: the mean light of its middle half by lightness, which leaves out lamps'
 /// images and shadows, round or not.
-pub fn whole(disc: &Disc, middle: &Circle) -> Option<Colour> {
+///
+/// # Errors
+/// So much of the pearl is clipped that its middle half would be another one.
+pub fn whole(disc: &Disc, middle: &Circle) -> Result<Colour, String> {
     let mut held: Vec<&Pixel> =
-        disc.pixels.iter().flatten().filter(|pixel| pixel.away < 0.9 && !pixel.clipped).collect();
-    held.sort_by(|one, other| one.xyz[1].total_cmp(&other.xyz[1]));
+        disc.pixels.iter().flatten().filter(|pixel| pixel.away < 0.9).collect();
+    let clipped = held.iter().filter(|pixel| pixel.clipped).count();
+    if 4 * clipped > held.len() {
+        let percent = 100.0 * clipped as f64 / held.len() as f64;
+        return Err(format!(
+            "the pearl is clipped in {percent:.0} % of its pixels; allowed: up to 25 %"
+        ));
+    }
+    // What is clipped was lighter than it seems.
+    let lightness = |pixel: &Pixel| if pixel.clipped { f64::INFINITY } else { pixel.xyz[1] };
+    held.sort_by(|one, other| lightness(one).total_cmp(&lightness(other)));
     let mut groups = [Cell::default(); GROUPS];
     for pixel in &held[held.len() / 4..held.len() - held.len() / 4] {
         groups[sector(pixel, middle, GROUPS)].add(pixel.xyz, 1.0);
     }
-    colour(&groups)
+    colour(&groups).ok_or_else(|| "the pearl is too small".to_owned())
 }
 
 /// Colours by ring.
