@@ -70,7 +70,8 @@ def run(args: argparse.Namespace) -> int:
         if not args.no_browser:
             # The system's own browsers start others and come back; a person's own may not.
             threading.Thread(target=_open, args=(address,), daemon=True).start()
-        server.run(sockets=[listener])
+        with listening.ended_by_signals(server):
+            server.run(sockets=[listener])
     return 0
 
 

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from starlette.types import ASGIApp
 
 _BACKLOG = 2048
+#: Signals that end a server in the ordinary way.
+_STOPPING = (signal.SIGINT, signal.SIGTERM)
 #: Where a proxy may be that is believed: at "localhost", by either protocol.
 _THIS_MACHINE = "127.0.0.1,::1"
 #: Every address of this machine.
@@ -133,9 +135,26 @@ def until_stopped() -> Iterator[None]:
 
 def serve(app: FastAPI, listening: socket.socket) -> None:
     """Serve until stopped; requests that came before are answered."""
-    _open_many()
-    app.openapi()  # made now, for it takes a tenth of a second
-    server_of(app).run(sockets=[listening])
+    server = server_of(app)
+    with ended_by_signals(server):
+        _open_many()
+        app.openapi()  # made now, for it takes a tenth of a second
+        server.run(sockets=[listening])
+
+
+@contextmanager
+def ended_by_signals(server: uvicorn.Server) -> Iterator[None]:
+    """SIGINT and SIGTERM end the server, from before it runs.
+
+    As exceptions, which they are till then, they could meet code that swallows them while the
+    server is set up; nobody would hear of them again.
+    """
+    before = {one: signal.signal(one, server.handle_exit) for one in _STOPPING}
+    try:
+        yield
+    finally:
+        for one, handler in before.items():
+            signal.signal(one, handler)
 
 
 def _fast() -> dict[str, Any]:
